@@ -7,7 +7,7 @@ from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.checks import flight_checks
-from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
 from gearwright.mission.lives.mix import MixedLife, mixed_life
@@ -47,6 +47,7 @@ __all__ = [
     "fly",
     "fly_each",
     "gear_damage",
+    "gear_damages",
     "gearbox_of",
     "governed_window",
     "mesh_spectrum",

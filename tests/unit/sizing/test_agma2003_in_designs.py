@@ -95,7 +95,7 @@ def test_damage_is_stress_over_its_limit_on_the_curves(critical, curve):
     rating = rating_of(parse(BEVEL + TABLE + f"critical_service = {critical}\n"), "stage")
     ask = Ask(0.0, (20, 60), 8.0, idlers=(False, True), passes=(2.0, 1.0))
     spectrum = MeshSpectrum(rating, ask, 3e-3, 24e-3, (300.0, 200.0), (300.0, 250.0), (1e6, 4e6), None)
-    found = METHODS["agma2003"].damage(spectrum)
+    found = [parts.within() for parts in METHODS["agma2003"].damage(spectrum)]
     pair, making = bevel_pair((20, 60), 3e-3, 24e-3, rating), making_of(rating)
     for gear, turns in enumerate((2.0, 1.0 / 3.0)):
         flanks, roots = [], []

@@ -882,7 +882,7 @@ def test_damages_of_agma_are_turns_over_what_the_curves_bear(method):
         own.rating, ask, own.module, own.face_width, torques=(torque,), speeds=(500.0,), turns=(3e6,), steel=None
     )  # type: ignore[arg-type]
     mesh = factors if method == "agma2001" else factors.mesh
-    damages = METHODS[method].damage(spectrum)
+    damages = [parts.within() for parts in METHODS[method].damage(spectrum)]
     making = (cylindrical_making_of if method == "agma2001" else bevel_making_of)(own.rating)
     curves = making.curves_of(0) if method == "agma2001" else (CONTACT, BENDING)
     for gear, turns in enumerate((2.0 * 3e6, 3.0 * 3e6 * 23 / 59)):

@@ -18,7 +18,7 @@ from gearwright.render.pages.report import report
 from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size
-from gearwright.sizing.rating import METHODS, Damage, Factor, Making, rating_of
+from gearwright.sizing.rating import METHODS, ClassDamage, Factor, Making, rating_of
 from gearwright.sizing.rating.agma2001 import Agma2001Rating
 from gearwright.sizing.rating.lewis_hertz import LewisHertzRating
 from gearwright.spec import edited, parse, read, read_mission, schema
@@ -80,7 +80,7 @@ class Dummy:
         return 10.0
 
     def damage(self, spectrum):
-        return Damage(0.0, 0.25), Damage(0.0, 0.125)
+        return ClassDamage([0.0], [0.25]), ClassDamage([0.0], [0.125])
 
     def checks(self, rated, mesh, gears):
         yield Check(mesh, "dummy bending", "dummy, eq. 3", rated.bending_stress, 400e6, "stress", at_most=True)

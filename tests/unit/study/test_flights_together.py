@@ -13,7 +13,7 @@ SCATTERED = """
 schema = 1
 name = "scattered"
 designs = ["in-line-h2"]
-results = ["fly.fuel", "fly.minimum_charge", "fly.duration", "fly.climb.fuel", "mass"]
+results = ["fly.fuel", "fly.minimum_charge", "fly.duration", "fly.climb.fuel", "fly.life", "mass"]
 [fly]
 mission = "thesis"
 [axes]

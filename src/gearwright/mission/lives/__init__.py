@@ -5,7 +5,7 @@ Flying itself is in `mission`.
 
 from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
 from gearwright.mission.lives.checks import flight_checks
-from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
 from gearwright.mission.lives.mix import MixedLife, mixed_life
@@ -31,6 +31,7 @@ __all__ = [
     "duty_spectrum",
     "flight_checks",
     "gear_damage",
+    "gear_damages",
     "mesh_spectrum",
     "mixed_life",
     "read_duty",

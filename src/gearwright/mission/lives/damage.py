@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.spectrum import mesh_spectrum
+from gearwright.mission.lives.spectrum import CLASSES, classed
 from gearwright.ranking import largest_first
-from gearwright.sizing.rating import Damage, MeshSpectrum, method_for, rating_of, row_ask
+from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, row_ask
 from gearwright.spec import Design
+from gearwright.spec.mission import GearLifeRules
 from gearwright.train import Gear, Mesh
 from gearwright.units import Ratio
 from gearwright.verbs import verb
@@ -67,19 +70,50 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
 
     Valid for: cylindrical and bevel gears (ISO 10300 rates the latter); those of `unrated_stages` are left out.
     """
-    sums: dict[tuple[str, str], list[float]] = {}
-    for mesh in flight.sizing.train.meshes:
-        if mesh.stage in unrated_stages(flight.sizing.design):
+    (found,) = gear_damages([flight])
+    if isinstance(found, DesignError):
+        raise found
+    return found
+
+
+@verb
+def gear_damages(flights: Sequence[Flight]) -> list[tuple[GearDamage, ...] | DesignError]:
+    """Return the damage of the gears for each of many flights, with the bits that it has alone.
+
+    Args:
+        flights: Of one gearbox.
+
+    Source: `gear_damage`.
+    """
+    try:
+        return list(_damages(flights))
+    except DesignError as error:
+        return [error] if len(flights) == 1 else [found for flight in flights for found in gear_damages([flight])]
+
+
+def _damages(flights: Sequence[Flight]) -> list[tuple[GearDamage, ...]]:
+    """Return the damage of the gears for each of many flights, all of which can be rated."""
+    if not flights:
+        return []
+    train, unrated = flights[0].sizing.train, unrated_stages(flights[0].sizing.design)
+    sums: list[dict[tuple[str, str], list[float]]] = [{} for _ in flights]
+    loads = [_extremes(flight) for flight in flights]
+    for mesh in train.meshes:
+        if mesh.stage in unrated:
             continue
         try:
-            damages = _mesh_damage(flight, mesh)
+            damages = _mesh_damages(flights, mesh, loads)
         except DesignError as error:
             raise DesignError([Problem(mesh.name, problem.message) for problem in error.problems]) from None
-        for gear, modes in zip(mesh.gears, damages, strict=True):
-            for mode, damage in zip((PITTING, BENDING), modes, strict=True):
-                sums.setdefault((gear, mode), []).append(damage)
-    hours = flight.duration / 3600.0
-    train = flight.sizing.train
+        for by_gear, both in zip(sums, damages, strict=True):
+            for gear, modes in zip(mesh.gears, both, strict=True):
+                for mode, damage in zip((PITTING, BENDING), modes, strict=True):
+                    by_gear.setdefault((gear, mode), []).append(damage)
+    return [_worst_first(flight, by_gear) for flight, by_gear in zip(flights, sums, strict=True)]
+
+
+def _worst_first(flight: Flight, sums: Mapping[tuple[str, str], Sequence[float]]) -> tuple[GearDamage, ...]:
+    hours, train = flight.duration / 3600.0, flight.sizing.train
     rows = [
         GearDamage(train.gear(gear).part, mode, _joined(train.gear(gear), parts), hours)
         for (gear, mode), parts in sums.items()
@@ -101,26 +135,57 @@ def _joined(gear: Gear, parts: Sequence[float]) -> float:
     return max(parts) if gear.role is Role.PLANET else sum(parts)
 
 
-def _loads(flight: Flight) -> dict[str, list[float]]:
-    """Return mesh row -> torque on its first gear in every interval [N m]."""
-    return {name: mesh.torque.tolist() for name, mesh in flight.meshes.items()}
+def _extremes(flight: Flight) -> dict[str, tuple[float, float]]:
+    """Return mesh row -> least and greatest torque on its first gear [N m]."""
+    return {name: (float(mesh.torque.min()), float(mesh.torque.max())) for name, mesh in flight.meshes.items()}
 
 
-def _mesh_damage(flight: Flight, mesh: Mesh) -> tuple[Damage, Damage]:
-    """Return what the flight does to gear a and gear b of a mesh."""
-    bins = [duty for duty in mesh_spectrum(flight, mesh.name) if duty.load > _LEAST_TORQUE and duty.turns > 0.0]
-    if not bins:
-        return Damage(0.0, 0.0), Damage(0.0, 0.0)
-    rating = rating_of(flight.sizing.design, mesh.stage, flight.sizing.teeth).of_mesh(mesh)
-    gears = [gear for name in mesh.gears for gear in flight.sizing.gears if gear.name == name]
-    spectrum = MeshSpectrum(
-        rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
-        ask=row_ask(flight.sizing.train, flight.sizing.teeth, mesh, _loads(flight)),
-        module=gears[0].module,
-        face_width=min(gear.face_width for gear in gears),
-        torques=[duty.load * rating.load_factor for duty in bins],
-        speeds=[duty.speed for duty in bins],
-        turns=[duty.turns for duty in bins],
-        steel=flight.mission.gears,
-    )
-    return method_for(rating).damage(spectrum)
+def _mesh_damages(
+    flights: Sequence[Flight], mesh: Mesh, loads: Sequence[Mapping[str, tuple[float, float]]]
+) -> list[tuple[Damage, Damage]]:
+    """Return what each flight does to gear a and gear b of a mesh, in pitting and bending.
+
+    Flights with the same steel, whose teeth are loaded on the same flanks, are rated together, class by class.
+    """
+    sizing = flights[0].sizing
+    rolling = [flight.speed(mesh.nodes[0]) - flight.speed(mesh.nodes[2]) for flight in flights]
+    torques = [flight.meshes[mesh.name].torque for flight in flights]
+    spectra = classed(torques, rolling, [flight.history.duration for flight in flights], CLASSES)
+    counts = (spectra.load > _LEAST_TORQUE) & (spectra.turns > 0.0)
+    rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
+    gears = [gear for name in mesh.gears for gear in sizing.gears if gear.name == name]
+    damages: list[tuple[Damage, Damage]] = [(Damage(0.0, 0.0), Damage(0.0, 0.0))] * len(flights)
+    for ask, steel, members in _alike(flights, mesh, loads, [bool(row.any()) for row in counts]):
+        kept = counts[members]
+        spectrum = MeshSpectrum(
+            rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
+            ask=ask,
+            module=gears[0].module,
+            face_width=min(gear.face_width for gear in gears),
+            torques=(spectra.load[members][kept] * rating.load_factor).tolist(),
+            speeds=spectra.speed[members][kept].tolist(),
+            turns=spectra.turns[members][kept].tolist(),
+            steel=steel,
+        )
+        both = method_for(rating).damage(spectrum)
+        ends = np.cumsum(kept.sum(axis=1)).tolist()
+        for flight, start, end in zip(members, [0, *ends], ends, strict=False):
+            damages[flight] = (both[0].within(start, end), both[1].within(start, end))
+    return damages
+
+
+def _alike(
+    flights: Sequence[Flight], mesh: Mesh, loads: Sequence[Mapping[str, tuple[float, float]]], loaded: Sequence[bool]
+) -> list[tuple[Ask, GearLifeRules, list[int]]]:
+    """Return which flights that load a mesh ask the same of it, of gears of the same steel."""
+    groups: list[tuple[Ask, GearLifeRules, list[int]]] = []
+    for k, flight in enumerate(flights):
+        if not loaded[k]:
+            continue
+        ask, steel = row_ask(flight.sizing.train, flight.sizing.teeth, mesh, loads[k]), flight.mission.gears
+        members = next((found for same, made, found in groups if same == ask and made == steel), None)
+        if members is None:
+            groups.append((ask, steel, [k]))
+        else:
+            members.append(k)
+    return groups

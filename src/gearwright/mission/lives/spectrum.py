@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -68,21 +70,54 @@ def bearing_spectra(flight: Flight, *, classes: int = CLASSES) -> dict[str, tupl
     return {seat.name: _binned(flight, duty.radial, duty.speed, classes) for seat, duty in seat_duties(flight)}
 
 
-def _binned(flight: Flight, load_of: Floats, speed: Floats, classes: int) -> tuple[DutyBin, ...]:
-    """Sum what falls into each class of equal width; empty classes are left out."""
-    load, turning, time = np.abs(load_of), np.abs(speed), flight.history.duration
-    turns = turning * time / (2.0 * np.pi)
-    top = float(load.max()) or 1.0
-    place = np.minimum((load / top * classes).astype(int), classes - 1)
-    bins = []
-    for k in np.unique(place):
-        in_class = place == k
-        total = float(turns[in_class].sum())
-        weights = turns[in_class] if total else time[in_class]
-        mean = float(np.average(load[in_class], weights=weights))
-        bins.append(
-            DutyBin(
-                mean, float(np.average(turning[in_class], weights=time[in_class])), float(time[in_class].sum()), total
-            )
-        )
-    return tuple(bins)
+class Classed(NamedTuple):
+    """Spectra of several flights; every array has a row for each flight and a column for each class."""
+
+    load: Floats
+    """Mean over its turns, without sign; over its time where there are none."""
+    speed: Floats
+    """Mean over its time, without sign [rad/s]."""
+    time: Floats
+    """[s]; 0 in empty classes."""
+    turns: Floats
+    """[-]"""
+
+    def bins(self, flight: int) -> list[DutyBin]:
+        """Return the classes of one flight that are not empty.
+
+        Args:
+            flight: Its number.
+        """
+        columns = (column[flight] for column in self)
+        return [DutyBin(*row) for row in zip(*(column.tolist() for column in columns), strict=True) if row[2] > 0.0]
+
+
+def classed(loads: Sequence[Floats], speeds: Sequence[Floats], times: Sequence[Floats], classes: int) -> Classed:
+    """Sum what falls into each class of equal width, between nothing and the greatest load of each flight.
+
+    Args:
+        loads: Of every flight, shape (intervals,); signs do not count.
+        speeds: As the loads [rad/s].
+        times: Duration of every interval [s].
+        classes: Number of load classes [-].
+    """
+    count = len(loads)
+    load, speed, time = (np.concatenate(columns) for columns in (loads, speeds, times))
+    load, speed = np.abs(load), np.abs(speed)
+    owner = np.repeat(np.arange(count), [len(one) for one in loads])
+    top = np.array([float(np.abs(one).max()) or 1.0 for one in loads])[owner]
+    place = owner * classes + np.minimum((load / top * classes).astype(int), classes - 1)
+
+    def summed(values: Floats) -> Floats:
+        return np.asarray(np.bincount(place, values, count * classes).reshape(count, classes), dtype=float)
+
+    turns = speed * time / (2.0 * np.pi)
+    whole, total = summed(time), summed(turns)
+    with np.errstate(invalid="ignore"):  # empty classes
+        by_turns, by_time = summed(load * turns) / total, summed(load * time) / whole
+        mean = summed(speed * time) / whole
+    return Classed(np.where(total > 0.0, by_turns, by_time), mean, whole, total)
+
+
+def _binned(flight: Flight, load: Floats, speed: Floats, classes: int) -> tuple[DutyBin, ...]:
+    return tuple(classed([load], [speed], [flight.history.duration], classes).bins(0))

@@ -34,7 +34,7 @@ from gearwright.parts.agma2001.geometry import (
     stress_correction,
 )
 from gearwright.parts.agma2001.hardness import Hardnesses, hardened_pinion_factor, hardness_ratio_of
-from gearwright.parts.agma2001.life import endured_cycles, miner_sum, spectrum_safety
+from gearwright.parts.agma2001.life import endured_cycles, miner_parts, miner_sum, spectrum_safety
 from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, AgmaPairRating, AgmaWheel, greatest_velocity, rate_agma
 from gearwright.parts.agma2001.rating import (
     AgmaGear,
@@ -91,6 +91,7 @@ __all__ = [
     "helical_overlap_factor",
     "load_distribution_factor",
     "load_sharing_ratio",
+    "miner_parts",
     "miner_sum",
     "overload_distribution",
     "pitting_geometry_factor",

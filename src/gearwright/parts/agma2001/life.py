@@ -36,6 +36,20 @@ def endured_cycles(curve: CycleCurve, factor: float) -> float:
     return math.exp(logarithm) if logarithm < _ENDLESS else math.inf
 
 
+def miner_parts(curve: CycleCurve, ratios: Sequence[float], cycles: Sequence[float]) -> list[float]:
+    """Return Miner's part of every load of a spectrum [-].
+
+    Args:
+        curve: Curve of the material.
+        ratios: Stress of every load over its limit at a stress cycle factor of 1 [-].
+        cycles: Of every load [-].
+
+    Source: Miner 1945, n_i/N_i, N_i by AGMA 2001-D04, clause 17.
+    """
+    loads = zip(ratios, cycles, strict=True)
+    return [count / endured_cycles(curve, ratio) if ratio > 0.0 else 0.0 for ratio, count in loads]
+
+
 def miner_sum(curve: CycleCurve, ratios: Sequence[float], cycles: Sequence[float]) -> float:
     """Return Miner's sum of a spectrum [-]; 1 is failure.
 
@@ -44,9 +58,9 @@ def miner_sum(curve: CycleCurve, ratios: Sequence[float], cycles: Sequence[float
         ratios: Stress of every load over its limit at a stress cycle factor of 1 [-].
         cycles: Of every load [-].
 
-    Source: Miner 1945, Σ n_i/N_i, N_i by AGMA 2001-D04, clause 17.
+    Source: Miner 1945, Σ n_i/N_i.
     """
-    return sum(count / endured_cycles(curve, ratio) for ratio, count in zip(ratios, cycles, strict=True) if ratio > 0.0)
+    return sum(miner_parts(curve, ratios, cycles))
 
 
 def spectrum_safety(curve: CycleCurve, ratios: Sequence[float], cycles: Sequence[float]) -> float:

@@ -15,6 +15,7 @@ from gearwright.sizing.rating.lewis_hertz import width_ratio
 from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
+    ClassDamage,
     Damage,
     Load,
     LoadedMesh,
@@ -53,6 +54,7 @@ __all__ = [
     "METHODS",
     "STANDARD_MODULES",
     "Ask",
+    "ClassDamage",
     "Context",
     "Damage",
     "Demand",

@@ -56,7 +56,7 @@ class LoadedMesh(NamedTuple):
 
 
 class MeshSpectrum(NamedTuple):
-    """What a flight asks of a mesh, class by class."""
+    """What flights ask of a mesh, class by class."""
 
     rating: Rating
     """Rules of its stage; K_A is 1."""
@@ -83,6 +83,24 @@ class Damage(NamedTuple):
     """Miner's sum of the flank [-]."""
     bending: float
     """Miner's sum of the root [-]."""
+
+
+class ClassDamage(NamedTuple):
+    """What each class of a spectrum does to one gear, with the bits that it has alone."""
+
+    pitting: Sequence[float]
+    """Miner's parts of the flank, one for each class [-]."""
+    bending: Sequence[float]
+    """Miner's parts of the root [-]."""
+
+    def within(self, start: int = 0, end: int | None = None) -> Damage:
+        """Return what classes do together.
+
+        Args:
+            start: The first one.
+            end: The one after the last; None: all that follow.
+        """
+        return Damage(sum(self.pitting[start:end]), sum(self.bending[start:end]))
 
 
 class Making(NamedTuple):
@@ -169,8 +187,8 @@ class Method(Protocol[R]):
     def reserve(self, rated: R) -> float:
         """Return by what factor the loads could grow until one asked safety is no longer met [-]."""
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums of both gears."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts of both gears."""
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return p of N ~ σ^(−p) below the knee of flanks (``pitting``) or roots (``bending``) [-]."""

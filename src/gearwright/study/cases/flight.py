@@ -32,12 +32,24 @@ def flown(design: Design, mission: Mission, asked: Flown) -> tuple[Sizing, Fligh
     return sizing, fly(sizing, mission)
 
 
-def flight_results(flight: Flight, names: Iterable[str]) -> dict[str, Named]:
+def asks_lives(names: Iterable[str]) -> bool:
+    """Tell whether results need the damage of the gears.
+
+    Args:
+        names: Of the results.
+    """
+    return any(name in _LIFE or (name.startswith("fly.") and name.endswith(_LIFE_ENDING)) for name in names)
+
+
+def flight_results(
+    flight: Flight, names: Iterable[str], damages: tuple[GearDamage, ...] | None = None
+) -> dict[str, Named]:
     """Return the results of a flight by name; damage is summed only if a name asks for a life.
 
     Args:
         flight: As flown.
         names: That are asked for.
+        damages: Of its gears, where they are known.
 
     Returns:
         Of one gearbox: ``fly.fuel``, ``fly.battery_energy`` (taken from the store), ``fly.electric_share`` (motors'
@@ -51,8 +63,8 @@ def flight_results(flight: Flight, names: Iterable[str]) -> dict[str, Named]:
         DesignError: If a life is asked for and ISO 6336 does not rate the gears.
     """
     results = {**_whole(flight), **dict(_phases(flight))}
-    if any(name in _LIFE or (name.startswith("fly.") and name.endswith(_LIFE_ENDING)) for name in names):
-        results |= _lives(gear_damage(flight))
+    if asks_lives(names):
+        results |= _lives(damages or gear_damage(flight))
     return results
 
 

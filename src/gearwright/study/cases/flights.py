@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from itertools import takewhile
+from typing import Any
 
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.sizing import Named, Sizing, asked_results, size
@@ -62,7 +63,8 @@ def _design_part(study: Study, case: Case) -> Mapping[str, Value]:
 
 
 def _flown_rows(study: Study, design: Design, changes: Mapping[str, Value], cases: Sequence[Case]) -> list[Row]:
-    from gearwright.mission import fly_each  # what flies is loaded for those who ask for it
+    from gearwright.mission import Flight, fly_each, gear_damages  # what flies is loaded for those who ask for it
+    from gearwright.study.cases.flight import asks_lives
 
     mission = study.mission
     assert mission is not None  # `fly_together`
@@ -74,8 +76,14 @@ def _flown_rows(study: Study, design: Design, changes: Mapping[str, Value], case
     good = [entry for entry in missions if isinstance(entry, Mission)]
     flights = iter(fly_each(sizing, good))
     found = [next(flights) if isinstance(entry, Mission) else entry for entry in missions]
+    flew = [one for one in found if isinstance(one, Flight)]
+    damages = iter(gear_damages(flew) if asks_lives(study.asked) else [None] * len(flew))
+    lived = [next(damages) if isinstance(one, Flight) else None for one in found]
     once = cache(lambda: asked_results(sizing, study.asked))
-    return [row_of(study, case, partial(_results, study, once, one)) for case, one in zip(cases, found, strict=True)]
+    return [
+        row_of(study, case, partial(_results, study, once, one, damage))
+        for case, one, damage in zip(cases, found, lived, strict=True)
+    ]
 
 
 def _sized(design: Design, changes: Mapping[str, Value]) -> Sizing:
@@ -95,15 +103,16 @@ def _edited(mission: Mission, changes: Mapping[str, Value]) -> Mission | DesignE
         return error
 
 
-def _results(study: Study, of_sizing: Callable[[], dict[str, Named]], flight: object) -> dict[str, Named]:
+def _results(study: Study, of_sizing: Callable[[], dict[str, Named]], flight: object, damage: Any) -> dict[str, Named]:
     """Return the results that are asked for; those of the sizing, the same for all, where a flight has not all."""
     from gearwright.mission import Flight
     from gearwright.study.cases.flight import flight_results
 
-    if isinstance(flight, DesignError):
-        raise flight
+    for known in (flight, damage):
+        if isinstance(known, DesignError):
+            raise known
     assert isinstance(flight, Flight)
-    results = flight_results(flight, study.asked)
+    results = flight_results(flight, study.asked, damage)
     if all(name in results for name in study.asked):
         return {name: results[name] for name in study.asked}
     return of_sizing() | results

@@ -16,7 +16,7 @@ from gearwright.parts.agma2001 import (
     AgmaMaking,
     AgmaPairRating,
     greatest_velocity,
-    miner_sum,
+    miner_parts,
     rate_agma,
     spectrum_safety,
 )
@@ -25,7 +25,7 @@ from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, making_of
 from gearwright.sizing.rating.agma2001.record import Agma2001Rating
 from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_checks
 from gearwright.sizing.rating.factors import Factor, factor_rows
-from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import widest_ratio
@@ -96,21 +96,23 @@ class Agma2001:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums, with the stresses and the stress cycle factors of AGMA 2001 in each class."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2001 in each class."""
         rating, making = spectrum.rating, making_of(spectrum.rating, spectrum.ask.roles)
         pair = hobbed_pair(spectrum.ask, spectrum.face_width / spectrum.module, rating)
         duty = _duty(rating, spectrum.ask, np.asarray(spectrum.torques), np.asarray(spectrum.speeds), 1.0)
         rated = rate_agma(pair, spectrum.module, duty, making)
         first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
-        sums = []
+        both = []
         for gear, relative in enumerate((1.0, first / second)):
             cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
             modes = zip((True, False), making.curves_of(gear), strict=True)
-            sums.append(
-                Damage(*(miner_sum(curve, _over(rated, gear, contact=mode).tolist(), cycles) for mode, curve in modes))
+            both.append(
+                ClassDamage(
+                    *(miner_parts(curve, _over(rated, gear, contact=mode).tolist(), cycles) for mode, curve in modes)
+                )
             )
-        return sums[0], sums[1]
+        return both[0], both[1]
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return 1/e of the stress cycle factor below its corner [-]."""

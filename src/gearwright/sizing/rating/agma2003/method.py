@@ -12,7 +12,7 @@ from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId
-from gearwright.parts.agma2001 import CycleCurve, greatest_velocity, miner_sum, spectrum_safety
+from gearwright.parts.agma2001 import CycleCurve, greatest_velocity, miner_parts, spectrum_safety
 from gearwright.parts.agma2003 import (
     BENDING,
     BENDING_CRITICAL,
@@ -29,7 +29,7 @@ from gearwright.sizing.rating.agma2003.inputs import duty_of, making_of
 from gearwright.sizing.rating.agma2003.limits import limited
 from gearwright.sizing.rating.agma2003.record import Agma2003Rating
 from gearwright.sizing.rating.factors import Factor, factor_rows
-from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import by_teeth
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
@@ -122,8 +122,8 @@ class Agma2003:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums, with the stresses and the stress cycle factors of AGMA 2003 in each class."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2003 in each class."""
         rating, making = spectrum.rating, making_of(spectrum.rating)
         loads = zip(spectrum.torques, spectrum.speeds, strict=True)
         every = [
@@ -132,15 +132,15 @@ class Agma2003:
             for torque, speed in loads
         ]  # fmt: skip
         first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
-        sums = []
+        both = []
         for gear, relative in enumerate((1.0, first / second)):
             cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
             modes = ((True, CONTACT), (False, _bending_curve(making)))
-            sums.append(
-                Damage(*(miner_sum(curve, [_over(one, gear, contact=mode) for one in every], cycles)
+            both.append(
+                ClassDamage(*(miner_parts(curve, [_over(one, gear, contact=mode) for one in every], cycles)
                          for mode, curve in modes))
             )  # fmt: skip
-        return sums[0], sums[1]
+        return both[0], both[1]
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return 1/e of the stress cycle factor below its corner [-]."""

@@ -24,7 +24,7 @@ from gearwright.sizing.rating.iso10300.limits import limited
 from gearwright.sizing.rating.iso10300.module import bevel_modules
 from gearwright.sizing.rating.iso10300.record import Iso10300Rating
 from gearwright.sizing.rating.iso10300.scuffing import SCUFFING, bevel_scuffing
-from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
 from gearwright.spec.mission import GearLifeRules
@@ -93,8 +93,8 @@ class Iso10300:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums by ISO 6336-6, with the stresses of ISO 10300-2 and -3 in each class."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts by ISO 6336-6, with the stresses of ISO 10300-2 and -3 in each class."""
         loads = zip(spectrum.torques, spectrum.speeds, strict=True)
         every = [
             _rated(spectrum.rating, Load("", torque, spectrum.ask._replace(speed=speed), 1.0),

@@ -32,7 +32,7 @@ from gearwright.sizing.rating.iso6336.ranges import Beyond, beyond_ranges, range
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
-from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rims import rim_factors
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
@@ -139,8 +139,8 @@ class Iso6336:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
         speeds = np.asarray(spectrum.speeds)
         duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, passes=spectrum.ask.passes)
         rated = self._rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)

@@ -1,4 +1,4 @@
-"""Stresses of rated gears under many loads, their safeties over a life, and Miner's sums by ISO 6336-6."""
+"""Stresses of rated gears under many loads, their safeties over a life, and Miner's parts by ISO 6336-6."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from gearwright.parts.iso6336 import (
     life_curves,
     spectrum_damage,
 )
-from gearwright.sizing.rating.protocol import Damage, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, MeshSpectrum
 
 
 class Strain(NamedTuple):
@@ -70,8 +70,8 @@ def safeties(rated: Sequence[Strains], steels: Steels) -> tuple[Both, Both]:
     return (flank[0], flank[1]), (root[0], root[1])
 
 
-def damages(strains: Strains, spectrum: MeshSpectrum, steels: Steels) -> tuple[Damage, Damage]:
-    """Return Miner's sums of both gears.
+def damages(strains: Strains, spectrum: MeshSpectrum, steels: Steels) -> tuple[ClassDamage, ClassDamage]:
+    """Return Miner's parts of both gears.
 
     Args:
         strains: Under the loads of the spectrum, arrays over its classes.
@@ -79,12 +79,12 @@ def damages(strains: Strains, spectrum: MeshSpectrum, steels: Steels) -> tuple[D
         steels: Of both gears.
     """
     first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
-    sums = []
+    both = []
     for gear, relative in enumerate((1.0, first / second)):
         cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
         parts = zip(strains, life_curves(steels[gear]), strict=True)
-        sums.append(Damage(*(_sum(cycles, pair[gear], curve) for pair, curve in parts)))
-    return sums[0], sums[1]
+        both.append(ClassDamage(*(_parts(cycles, pair[gear], curve) for pair, curve in parts)))
+    return both[0], both[1]
 
 
 def _safety(strains: list[Strain], curve: LifeCurve) -> float:
@@ -95,8 +95,8 @@ def _safety(strains: list[Strain], curve: LifeCurve) -> float:
     return spectrum_damage(bins, 1.0, curve).safety
 
 
-def _sum(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> float:
-    """Miner's sum over the classes; the limits differ from class to class by the film factors."""
-    count = len(cycles)
-    rows = zip(cycles, np.broadcast_to(strain.stress, count), np.broadcast_to(strain.endurance, count), strict=True)
-    return sum(damage_parts([StressBin(float(stress), turns)], float(limit), curve)[0] for turns, stress, limit in rows)
+def _parts(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> list[float]:
+    """Miner's part of every class; the limits differ from class to class by the film factors."""
+    stresses, limits = (np.broadcast_to(values, len(cycles)).tolist() for values in strain[:2])
+    rows = zip(cycles, stresses, limits, strict=True)
+    return [damage_parts([StressBin(stress, turns)], limit, curve)[0] for turns, stress, limit in rows]

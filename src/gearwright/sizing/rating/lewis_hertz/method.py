@@ -18,7 +18,7 @@ from gearwright.sizing.rating.factors import Factor
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.lewis_hertz import strength
 from gearwright.sizing.rating.lewis_hertz.record import LewisHertzRating
-from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import ClassDamage, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import working_radii
 from gearwright.spec.design import Iso6336Rules
@@ -83,8 +83,8 @@ class LewisHertz:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
-    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
-        """Return Miner's sums by ISO 6336 with the mission's steel: Lewis and Hertz know no life."""
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts by ISO 6336 with the mission's steel: Lewis and Hertz know no life."""
         return Iso6336().damage(spectrum._replace(rating=_by_iso(spectrum.rating, spectrum.steel)))
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
