@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.dynamics.vibration import run_up as runup
     from gearwright.errors import DesignError, Problem, SolveError
-    from gearwright.mission import durability, fly, size_for_life
+    from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
+    from gearwright.mission import duty_spectrum as duty
     from gearwright.mission.windows import fly_window as window
     from gearwright.render.drawings.catalogue import sheets as draw
     from gearwright.render.pages.notebook import figure
@@ -78,6 +79,7 @@ _VERBS = {
     "design_text": "spec",
     "draw": "render.drawings.catalogue",
     "durability": "mission",
+    "duty": "mission",
     "edited": "spec",
     "edited_mission": "spec",
     "engines": "weights",
@@ -96,8 +98,10 @@ _VERBS = {
     "named_results": "sizing",
     "parse": "spec",
     "periodic": "dynamics",
+    "phase_forces": "mission",
     "power_flow_figure": "render.schematic.schematic",
     "read": "spec",
+    "read_duty": "mission",
     "read_mission": "spec",
     "read_study": "spec",
     "report": "render.pages.report",
@@ -131,6 +135,7 @@ _VERBS = {
 
 _CALLED = {
     "draw": "sheets",
+    "duty": "duty_spectrum",
     "response": "answer",
     "runup": "run_up",
     "study": "run",
@@ -155,6 +160,7 @@ __all__ = [
     "design_text",
     "draw",
     "durability",
+    "duty",
     "edited",
     "edited_mission",
     "engines",
@@ -173,8 +179,10 @@ __all__ = [
     "named_results",
     "parse",
     "periodic",
+    "phase_forces",
     "power_flow_figure",
     "read",
+    "read_duty",
     "read_mission",
     "read_study",
     "report",

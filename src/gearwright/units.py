@@ -104,6 +104,8 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "voltage": ("V", 1.0),
     "mass_flow": ("kg/h", 1.0 / 3600.0),
     "oil_flow": ("l/min", 1e-3 / 60.0),
+    "acceleration": ("m/s²", 1.0),
+    "ground_roll": ("m", 1.0),
 }
 _SI: Mapping[str, str] = MappingProxyType({
     "angle": "rad", "area": "m²", "density": "kg/m³", "distance": "m",
@@ -116,6 +118,7 @@ _SI: Mapping[str, str] = MappingProxyType({
     "number": "1", "ratio": "1", "percent": "1",
     "elasticity_factor": "√Pa", "mass_per_length": "kg/m", "temperature": "°C", "absolute_temperature": "K",
     "current": "A", "voltage": "V", "mass_flow": "kg/s", "oil_flow": "m³/s",
+    "acceleration": "m/s²", "ground_roll": "m",
 })  # fmt: skip
 
 _SUFFIX: Mapping[str, str] = MappingProxyType({
@@ -124,6 +127,7 @@ _SUFFIX: Mapping[str, str] = MappingProxyType({
     "altitude": "ft", "flight_time": "min", "bearing_force": "kn", "elasticity_factor": "sqrt_mpa",
     "mass_per_length": "g_mm", "temperature": "degc", "absolute_temperature": "k", "current": "a", "voltage": "v",
     "mass_flow": "kg_h", "oil_flow": "l_min", "film_thickness": "um",
+    "acceleration": "m_s2", "ground_roll": "m",
 })  # fmt: skip
 """Dimension that no file has -> suffix of a key that holds it."""
 

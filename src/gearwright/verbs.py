@@ -30,7 +30,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Durability": "gw.durability(flight)",
         "DynamicWindow": "gw.window(flight, name)",
         "Flight": "gw.fly(sizing, mission)",
-        "MeasuredDuty": "gearwright.mission.read_duty(path)",
+        "MeasuredDuty": "gw.read_duty(path)",
         "Mission": "gw.read_mission(path or shipped name)",
         "Model": "gw.Model()",
         "Modes": "gw.modes(system)",

@@ -48,6 +48,7 @@ COMMANDS = (
     Command("runup pair.toml --speeds 2"),
     Command("sharing face-gear-split-torque"),
     Command("fly"),
+    Command("duty bench.csv --classes 5"),
     Command("fly in-line-h2"),
     Command("window in-line-h2"),
     Command("compare in-line star"),
@@ -79,7 +80,10 @@ count = 4
 [objectives]
 mass = "minimum"
 """
-FILES = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "rated.toml": RATED, "small.toml": STUDY}
+BENCH = "time_s,torque_nm,speed_rpm,temperature_c\n" + "".join(
+    f"{10 * k},{50 * (k % 9)},{600 + 30 * k},{40 + k}\n" for k in range(40)
+)
+FILES = {"bench.csv": BENCH, "pair.toml": PAIR, "hybrid.toml": HYBRID, "rated.toml": RATED, "small.toml": STUDY}
 JOURNAL = ["study", "small.toml", "--workers", "0", "--journal", "journal"]
 """What makes the journal of `status` and `resume`."""
 

@@ -30,6 +30,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "runup": (f"{_ROOM}vibration:RunUpAnswer", ""),
     "sharing": (f"{_ROOM}vibration:SharingAnswer", ""),
     "fly": (f"{_ROOM}flight:FlyAnswer", f"{_ROOM}flight:Moment"),
+    "duty": (f"{_ROOM}duty:DutyAnswer", ""),
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),
@@ -43,7 +44,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
 REVISIONS: Mapping[str, int] = MappingProxyType({
-    "campbell": 2, "compare": 2, "fly": 7, "modes": 2, "resume": 2, "run": 16, "runup": 2, "simulate": 2, "size": 15,
+    "campbell": 2, "compare": 2, "fly": 8, "modes": 2, "resume": 2, "run": 16, "runup": 2, "simulate": 2, "size": 15,
     "study": 2, "window": 2,
 })  # fmt: skip
 """Command -> number of its schema, where keys of its answer have changed since the first."""

@@ -2,7 +2,7 @@
 
 from gearwright.spec.aircraft import Aircraft, Flaps, PhaseKind
 from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
-from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
+from gearwright.spec.bounds import LONGEST_NAME, NAME_RULE, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import (
     GROUND,
     RATED,
@@ -58,6 +58,7 @@ __all__ = [
     "MISSION_PATH",
     "MOST_INTERVALS",
     "MOST_VALUES",
+    "NAME_RULE",
     "NO_MAP",
     "RATED",
     "Accessory",

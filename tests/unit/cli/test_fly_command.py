@@ -132,3 +132,17 @@ def test_what_cannot_be_flown_is_named_with_line_value_and_fix(tmp_path, change,
     with pytest.raises(DesignError, match=rf"line \d+: {expected}") as raised:
         run(design, str(path), catch=False)
     assert str(raised.value).startswith(str(path))
+
+
+def test_the_forces_of_an_aircraft_are_part_of_the_json():
+    """Thrust is what drag, path and what is left over come to: a sum, to rounding."""
+    told = json.loads(run("in-line", "regional-aircraft", "--json").stdout)["result"]["forces"]
+    assert [row["name"] for row in told][:3] == ["taxi-out", "run-up", "take-off"]
+    for row in told:
+        assert row["thrust_n"] == pytest.approx(row["drag_n"] + row["path_n"] + row["left_over_n"])
+        assert row["implied_m_s2"] == pytest.approx(row["left_over_n"] / row["mass_kg"])
+    assert told[2]["roll_m"] == pytest.approx(903.0, abs=1.0)  # as the how-to page shows it
+
+
+def test_a_mission_without_an_aircraft_has_no_forces():
+    assert json.loads(run("in-line-h2", "thesis", "--json").stdout)["result"]["forces"] == []

@@ -1,6 +1,7 @@
 """Measured duty: the file, what is wrong with it, and the spectrum that it becomes."""
 
 import math
+import tomllib
 
 import numpy as np
 import pytest
@@ -26,6 +27,37 @@ def test_units_are_read_from_the_first_line(tmp_path):
     assert duty.torque.tolist() == [0.0, 1000.0, 2000.0, -2000.0]
     assert duty.speed == pytest.approx(np.array([600, 600, 1200, 1200]) * math.pi / 30.0)
     assert duty.temperature == pytest.approx([293.15, 303.15, 313.15, 323.15])
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["\ufeff" + GOOD, GOOD.replace("\n", "\r\n"), GOOD.replace(",", ";"), GOOD.replace(",", "\t"), "\n" + GOOD],
+    ids=["byte order mark", "line ends of Windows", "semicolons", "tabs", "an empty line before it"],
+)
+def test_what_spreadsheets_write_is_read(text, tmp_path):
+    plain, found = read_duty(written(tmp_path, GOOD)), read_duty(written(tmp_path, text))
+    assert found.time.tolist() == plain.time.tolist() and found.torque.tolist() == plain.torque.tolist()
+
+
+def test_lines_are_counted_as_an_editor_counts_them(tmp_path):
+    with pytest.raises(DesignError, match="line 5, speed_rpm"):
+        read_duty(written(tmp_path, "\ufeff\r\ntime_s;torque_nm;speed_rpm\r\n0;1;1\r\n\r\n1;1;x\r\n"))
+
+
+def test_every_class_keeps_its_turns_in_the_text(tmp_path):
+    """600 rpm for 30 s under 1 kN m, 1200 rpm for 10 s under 2 kN m, 60 s idle at no speed: by hand."""
+    text = "time_s,torque_nm,speed_rpm\n0,1000,600\n30,2000,1200\n40,0,0\n100,0,0\n"
+    told = tomllib.loads(duty_spectrum(read_duty(written(tmp_path, text)), classes=2).text("m"))
+    case, spectrum = told["cases"]["measured"], told["spectra"]["measured"]
+    turns = [share * case["duration_s"] * case["m"]["speed_rpm"] / 60.0 for share in spectrum["share"]]
+    assert turns == pytest.approx([0.0, 300.0, 200.0], rel=1e-6) and spectrum["load"] == [0.0, 0.5, 1.0]
+
+
+def test_names_with_spaces_are_quoted_and_others_refused(tmp_path):
+    spectrum = duty_spectrum(read_duty(written(tmp_path, GOOD)))
+    assert "gas turbine 1" in tomllib.loads(spectrum.text("gas turbine 1", "test bench"))["cases"]["test bench"]
+    with pytest.raises(DesignError, match=r"machine: 'a\.b'"):
+        spectrum.text("a.b")
 
 
 def test_power_over_speed_is_torque(tmp_path):
@@ -66,7 +98,15 @@ def _driver():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "there is no such column; give one of time_s"),
+        ("", "the file is empty; its first line names the columns"),
+        ("\n \n", "the file is empty"),
+        ("0,1,1\n1,1,1\n", "time: there is no such column; give one of time_s"),
+        ("time_s,torque_nm,speed_rpm\n", "two rows at least"),
+        ("time_s;torque_nm;speed_rpm\n0;1,5;1\n1;1;1\n", r"line 2, torque_nm: '1,5' .*; decimals have a point: 1\.5"),
+        (
+            "time_s,torque_nm,speed_rpm\n0,1,5,1\n1,1,1\n",
+            "line 2: has 4 cells, and 3 columns are named; decimals have a",
+        ),
         ("time_s,torque_nm,speed_rpm\n0,1,1\n", "two rows at least"),
         ("time_s,torque_nm,sped_rpm\n0,1,1\n1,1,1\n", "sped_rpm: no such column"),
         ("time_s,torque_nm,power_w,speed_rpm\n0,1,1,1\n1,1,1,1\n", "one column of torque or power"),
@@ -96,3 +136,9 @@ def test_a_duty_of_nothing_and_no_classes_are_refused(tmp_path):
         duty_spectrum(idle)
     with pytest.raises(DesignError, match="classes: 0; take 1 or more"):
         duty_spectrum(read_duty(written(tmp_path, GOOD)), classes=0)
+
+
+def test_all_faults_are_told_at_once(tmp_path):
+    with pytest.raises(DesignError) as raised:
+        read_duty(written(tmp_path, "time_s,torque_nm,speed_rpm\n0,1,1\n2,x,1\n1,1,1\n3,1\n"))
+    assert [problem.path for problem in raised.value.problems] == ["line 3, torque_nm", "line 5", "line 4"]

@@ -11,7 +11,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.forces import Attitude, resistance
 from gearwright.mission.profile import Moment, moments
 from gearwright.spec import Aircraft
-from gearwright.units import GRAVITY, Distance, Force, Length, Mass, Origin, Quantity, Time
+from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time
 from gearwright.verbs import verb
 
 USUAL_LIFT = 1.5
@@ -27,7 +27,7 @@ class PhaseForces:
     """[s]"""
     distance: Distance
     """Through the air [m]."""
-    roll: Length
+    roll: Annotated[float, Quantity("ground_roll")]
     """On the wheels [m]."""
     mass: Mass
     """At its start [kg]."""
@@ -39,18 +39,18 @@ class PhaseForces:
     """What height and speed of the path take [N]."""
     jump: Annotated[float, Quantity("velocity")]
     """Of the true airspeed, from the end of the phase before to its start [m/s]."""
-    jump_acceleration: Annotated[float, Origin("ΔV/Δt", "over one step of the mission")]
+    jump_acceleration: Annotated[float, Quantity("acceleration"), Origin("ΔV/Δt", "over one step of the mission")]
     """What the jump means if it takes one interval [m/s²]."""
     reserve: bool
     """True where it is flown for its fuel only."""
 
     @property
-    def left_over(self) -> float | None:
+    def left_over(self) -> Force | None:
         """Thrust that the path does not explain [N]; near 0 where an aircraft flies the phase."""
         return None if self.thrust is None else self.thrust - self.drag - self.path
 
     @property
-    def implied(self) -> float | None:
+    def implied(self) -> Annotated[float | None, Quantity("acceleration")]:
         """Acceleration along the path that the thrust left over would mean [m/s²]."""
         return None if self.left_over is None else self.left_over / self.mass
 

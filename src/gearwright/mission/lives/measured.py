@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,8 +13,9 @@ from types import MappingProxyType
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.errors import Problem, near, refuse
+from gearwright.errors import DesignError, Problem, excerpt, near, refuse
 from gearwright.reading import text_of
+from gearwright.spec import NAME_RULE, is_name
 from gearwright.units import CELSIUS, RPM
 from gearwright.verbs import verb
 
@@ -33,8 +35,15 @@ COLUMNS: Mapping[str, tuple[str, float]] = MappingProxyType(
     }
 )
 """Name in a file's first line -> what it is, and its unit in SI; of temperatures the zero differs, too."""
+SEPARATORS = (";", "\t")
+"""Between cells, where the first line has them; else the comma."""
+LARGEST = 50_000_000
+"""Largest file that is read [bytes]: about a million rows."""
 MOST_SHOWN = 8
 """Lines that are named of a file with many faults [-]."""
+_NEEDED = "its first line names the columns, such as time_s, torque_nm, speed_rpm"
+_WIDE = 76
+"""Characters of a line of a list in a design file [-]."""
 
 
 @dataclass(frozen=True)
@@ -71,21 +80,35 @@ class DutySpectrum:
     time: float
     """Of the whole record [s]."""
 
+    @property
+    def turns(self) -> Floats:
+        """Part of all revolutions that are made in each class [-]; of the time, where nothing turns."""
+        turned = self.speed * self.share
+        return turned / turned.sum() if turned.any() else self.share
+
     def text(self, machine: str, name: str = "measured") -> str:
         """Return a load case and its spectrum as a design file has them.
+
+        The case has the mean speed, and its spectrum parts of the revolutions: every class keeps its load cycles.
 
         Args:
             machine: That gave what was measured.
             name: Of case and spectrum.
+
+        Raises:
+            DesignError: A name that a design file cannot have.
         """
+        named = {"machine": machine, "name": name}
+        refuse((Problem(key, f"{excerpt(word)!r}; {NAME_RULE}") for key, word in named.items() if not is_name(word)))
+        machine, case = (word if word.isascii() and " " not in word else f'"{word}"' for word in (machine, name))
         top = float(self.torque.max())
-        levels = ", ".join(f"{value:.6g}" for value in self.torque / top)
-        shares = ", ".join(repr(value) for value in _whole(self.share))
+        levels = [f"{value:.6g}" for value in self.torque / top]
+        shares = [f"{value:.7g}" for value in _whole(self.turns)]
         speed = float((self.speed * self.share).sum())
         return (
-            f'[cases.{name}]\nduration_s = {self.time:.9g}\nspectrum = "{name}"\n'
+            f'[cases.{case}]\nduration_s = {self.time:.9g}\nspectrum = "{name}"\n'
             f"{machine} = {{torque_nm = {top:.9g}, speed_rpm = {speed / RPM:.9g}}}\n\n"
-            f"[spectra.{name}]\nload = [{levels}]\nshare = [{shares}]\n"
+            f"[spectra.{case}]\n{_listed('load', levels)}{_listed('share', shares)}"
         )
 
 
@@ -100,18 +123,19 @@ def read_duty(path: str | Path) -> MeasuredDuty:
     Raises:
         DesignError: Columns that are missing or unknown; with their lines: cells that are no finite numbers, missing
             cells, time that does not rise, torque from power at standstill, temperatures below absolute zero.
+
+    Cells are parted by commas, or by semicolons or tabs where the first line has them; decimals have a point.
     """
-    lines = text_of(path, "").splitlines()
-    rows = [(number, cells) for number, cells in enumerate(csv.reader(lines), start=1) if any(map(str.strip, cells))]
+    rows = _rows(path)
     header = [cell.strip() for cell in rows[0][1]] if rows else []
-    refuse(_header_problems(header), str(path))
+    refuse(_header_problems(header) if header else [Problem("", "the file is empty; " + _NEEDED)], str(path))
     if len(rows) < 3:
         refuse([Problem("", "a duty needs two rows at least, below the names of its columns")], str(path))
     problems, numbers = list[Problem](), list[list[float]]()
     for number, cells in rows[1:]:
-        found = list(_row_problems(number, cells, header))
-        problems += found
-        numbers.append([math.nan] * len(header) if found else [float(cell) for cell in cells])
+        problems += _row_problems(number, cells, header)
+        fits = len(cells) == len(header)
+        numbers.append([_number(cell) for cell in cells] if fits else [math.nan] * len(header))
     table = np.array(numbers)
     columns = {COLUMNS[name][0]: table[:, k] * COLUMNS[name][1] for k, name in enumerate(header)}
     if "temperature_c" in header:
@@ -119,6 +143,18 @@ def read_duty(path: str | Path) -> MeasuredDuty:
     problems += _order_problems([number for number, _ in rows[1:]], columns)
     refuse(_short(problems), str(path))
     return _duty(columns)
+
+
+def _rows(path: str | Path) -> list[tuple[int, list[str]]]:
+    """Return number and cells of every line that is not empty."""
+    lines = text_of(path, largest=LARGEST).splitlines()
+    first = next((line for line in lines if line.strip()), "")
+    separator = next((mark for mark in SEPARATORS if mark in first), ",")
+    read = csv.reader(lines, delimiter=separator)
+    try:
+        return [(read.line_num, cells) for cells in read if any(map(str.strip, cells))]
+    except csv.Error as error:
+        raise DesignError([Problem(f"line {read.line_num}", f"this is no CSV: {error}")], str(path)) from None
 
 
 def _duty(columns: Mapping[str, Floats]) -> MeasuredDuty:
@@ -164,6 +200,14 @@ def duty_spectrum(duty: MeasuredDuty, *, classes: int = 20) -> DutySpectrum:
     return DutySpectrum(kept / classes * top, turning / time, time / time.sum(), float(time.sum()))
 
 
+def _listed(key: str, numbers: Sequence[str]) -> str:
+    """Return a list of a design file, in lines that a terminal does not fold."""
+    whole = f"{key} = [{', '.join(numbers)}]\n"
+    if len(whole) <= _WIDE:
+        return whole
+    return f"{key} = [\n{textwrap.indent(textwrap.fill(', '.join(numbers), _WIDE), '  ')}\n]\n"
+
+
 def _whole(shares: Floats) -> list[float]:
     """Return shares of seven digits whose sum is 1."""
     rounded = [round(float(share), 7) for share in shares]
@@ -173,7 +217,9 @@ def _whole(shares: Floats) -> list[float]:
 
 def _header_problems(header: Sequence[str]) -> list[Problem]:
     problems = [
-        Problem(name or "a column", f"no such column; {near(name, COLUMNS)}") for name in header if name not in COLUMNS
+        Problem(excerpt(name) or "a column", f"no such column; {near(name, COLUMNS)}")
+        for name in header
+        if name not in COLUMNS
     ]
     kinds = [COLUMNS[name][0] for name in header if name in COLUMNS]
     problems += [
@@ -188,19 +234,26 @@ def _header_problems(header: Sequence[str]) -> list[Problem]:
     return problems
 
 
+def _number(cell: str) -> float:
+    """Return the number of a cell; NaN for none."""
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
+
+
 def _row_problems(number: int, cells: Sequence[str], header: Sequence[str]) -> Iterator[Problem]:
     if len(cells) != len(header):
-        yield Problem(f"line {number}", f"has {len(cells)} cells, and {len(header)} columns are named")
+        comma = "; decimals have a point, or part the cells by semicolons" if len(cells) > len(header) else ""
+        yield Problem(f"line {number}", f"has {len(cells)} cells, and {len(header)} columns are named{comma}")
         return
     for name, cell in zip(header, cells, strict=True):
-        try:
-            finite = math.isfinite(float(cell))
-        except ValueError:
-            finite = False
-        if not finite:
-            yield Problem(
-                f"line {number}, {name}", f"{cell.strip()!r} is no finite number; fill the gap, or leave the row out"
-            )
+        if not math.isfinite(_number(cell)):
+            fix = "fill the gap, or leave the row out"
+            pointed = cell.strip().replace(",", ".")
+            if pointed != cell.strip() and math.isfinite(_number(pointed)):
+                fix = f"decimals have a point: {pointed}"
+            yield Problem(f"line {number}, {name}", f"{excerpt(cell.strip())!r} is no finite number; {fix}")
 
 
 def _order_problems(lines: Sequence[int], columns: Mapping[str, Floats]) -> Iterator[Problem]:

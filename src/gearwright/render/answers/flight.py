@@ -11,8 +11,10 @@ from gearwright.mission import (
     Durability,
     Flight,
     LifeSizing,
+    PhaseForces,
     bearing_spectra,
     mesh_spectrum,
+    phase_forces,
     phase_summaries,
     shaft_spectrum,
 )
@@ -131,6 +133,8 @@ class FlyAnswer:
     pack: PackWear | None
     """Null for a plain battery, or none."""
     phases: tuple[PhaseSummary, ...]
+    forces: tuple[PhaseForces, ...]
+    """Of the aircraft, phase by phase; empty where the mission has none."""
     oil_flow: Annotated[float, Quantity("oil_flow")]
     oil_hottest: Annotated[float, Quantity("absolute_temperature")]
     """Behind the gearbox."""
@@ -166,6 +170,7 @@ def fly_answer(flight: Flight, parts: Durability, review: Review, *, life: LifeS
         balance=flight.balance,
         pack=flight.pack,
         phases=phase_summaries(flight),
+        forces=phase_forces(flight),
         oil_flow=flight.oil_flow,
         oil_hottest=flight.hottest_oil,
         dry=None if flight.dry is None else DryAnswer(*flight.dry),

@@ -1,0 +1,53 @@
+"""The command ``duty``: measured torque over time as a load spectrum.
+
+Imports that cost time stand inside the command, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gearwright.cli.answers import show_answer
+from gearwright.cli.options import JsonOption
+from gearwright.cli.terminal.output import show, show_commands, tell
+from gearwright.writing import write_text
+
+MACHINE = "MACHINE"
+"""Stands for a machine in the text for a design where none is named."""
+
+
+def duty(
+    file: Annotated[
+        Path,
+        typer.Argument(
+            help="CSV file; its first line names columns with units: time_s, torque_nm or power_kw, speed_rpm",
+            metavar="FILE",
+        ),
+    ],
+    classes: Annotated[int, typer.Option(help="Classes of torque, of equal width", min=1, max=1000)] = 20,
+    machine: Annotated[str, typer.Option(help="Machine of the design that gave what was measured")] = MACHINE,
+    name: Annotated[str, typer.Option(help="Of load case and spectrum")] = "measured",
+    out: Annotated[Path | None, typer.Option(help="Write load case and spectrum to this file, as TOML")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Count measured torque over time into a load spectrum, and write it as a load case of a design."""
+    from gearwright.mission import duty_spectrum, read_duty
+    from gearwright.render.answers.duty import duty_answer
+    from gearwright.render.words.duty import duty_text
+
+    measured = read_duty(file)
+    spectrum = duty_spectrum(measured, classes=classes)
+    text = spectrum.text(machine, name)
+    if json:
+        show_answer("duty", duty_answer(measured, spectrum, text))
+    else:
+        show(duty_text(measured, spectrum))
+        fill = f", with the name of its machine for {MACHINE} (or from --machine)" if machine == MACHINE else ""
+        show(f"For a design file{fill}:\n")
+        show_commands(text.rstrip())
+    if out is not None:
+        write_text(out, text)
+        tell(f"wrote {out}")
