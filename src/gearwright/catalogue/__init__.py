@@ -13,7 +13,13 @@ from gearwright.catalogue.bearings import STEEL_DENSITY, STEEL_SHARE, Bearing, b
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
-from gearwright.catalogue.gear_strength import USUAL_HARDNESS, gear_steel, gear_steel_names, rated_steel
+from gearwright.catalogue.gear_strength import (
+    USUAL_HARDNESS,
+    gear_steel,
+    gear_steel_names,
+    is_cast_iron,
+    rated_steel,
+)
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
@@ -74,6 +80,7 @@ __all__ = [
     "gearbox_classes",
     "hamilton_standard_charts",
     "housing_materials",
+    "is_cast_iron",
     "key_for_shaft",
     "load_factor_tables",
     "load_factors",

@@ -39,6 +39,15 @@ def gear_steel_names() -> tuple[str, ...]:
     return tuple(name for name, row in _table().items() if isinstance(row, dict))
 
 
+def is_cast_iron(name: str | None) -> bool:
+    """Tell whether a class is one of cast irons.
+
+    Args:
+        name: Of a class, or of none.
+    """
+    return name in gear_steel_names() and Treatment(_class(name or "")["treatment"]).is_cast_iron
+
+
 def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float | None = None) -> GearSteel:
     """Return a gear steel with its strengths.
 
@@ -61,10 +70,11 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
     if grade not in steel["contact"]:
         raise DesignError([Problem("grade", f"{grade!r} is not given for {name}; {near(grade, steel['contact'])}")])
     rows = (steel["contact"][grade], steel["bending"][grade])
-    strengths = [allowable_stress(_line(row), hardness) for row in rows]
+    treatment = Treatment(steel["treatment"])
+    strengths = [allowable_stress(_line(row, treatment), hardness) for row in rows]
     return GearSteel(
         name=name,
-        treatment=Treatment(steel["treatment"]),
+        treatment=treatment,
         grade=grade,
         hardness=hardness,
         contact_strength=strengths[0],
@@ -82,7 +92,8 @@ def rated_steel(
 
     Args:
         material: Of the gear.
-        name: Class in the table in place of the material's own, then of grade MQ and 700 HV where nothing is said.
+        name: Class in the table in place of the material's own, then of grade MQ where nothing is said, and of 700 HV
+            where it is so hard.
         grade: ML, MQ or ME in place of its own, or MQ.
         hardness: Surface hardness in place of its own [HV, HBW for structural steel and cast irons].
 
@@ -101,7 +112,8 @@ def rated_steel(
         message = f"{material.name!r} has no class of ISO 6336-5 and so no S-N data; give steel, one of "
         raise DesignError([Problem("material", message + ", ".join(gear_steel_names()))])
     its = chosen == material.steel
-    quality, hard = grade or (its and material.grade) or "MQ", hardness or (_flank(material) if its else USUAL_HARDNESS)
+    quality = grade or (its and material.grade) or "MQ"
+    hard = hardness or (_flank(material) if its else _usual_hardness(chosen, quality))
     if hard is None:
         raise DesignError([Problem("hardness", f"{material.name!r} states none; give the hardness of its flanks")])
     own = its and grade in (None, material.grade) and hardness is None
@@ -134,7 +146,19 @@ def _strengths(material: Material, name: str, grade: str, *, hardness: float, ow
 
 def _flank(material: Material) -> float | None:
     """Return the hardness of flanks in the scale of the material's class."""
-    return material.surface_hardness if _class(material.steel or "")["scale"] == "HBW" else material.hardness
+    scale = Treatment(_class(material.steel or "")["treatment"]).hardness_scale
+    return material.surface_hardness if scale == "HBW" else material.hardness
+
+
+def _usual_hardness(name: str, grade: str) -> float:
+    """Return the hardness of a class where nothing says it; soft classes have none that is usual."""
+    row = _class(name)["contact"].get(grade)
+    if row is not None and not row["hardness"][0] <= USUAL_HARDNESS <= row["hardness"][1]:
+        low, high = row["hardness"]
+        scale = Treatment(_class(name)["treatment"]).hardness_scale
+        message = f"is required: {name} {grade} has {low:g} to {high:g} {scale} (ISO 6336-5)"
+        raise DesignError([Problem("hardness", message)])
+    return USUAL_HARDNESS
 
 
 def _knee(line: LifeLine, usual: LifeCurve) -> LifeCurve:
@@ -152,6 +176,7 @@ def _class(name: str) -> Mapping[str, Any]:
     return rows
 
 
-def _line(row: Mapping[str, Any]) -> StrengthLine:
+def _line(row: Mapping[str, Any], treatment: Treatment) -> StrengthLine:
     """One row in SI."""
-    return StrengthLine(row["a"] * _MPA, row["b"] * _MPA, (row["hardness"][0], row["hardness"][1]))
+    first, last = row["hardness"]
+    return StrengthLine(row["a"] * _MPA, row["b"] * _MPA, (first, last), treatment.hardness_scale)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import untold_orders
 from gearwright.identity import GEARBOX, Kind, PartId
-from gearwright.sizing import Sizing
+from gearwright.sizing import MeshSizing, Sizing
 from gearwright.sizing.bearings import planet_bodies
 from gearwright.sizing.rating import Unloaded
 from gearwright.spec.design import RATINGS
@@ -77,3 +77,20 @@ def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:
             idle = isinstance(mesh.rating, Unloaded)
             why = "no load case loads these teeth" if idle else "tips interfere, so that nothing rolls"
             yield not_assessed(mesh.part, "scuffing", "ISO/TS 6336-21", why)
+        if sizing.design.rules(stage).iso6336.micropitting_stage is not None:
+            yield from _without_film(meshes)
+
+
+def _without_film(meshes: Iterable[MeshSizing]) -> Iterator[Check]:
+    """Yield the loaded meshes whose oil was tested for micropitting, and that are not rated against it."""
+    for mesh in meshes:
+        rated = mesh.rating
+        if isinstance(rated, Unloaded) or getattr(rated, "micropitting", None) is not None:
+            continue
+        if not hasattr(rated, "micropitting"):
+            why = "the document is of cylindrical gears"
+        elif getattr(rated, "flash", None) is None:
+            why = "tips interfere, so that nothing rolls"
+        else:
+            why = "the document has no W_W of cast irons"
+        yield not_assessed(mesh.part, "micropitting", "ISO/TS 6336-22", why)

@@ -56,7 +56,9 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     record, written = build(Design, toml_tables(text, source))
     problems = list(written.problems)
     if record is not None:
-        problems += _in_written_keys(reference_problems(cast(Design, record)), written.keys)
+        told = {problem.path for problem in problems}  # a stand-in is in its place, of which nothing is to be said
+        more = _in_written_keys(reference_problems(cast(Design, record)), written.keys)
+        problems += [problem for problem in more if problem.path not in told]
     if problems:
         raise DesignError(placed(problems, text), source)
     design, problems = with_curves(cast(Design, record), folder or Path())

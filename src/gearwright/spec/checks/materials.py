@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from gearwright.catalogue import gear_steel_names, material_of, materials, rated_steel
+from gearwright.catalogue import gear_steel_names, is_cast_iron, material_of, materials, rated_steel
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel
@@ -154,11 +154,23 @@ def _gears(path: str, rules: GearRules, design: Design) -> Iterator[Problem]:
             if problem.path == "material" or asked or name not in design.materials:  # else its own table tells
                 key = STEEL_KEYS.get(problem.path, problem.path)
                 yield Problem(f"{path}.iso6336.{key}", problem.message)
-        return
-    if _needs_yield(steel):
-        yield from _needs(f"{path}.material", name, ("yield_strength",), design, f"{steel.name} by ISO 6336-3")
+    else:
+        if _needs_yield(steel):
+            yield from _needs(f"{path}.material", name, ("yield_strength",), design, f"{steel.name} by ISO 6336-3")
+        yield from _of_iron(f"{path}.iso6336.steel", standard.steel, design.material(name))
     if standard.wheel is not None:
         yield from _wheel(f"{path}.iso6336.wheel", standard.wheel, design.material(name))
+
+
+def _of_iron(path: str, name: str | None, material: Material) -> Iterator[Problem]:
+    """Find a class of steel in the place of a material of cast iron, whose E would make its contact too soft."""
+    if name is not None and is_cast_iron(material.steel) and not is_cast_iron(name):
+        message = (
+            f"{name!r} given, and {material.name!r} is {material.steel}: no cast iron is hardened to a class of steel"
+        )
+        yield Problem(
+            path, f"{message}; give material a steel, and [gears.iso6336.wheel] the iron if that is the wheel's"
+        )
 
 
 def _wheel(path: str, wheel: WheelSteel, material: Material) -> Iterator[Problem]:
@@ -169,8 +181,11 @@ def _wheel(path: str, wheel: WheelSteel, material: Material) -> Iterator[Problem
         for problem in error.problems:
             yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
         return
-    if _needs_yield(steel) and wheel.yield_strength is None and material.yield_strength is None:
-        yield Problem(f"{path}.yield_strength", f"is required: {steel.name} by ISO 6336-3 goes by its proof stress")
+    yield from _of_iron(f"{path}.steel", wheel.steel, material)
+    foreign = steel.treatment.is_cast_iron and not is_cast_iron(material.steel)  # R_p0.2 of a steel is none of iron
+    if _needs_yield(steel) and wheel.yield_strength is None and (foreign or material.yield_strength is None):
+        message = f"is required: {steel.name} by ISO 6336-3 goes by its proof stress"
+        yield Problem(f"{path}.yield_strength_mpa", message)
 
 
 def _needs_yield(steel: GearSteel) -> bool:

@@ -48,6 +48,11 @@ class Treatment(Enum):
         return self in (Treatment.CASE_HARDENED, Treatment.INDUCTION_HARDENED) or self.is_nitrided
 
     @property
+    def hardness_scale(self) -> str:
+        """In which ISO 6336-5 states hardness: HBW of structural steel and cast irons, HV of others."""
+        return "HBW" if self is Treatment.STRUCTURAL or self.is_cast_iron else "HV"
+
+    @property
     def is_cast_iron(self) -> bool:
         """Whether it is cast iron."""
         return self in (Treatment.MALLEABLE_IRON, Treatment.NODULAR_IRON) or self.is_brittle_iron
@@ -73,6 +78,8 @@ class StrengthLine:
     """B [Pa]."""
     hardness: tuple[float, float]
     """Least and greatest surface hardness [HV, or HBW for St and cast irons]."""
+    scale: str = "HV"
+    """Of the hardness."""
 
 
 @dataclass(frozen=True)
@@ -165,7 +172,9 @@ def allowable_stress(line: StrengthLine, hardness: float) -> float:
     """
     low, high = line.hardness
     if not low <= hardness <= high:
-        allowed = f"ISO 6336-5 covers {low:g} to {high:g} for this steel and grade"
+        allowed = f"ISO 6336-5 covers {low:g} to {high:g} {line.scale} for this class and grade"
         nearest = min(max(hardness, low), high)
-        raise DesignError([Problem("hardness", f"{hardness:.4g} given; {allowed}; nearest is {nearest:g}")])
+        raise DesignError(
+            [Problem("hardness", f"{hardness:.4g} {line.scale} given; {allowed}; nearest is {nearest:g}")]
+        )
     return line.slope * hardness + line.intercept

@@ -7,8 +7,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.catalogue import rated_steel
+from gearwright.catalogue import is_cast_iron, rated_steel
 from gearwright.identity import Role
+from gearwright.parts import Material
 from gearwright.parts.agma2001 import reliability_factor
 from gearwright.parts.iso6336 import (
     CENTRED,
@@ -58,8 +59,13 @@ def steel_of(rating: Rating, role: Role = Role.PINION) -> GearSteel:
     else:
         own = rules.wheel
         steel = rated_steel(rating.material, own.steel, own.grade, hardness=own.hardness_hv)
-        steel = replace(steel, yield_strength=own.yield_strength or steel.yield_strength)
+        steel = replace(steel, yield_strength=own.yield_strength or _proof_of(rating.material, steel))
     return _surviving(_lasting(steel, rating), rules.reliability)
+
+
+def _proof_of(material: Material, own: GearSteel) -> float | None:
+    """Return R_p0.2 of a material for a gear of another class; that of a steel is none of an iron's [Pa]."""
+    return None if own.treatment.is_cast_iron and not is_cast_iron(material.steel) else material.yield_strength
 
 
 def steels_of(rating: Rating, roles: tuple[Role, Role]) -> Steels:

@@ -11,11 +11,12 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import Problem, SolveError
-from gearwright.identity import PartId
+from gearwright.identity import PartId, Role
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import (
     FASTEST,
     DynamicFactorBySpeed,
+    GearSteel,
     MeshDuty,
     MeshQuality,
     PairRating,
@@ -255,11 +256,15 @@ def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:
     """
     rules = rating.rules.iso6336
     steel = steel_of(rating)
-    words = f"{steel.name} {steel.grade}, {steel.hardness:g} HV"
-    if (own := rules.wheel) is not None and rating.kind == "cylindrical":
-        words += f"; wheels and rings {own.steel} {own.grade}, {own.hardness_hv:g} HV"
+    words = _of_steel(steel)
+    if rules.wheel is not None and rating.kind == "cylindrical":
+        words += f"; wheels and rings {_of_steel(steel_of(rating, Role.WHEEL))}"
     roughness = (rules.flank_roughness, rules.root_roughness)
     return Making(f"{rules.tolerance_class} {standard}", iso_class, roughness, ("ISO 6336-5", words), steel)
+
+
+def _of_steel(steel: GearSteel) -> str:
+    return f"{steel.name} {steel.grade}, {steel.hardness:g} {steel.treatment.hardness_scale}"
 
 
 def strains_of(rated: PairRating) -> Strains:

@@ -19,12 +19,18 @@ class RingCutter(Record):
     tip_radius: float = Field(0.25, ge=0, le=0.6, description="Radius of its tip over the module ρ_a0*")
 
 
+_HARDNESS = (
+    "Surface hardness, in HBW of structural steel and cast irons; left out: that of the material, 700 for another class"
+    " that is so hard"
+)
+
+
 class WheelSteel(Record):
     """The steel of wheels and rings where it is another than that of pinions, suns and planets."""
 
     steel: str = Field(description="Class in the table of ISO 6336-5")
     grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality of ISO 6336-5")
-    hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
+    hardness_hv: float | None = Field(None, ge=100, le=1000, description=_HARDNESS)
     yield_strength: Stress | None = Field(
         None, ge=5e7, le=4e9, description="R_p0.2 of its core; left out: that of the material"
     )
@@ -37,9 +43,7 @@ class Iso6336Rules(Record):
     grade: Literal["ML", "MQ", "ME"] | None = Field(
         None, description="Material quality of ISO 6336-5; left out: that of the material, MQ for another class"
     )
-    hardness_hv: float | None = Field(
-        None, ge=100, le=1000, description="Surface hardness; left out: that of the material, 700 for another class"
-    )
+    hardness_hv: float | None = Field(None, ge=100, le=1000, description=_HARDNESS)
     pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Minimum safety against pitting S_Hmin")
     bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Minimum safety against tooth root fracture S_Fmin")
     scuffing_safety: Ratio = Field(
