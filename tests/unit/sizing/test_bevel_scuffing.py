@@ -6,14 +6,15 @@ from dataclasses import astuple, replace
 import numpy as np
 import pytest
 
+from gearwright.identity import Kind, PartId
 from gearwright.parts.bevel import BevelDuty, BevelPair, BevelTooth, VirtualPair, rate_bevel, virtual_mesh
 from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.parts.scuffing import ScuffingMesh, flash_temperature, integral_temperature
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, rating_of
-from gearwright.sizing.rating.iso6336.scuffing import oil_of
-from gearwright.sizing.rating.iso10300.scuffing import bevel_scuffing
+from gearwright.sizing.rating.iso6336.scuffing import oil_of, scuffing_checks
+from gearwright.sizing.rating.iso10300.scuffing import SCUFFING, bevel_scuffing
 from gearwright.spec import edited, read
 
 DESIGN = read(shipped_design("ec120b"))
@@ -120,3 +121,16 @@ def test_the_flash_temperature_may_be_what_is_asked_for():
     assert sorted(check.symbol for check in checks) == ["S_B", "S_intS"]
     clause = next(check.clause for check in checks if check.symbol == "S_B")
     assert clause == "ISO/TS 6336-20 on the virtual cylindrical gears"
+
+
+def test_contact_on_one_side_of_the_pitch_point_has_no_integral_temperature():
+    """x_hm1 > 1: the wheel's tip ends before the pitch point, where X_ε has no meaning, as in cylindrical pairs."""
+    sided = pair(tooth=BevelTooth(profile_shift=1.05))
+    assert virtual_mesh(VirtualPair(sided)).addendum_contact_ratios[1] < 0.0
+    found = temperatures(sided)
+    assert found.integral is None
+    assert found.flash.safety > 0.0
+    (check,) = scuffing_checks(replace(BEVEL, scuffing=None), PartId(Kind.MESH, "bevel"), clauses=SCUFFING)
+    assert (check.symbol, check.clause, check.value) == ("S_B", SCUFFING[1], BEVEL.flash.safety)
+    rows = METHODS["iso10300"].factors(replace(BEVEL, scuffing=None))
+    assert "scuffing" not in {row.chapter for row in rows}

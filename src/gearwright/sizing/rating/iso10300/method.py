@@ -119,8 +119,9 @@ class Iso10300:
         """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
         yield from limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel)
-        for row in factor_rows(rated.scuffing, "scuffing"):
-            yield replace(row, clause=f"{SCUFFING[0]}; as {row.clause}")
+        if rated.scuffing is not None:
+            for row in factor_rows(rated.scuffing, "scuffing"):
+                yield replace(row, clause=f"{SCUFFING[0]}; as {row.clause}")
         if rated.flash is not None:
             for row in factor_rows(rated.flash, "scuffing, flash temperature"):
                 yield replace(row, clause=f"{SCUFFING[1]}; as {row.clause}")

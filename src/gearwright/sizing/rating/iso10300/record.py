@@ -37,8 +37,9 @@ class Iso10300Rating:
         Origin("S_F = σ_FP/σ_F; several cases: U(S_F σ_F) = 1", f"{_ROOT}, eq. 5; ISO 6336-6:2019"),
     ]
     """S_F of both gears under the cases and their shares of the life [-]."""
-    scuffing: IntegralTemperature
-    """In the heaviest case, on the virtual cylindrical gears."""
+    scuffing: IntegralTemperature | None
+    """In the heaviest case, on the virtual cylindrical gears; None where contact lies on one side of the pitch point
+    alone."""
     flash: FlashPeak | None
     """In the heaviest case, on the same gears; None where their tips interfere."""
     pitting_asked: Ratio

@@ -22,8 +22,8 @@ _SAMPLES = 21
 class BevelTemperatures(NamedTuple):
     """Both temperatures of a bevel mesh."""
 
-    integral: IntegralTemperature
-    """By the integral temperature."""
+    integral: IntegralTemperature | None
+    """By the integral temperature; None where contact lies on one side of the pitch point alone."""
     flash: FlashPeak | None
     """By the flash temperature; None where tips of the virtual gears interfere."""
 
@@ -52,7 +52,8 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         poisson_ratio=rating.material.poisson_ratio,
     )
     oil = oil_of(rules)
-    integral = integral_temperature(scuffed, oil)
+    around = min(float(ratio) for ratio in geometry.addendum_contact_ratios) > 0.0
+    integral = integral_temperature(scuffed, oil) if around else None
     if not geometry.rolls:
         return BevelTemperatures(integral, None)
 
