@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -25,7 +26,7 @@ from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.tail import with_tail
 from gearwright.mission.thrust import Blades, performed, propeller_power
-from gearwright.mission.together import flights_together, log_at_once
+from gearwright.mission.together import Reached, flights_together, log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
@@ -67,7 +68,8 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     Valid for: steady flight; a propeller map of one's own has the compressibility that it was measured with.
     """
     flown = _prepared(sizing, mission, folder)
-    return collect(flown, log_at_once(flown) or _one_by_one(flown))
+    found = log_at_once(flown)
+    return collect(flown, found if isinstance(found, Log) else _one_by_one(flown, found))
 
 
 @verb
@@ -89,7 +91,7 @@ def fly_each(sizing: Sizing, missions: Sequence[Mission], *, folder: Path | None
     for alike in _alike(prepared):
         together = flights_together(alike) if isinstance(alike[0], Flown) else [None]
         for flown, flight in zip(alike, together, strict=True):
-            found.append(flight if flight is not None else _alone(flown))
+            found.append(flight if isinstance(flight, Flight) else _alone(flown, flight))
     return found
 
 
@@ -117,11 +119,11 @@ def _attempted(sizing: Sizing, mission: Mission, folder: Path | None, known: Gea
         return error
 
 
-def _alone(flown: Flown | DesignError) -> Flight | DesignError:
+def _alone(flown: Flown | DesignError, reached: Reached | None) -> Flight | DesignError:
     if isinstance(flown, DesignError):
         return flown
     try:
-        return collect(flown, _one_by_one(flown))
+        return collect(flown, _one_by_one(flown, reached))
     except DesignError as error:
         return error
 
@@ -136,8 +138,10 @@ def _prepared(sizing: Sizing, mission: Mission, folder: Path | None, known: Gear
     return flown._replace(paths=paths_of(flown))
 
 
-def _one_by_one(flown: Flown) -> Log:
-    """Fly the intervals one after the other."""
+def _one_by_one(flown: Flown, reached: Reached | None) -> Log:
+    """Fly the intervals one after the other; where one is reached that cannot be flown, it says so at once."""
+    if reached is not None:
+        _tried(flown, reached)
     mission, before, intervals = flown.mission, _start(flown), list[Interval]()
     plan = planned_shares(flown)
     for k, moment in enumerate(moments(mission, flown.paths)):
@@ -151,6 +155,17 @@ def _one_by_one(flown: Flown) -> Log:
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
         before = _Before(interval.point, interval.pack, interval.warmths, interval.warm, burnt, clocks)
     return logged(intervals)
+
+
+def _tried(flown: Flown, reached: Reached) -> None:
+    """Fly the interval that a flight reaches."""
+    moment = next(islice(moments(flown.mission, flown.paths), reached.place, None))
+    pack = PackState(reached.charge)
+    before = _start(flown)._replace(point=reached.point, pack=pack, burnt=reached.burnt)
+    try:
+        _clocks(flown, moment, _interval(flown, moment, before, 0.0), before.clocks)
+    except DesignError as error:
+        raise _placed(error, moment) from None
 
 
 def _start(flown: Flown) -> _Before:

@@ -9,6 +9,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.mission import flight_series
+from gearwright.mission.collect import Log
 from gearwright.mission.together import log_at_once
 
 flying = importlib.import_module("gearwright.mission.fly")
@@ -30,7 +31,7 @@ def both(design, mission, monkeypatch):
 
     def watched(flown):
         log = log_at_once(flown)
-        used.append(log is not None)
+        used.append(isinstance(log, Log))
         return log
 
     monkeypatch.setattr(flying, "log_at_once", watched)

@@ -3,7 +3,7 @@
 What one interval asks and gets is in `mission`; here it is asked for all of them, with the same formulas.
 """
 
-from gearwright.mission.together.log import log_at_once
+from gearwright.mission.together.log import Reached, log_at_once
 from gearwright.mission.together.many import flights_together
 
-__all__ = ["flights_together", "log_at_once"]
+__all__ = ["Reached", "flights_together", "log_at_once"]

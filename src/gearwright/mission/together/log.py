@@ -2,20 +2,34 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.mission.collect import Flown, Log
+from gearwright.mission.gearbox import Point
 from gearwright.mission.history import History
 from gearwright.mission.together.deck import Deck, deck_of, is_free
 from gearwright.mission.together.flight import Together, flown_together
 from gearwright.mission.together.gearbox import box_of
 
 
-def log_at_once(flown: Flown) -> Log | None:
-    """Return the log of a flight; None where its intervals have to be flown one after the other.
+class Reached(NamedTuple):
+    """How far a flight comes."""
+
+    place: int
+    """Of the first interval that cannot be flown, or is too near to that to tell; above 0."""
+    point: Point
+    """Of the interval before it."""
+    charge: float
+    """At its start [-]."""
+    burnt: float
+    """Fuel of all engines until then [kg]."""
+
+
+def log_at_once(flown: Flown) -> Log | Reached | None:
+    """Return the log of a flight, or how far it comes; None where its intervals have to be flown one after the other.
 
     That is where a strategy, an aircraft's mass or temperatures lead from one to the next, where a train has clutches,
     or where something cannot be flown: one by one tells where, and why.
@@ -29,9 +43,30 @@ def log_at_once(flown: Flown) -> Log | None:
         return None
     deck = deck_of(supply, [mission])
     found = flown_together(box, blades, supply, deck)
-    if found is None or found.fails.any():
+    if found is None:
         return None
+    if found.fails.any():
+        return reached(deck, found, 0)
     return Log(deck.course.phase, history_of(deck, found), found.point, found.powers, found.battery.ends[0], ())
+
+
+def reached(deck: Deck, found: Together, flight: int) -> Reached | None:
+    """Return how far a flight comes; None where that is not known: at its start, and with cells that remember more.
+
+    Args:
+        deck: What was asked.
+        found: What it got.
+        flight: Its number in the deck; one of its intervals fails.
+    """
+    lanes, mission = deck.flights[flight], deck.missions[flight]
+    place = int(np.argmax(found.fails[lanes]))
+    if not place or found.battery.temperature is not None:
+        return None
+    flew = slice(lanes.start, lanes.start + place)
+    point = Point(*(column[flew][-1] for column in found.point))
+    engines = [mission.phases[name].engines or mission.engines for name in deck.course.phase[flew]]
+    burnt = float((found.burnt.fuel_flow[flew] * deck.course.duration[flew] * engines).sum())
+    return Reached(place, point, float(found.battery.charge[flew][-1]), burnt)
 
 
 def history_of(deck: Deck, found: Together) -> History[Floats]:

@@ -15,11 +15,11 @@ from gearwright.mission.history import History
 from gearwright.mission.together.deck import Deck, deck_of, is_free
 from gearwright.mission.together.flight import Together, flown_together
 from gearwright.mission.together.gearbox import box_of
-from gearwright.mission.together.log import history_of
+from gearwright.mission.together.log import Reached, history_of, reached
 
 
-def flights_together(all_flown: Sequence[Flown]) -> list[Flight | None]:
-    """Return the flight of each; None where it has to be flown alone.
+def flights_together(all_flown: Sequence[Flown]) -> list[Flight | Reached | None]:
+    """Return the flight of each, or how far it comes; None where it has to be flown alone.
 
     Args:
         all_flown: With the same gearbox, machines and propeller; their missions differ in numbers.
@@ -27,7 +27,7 @@ def flights_together(all_flown: Sequence[Flown]) -> list[Flight | None]:
     gearbox, blades, _, supply, _ = all_flown[0]
     box = box_of(gearbox)
     free = [k for k, flown in enumerate(all_flown) if is_free(flown.mission) and not flown.paths]
-    found: list[Flight | None] = [None] * len(all_flown)
+    found: list[Flight | Reached | None] = [None] * len(all_flown)
     if box is None or not free:
         return found
     try:
@@ -40,8 +40,8 @@ def flights_together(all_flown: Sequence[Flown]) -> list[Flight | None]:
     history = history_of(deck, whole)
     for place, k in enumerate(free):
         lanes = deck.flights[place]
-        if not whole.fails[lanes].any():
-            found[k] = collect(all_flown[k], _log(deck, whole, place, history))
+        fails = bool(whole.fails[lanes].any())
+        found[k] = reached(deck, whole, place) if fails else collect(all_flown[k], _log(deck, whole, place, history))
     return found
 
 
