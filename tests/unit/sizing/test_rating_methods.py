@@ -76,6 +76,9 @@ class Dummy:
     def reserve(self, rated):
         return rated.bending_margin
 
+    def reserve_of(self, mesh):
+        return self.reserve(self.rate(mesh))
+
     def life_slope(self, rating, mode, steel):
         return 10.0
 

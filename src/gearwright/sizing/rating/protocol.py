@@ -187,6 +187,9 @@ class Method(Protocol[R]):
     def reserve(self, rated: R) -> float:
         """Return by what factor the loads could grow until one asked safety is no longer met [-]."""
 
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the same of a mesh whose record nobody reads, as sizes are tried [-]."""
+
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts of both gears."""
 

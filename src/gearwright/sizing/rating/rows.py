@@ -30,12 +30,10 @@ def rate_row(
         face_width: b [m].
         asked: Modules that bending and contact ask for, for its record [m].
     """
-    rating, (case, per_tooth) = context.rating(mesh), worst_case(context, mesh)
-    if per_tooth * context.teeth[mesh.gears[0]] <= LEAST_TORQUE:
-        return Unloaded(case)
-    heaviest = _load(context, mesh, case, rating.service.life)
-    loads = tuple(load for load in _loads(context, mesh) if load.torque > LEAST_TORQUE)
-    rated: MeshRating = method_for(rating).rate(LoadedMesh(rating, module, face_width, heaviest, loads, asked))
+    loaded = _loaded(context, mesh, module, face_width, asked)
+    if isinstance(loaded, Unloaded):
+        return loaded
+    rated: MeshRating = method_for(loaded.rating).rate(loaded)
     return rated
 
 
@@ -48,8 +46,20 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
         module: m_n, of bevel gears m_mn [m].
         face_width: b [m].
     """
-    rated = rate_row(context, mesh, module, face_width)
-    return None if isinstance(rated, Unloaded) else method_for(context.ratings[mesh.stage]).reserve(rated)
+    loaded = _loaded(context, mesh, module, face_width)
+    return None if isinstance(loaded, Unloaded) else method_for(loaded.rating).reserve_of(loaded)
+
+
+def _loaded(
+    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
+) -> LoadedMesh | Unloaded:
+    """Return one mesh of a row with all that its life consists of."""
+    rating, (case, per_tooth) = context.rating(mesh), worst_case(context, mesh)
+    if per_tooth * context.teeth[mesh.gears[0]] <= LEAST_TORQUE:
+        return Unloaded(case)
+    heaviest = _load(context, mesh, case, rating.service.life)
+    loads = tuple(load for load in _loads(context, mesh) if load.torque > LEAST_TORQUE)
+    return LoadedMesh(rating, module, face_width, heaviest, loads, asked)
 
 
 def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:

@@ -43,7 +43,7 @@ def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], rat
 
     def gap(module: float, width: float) -> float:
         meshes = (LoadedMesh(rating, module, width, load, (load,), (0.0, 0.0)) for load in loaded)
-        return min(method.reserve(method.rate(mesh)) for mesh in meshes)
+        return min(method.reserve_of(mesh) for mesh in meshes)
 
     needed = max(float(module) for load in loaded for module in modules(load.ask, rating))
     needed = under_spectrum(needed, ratio, gap)

@@ -122,6 +122,10 @@ class Agma2003:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the same of a mesh whose record nobody reads [-]."""
+        return self.reserve(self.rate(mesh))
+
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2003 in each class."""
         rating, making = spectrum.rating, making_of(spectrum.rating)

@@ -93,6 +93,13 @@ class Iso10300:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the factor on the loads without scuffing, which it does not ask for [-]."""
+        rules, steel = mesh.rating.rules.iso6336, steel_of(mesh.rating)
+        every = [_rated(mesh.rating, load, mesh.module, mesh.face_width) for load in mesh.loads]
+        pitting, bending = safeties([_strains(rated) for rated in every], (steel, steel))
+        return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
+
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 10300-2 and -3 in each class."""
         loads = zip(spectrum.torques, spectrum.speeds, strict=True)

@@ -140,6 +140,13 @@ class Iso6336:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the factor on the loads without films and static strength, which it does not ask for [-]."""
+        rules, alone = mesh.rating.rules.iso6336, mesh.loads == (mesh.heaviest,)
+        every = [strains_of(self._rated(mesh, mesh.heaviest))] if alone else self._strains(mesh)
+        pitting, bending = safeties(every, steels_of(mesh.rating, mesh.heaviest.ask.roles))
+        return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
+
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
         speeds = np.asarray(spectrum.speeds)

@@ -83,6 +83,10 @@ class LewisHertz:
         """Return the factor on the loads; the contact stress grows with its root [-]."""
         return min(rated.bending_margin, rated.contact_margin**2)
 
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the same of a mesh whose record nobody reads [-]."""
+        return self.reserve(self.rate(mesh))
+
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336 with the mission's steel: Lewis and Hertz know no life."""
         return Iso6336().damage(spectrum._replace(rating=_by_iso(spectrum.rating, spectrum.steel)))
