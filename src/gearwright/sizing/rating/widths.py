@@ -19,6 +19,8 @@ STANDARD_MODULES = (
 _MM = 1e-3
 CORRECTIONS = 6
 """Corrections of a module under the load spectrum; each closes most of what is left."""
+LEFT = 2.0
+"""How far later corrections may lead, over the last one [-]: twice as far as where each closed but half."""
 
 Gap = Callable[[float, float], float]
 """Module and face width [m] -> by what factor the loads of a stage could grow [-]."""
@@ -33,16 +35,20 @@ def next_standard(needed: float) -> float:
     return next((standard * _MM for standard in STANDARD_MODULES if standard * _MM >= needed * (1.0 - 1e-9)), needed)
 
 
-def under_spectrum(module: float, ratio: float, gap: Gap) -> float:
+def under_spectrum(module: float, ratio: float, gap: Gap, rounded: Callable[[float], float] | None = None) -> float:
     """Return the module with which every asked safety is just met under all cases of the life [m].
 
     Args:
         module: That meets them in the heaviest case [m].
         ratio: λ = b/m_n [-].
         gap: Of the stage.
+        rounded: To what a module is rounded afterwards; no more corrections are made than it can tell apart.
     """
     for _ in range(CORRECTIONS):
-        module /= math.cbrt(gap(module, ratio * module))
+        before, module = module, module / math.cbrt(gap(module, ratio * module))
+        left = LEFT * abs(module - before)
+        if rounded is not None and left < module / 2.0 and rounded(module - left) == rounded(module + left):
+            break
     return module
 
 

@@ -109,12 +109,10 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
     if rating.kind != "bevel" and {f"{stage}.module", f"{stage}.face_width"} <= given.keys():
         width = given[f"{stage}.face_width"]
         return StageSize(given[f"{stage}.module"], width, width)
-    needed = under_spectrum(needed, ratio, partial(_gap, context, stage))
-    return (
-        _bevel_size(context, stage, needed, ratio)
-        if rating.kind == "bevel"
-        else _cylinder(context, stage, needed, ratio)
-    )
+    bevel, gap = rating.kind == "bevel", partial(_gap, context, stage)
+    made = partial(_outer_module if bevel else _made_module, context, stage)
+    module = made(under_spectrum(needed, ratio, gap, made))
+    return _bevel_size(context, stage, module, ratio) if bevel else _cylinder(context, stage, module, ratio)
 
 
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
@@ -124,14 +122,17 @@ def _gap(context: Context, stage: str, module: float, width: float) -> float:
     return min((reserve for reserve in reserves if reserve is not None), default=1.0)
 
 
-def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
-    """Return a standard module and the whole millimetres of face width that meet the safeties with it."""
-    rating, given = context.ratings[stage], context.given
-    module = given.get(f"{stage}.module", rounded(context, stage, needed))
-    width = ratio * module
+def _made_module(context: Context, stage: str, needed: float) -> float:
+    """Return the module of a stage of cylindrical gears: given, or the standard one that is needed [m]."""
+    return context.given.get(f"{stage}.module", rounded(context, stage, needed))
+
+
+def _cylinder(context: Context, stage: str, module: float, ratio: float) -> StageSize:
+    """Return a module and the whole millimetres of face width that meet the safeties with it."""
+    rating, width = context.ratings[stage], ratio * module
     if rating.width_is_open:
         width = narrowest(overlap_width(rating, module), width, partial(_gap, context, stage, module))
-    width = given.get(f"{stage}.face_width", width)
+    width = context.given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
 
 
@@ -151,12 +152,18 @@ def rounded(context: Context, stage: str, needed: float) -> float:
     return next_standard(needed)
 
 
-def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
-    """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
+def _outer_module(context: Context, stage: str, needed: float) -> float:
+    """Return the outer module of a bevel stage: given, or the standard one that is needed [m]."""
+    outer = context.given.get(f"{stage}.outer_module")
+    if outer is not None:
+        return outer
+    rating, wide = context.ratings[stage], context.width_ratios[stage] * needed
+    return rounded(context, stage, bevel_pair(_teeth(context, stage), needed, wide, rating).outer_module)
+
+
+def _bevel_size(context: Context, stage: str, outer: float, ratio: float) -> StageSize:
+    """Return mean normal module and face width of a bevel stage of an outer module."""
     rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
-    outer = given.get(f"{stage}.outer_module")
-    if outer is None:
-        outer = rounded(context, stage, bevel_pair(teeth, needed, ratio * needed, rating).outer_module)
     width = bevel_width(teeth, outer, ratio, rating, partial(_gap, context, stage))
     asked = given.get(f"{stage}.face_width", width)
     width = min(asked, min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * outer)

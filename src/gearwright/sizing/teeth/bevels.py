@@ -46,9 +46,12 @@ def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], rat
         return min(method.reserve_of(mesh) for mesh in meshes)
 
     needed = max(float(module) for load in loaded for module in modules(load.ask, rating))
-    needed = under_spectrum(needed, ratio, gap)
-    outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
-    outer = next_standard(outer) if rules is not None and rules.standard_modules else outer
+
+    def outer_of(module: float) -> float:
+        outer = bevel_pair(teeth, module, ratio * module, rating).outer_module
+        return next_standard(outer) if rules is not None and rules.standard_modules else outer
+
+    outer = outer_of(under_spectrum(needed, ratio, gap, outer_of))
     width = bevel_width(teeth, outer, ratio, rating, gap)
     return mean_module(teeth, outer, width, rating), width
 
