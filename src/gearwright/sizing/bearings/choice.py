@@ -58,6 +58,8 @@ class Seating:
     """With its oil, and the life that it asks."""
     rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
     """Bearing and size -> how it bears its duty, as far as that was asked."""
+    weak: dict[str, set[str]] = field(default_factory=dict)
+    """Bearing -> sizes that are known not to bear its duty."""
     known: Checked = field(default_factory=dict)
     """The same by duty, of every seating of the shaft."""
 
@@ -99,10 +101,12 @@ class Seating:
             return sizes[0]
         if seat.bore is not None:
             smallest = largest = sizes[0].bore
-        low, high = smallest - 1e-9, largest + 1e-9
+        low, high, weak = smallest - 1e-9, largest + 1e-9, self.weak.setdefault(name, set())
         for size in sizes:
-            if low <= size.bore <= high and _bears(self.check(name, size)):
-                return size
+            if low <= size.bore <= high and size.designation not in weak:
+                if _bears(self.check(name, size)):
+                    return size
+                weak.add(size.designation)
         room = [size for size in sizes if low <= size.bore <= high]
         checks = [self.check(name, size) for size in room or sizes]
         raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (smallest, largest), checks))])

@@ -66,10 +66,9 @@ class ShaftForces(NamedTuple):
             positions: From the shaft's first end [m], (n,). Rotors point where they bend each one most.
         """
         parts = [part.drawn for part in self.apart] or [self.drawn]
-        left, right = (
-            np.sum([_at(part, positions + beside) for part in parts], axis=0) for beside in (-_BESIDE, _BESIDE)
-        )
-        bending, torque = np.maximum(left, right)
+        beside, count = np.concatenate([positions - _BESIDE, positions + _BESIDE]), len(positions)
+        sides = np.sum([_at(part, beside) for part in parts], axis=0)
+        bending, torque = np.maximum(sides[..., :count], sides[..., count:])
         return _cleaned(bending), _cleaned(torque)
 
     def bearing_loads(self, case: int) -> tuple[BearingLoad, ...]:

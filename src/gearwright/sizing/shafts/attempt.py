@@ -51,6 +51,11 @@ class Task:
         return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
     @cached_property
+    def seats(self) -> Mapping[str, Seat]:
+        """Joint -> where it sits and what it bears, on a shaft without bore."""
+        return {part: _seat(self, part) for part in self.joints}
+
+    @cached_property
     def judge(self) -> Strength:
         """What its sections are judged by."""
         return Strength(self.name, self.context.design, self.material, tuple(self.context.flows))
@@ -181,6 +186,10 @@ def seat_of(task: Task, part: str, bore: float) -> Seat:
         part: Gear or machine with the joint.
         bore: Of the shaft [m].
     """
+    return task.seats[part]._replace(bore=bore)
+
+
+def _seat(task: Task, part: str) -> Seat:
     gear, joint, plan = task.gears.get(part), task.joints[part], task.forces.plan
     width = _width(task, part)
     return Seat(
@@ -190,7 +199,7 @@ def seat_of(task: Task, part: str, bore: float) -> Seat:
         hub_length=joint.hub_length or width or math.inf,
         root=root_diameter(task.context, gear) if gear is not None else math.inf,
         torque=_torque(task.context, task.name, part) * task.context.design.service.application_factor,
-        bore=bore,
+        bore=0.0,
         tooth=TOOTH_HEIGHT * gear.module if gear is not None else 0.0,
         speed=max(abs(flow.speeds[task.name]) for flow in task.context.flows.values()),
     )

@@ -75,28 +75,31 @@ def build_shaft(
     joints = {gear: context.design.joints.get(gear, Joint(kind="integral")) for gear in borne}
     joints |= {part: joint for part, joint in context.design.joints.items() if part in forces.plan.places}
     task = Task(context, name, forces, material, borne, core, joints)
-    shafts: list[Built] = []
-    refused: list[DesignError] = []
+    settled: list[tuple[bool, Seating, Attempt]] = []
+    refused: dict[bool, DesignError] = {}
     for slim in (True, False):
         try:
-            shafts.append(_settled(task, slim=slim))
+            settled.append((slim, *_settled(task, slim=slim)))
         except DesignError as error:
-            refused.append(error)
-    if not shafts:
-        raise refused[0]
-    return min(shafts, key=lambda built: _weight(built, material))
+            refused[slim] = error
+    for slim, seated, attempt in sorted(settled, key=lambda tried: _weight(*tried[1:], material)):
+        try:
+            return _finished(task, seated, attempt)
+        except DesignError as error:
+            refused[slim] = error
+    raise refused[True]
 
 
-def _weight(built: Built, material: Material) -> float:
+def _weight(seated: Seating, attempt: Attempt, material: Material) -> float:
     """Return the mass of a shaft and its bearings, which small bores and light bearings lower in turn [kg]."""
     metal = sum(
-        shaft_mass(step.diameter, step.end - step.start, material.density, bore=built.shaft.bore)
-        for step in built.shaft.steps
+        shaft_mass(stretch.diameter, stretch.end - stretch.start, material.density, bore=attempt.bore)
+        for stretch in attempt.stretches
     )
-    return metal + sum(bearing.bearing.mass for bearing in built.bearings)
+    return metal + sum(attempt.chosen[name].mass for name in seated.seats)
 
 
-def _settled(task: Task, *, slim: bool) -> Built:
+def _settled(task: Task, *, slim: bool) -> tuple[Seating, Attempt]:
     """Return a shaft whose taper bearings bear the thrust that they make themselves."""
     chosen: Mapping[str, Bearing] = {}
     tried: list[Mapping[str, str]] = []
@@ -107,8 +110,7 @@ def _settled(task: Task, *, slim: bool) -> Built:
         if names in tried or not any(seat.kind == "taper" for seat in seated.seats.values()):
             break
         tried.append(names)
-    borne = seating(task.context, task.name, task.forces, chosen, slim=slim, known=task.checked)
-    return _finished(task, borne, attempt)
+    return seating(task.context, task.name, task.forces, chosen, slim=slim, known=task.checked), attempt
 
 
 def _stiff(task: Task, seated: Seating) -> Attempt:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError, Problem
@@ -59,8 +59,7 @@ class Item:
         return self.middle + self.width / 2.0
 
 
-@dataclass(frozen=True)
-class Stretch:
+class Stretch(NamedTuple):
     """A part of a shaft between two places."""
 
     name: str
@@ -165,9 +164,9 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
         if stretch.kind == "bearing":
             laid = _seated(stretch, choose(stretch.name, needed, limit))
         elif stretch.kind == "hub":
-            laid = replace(stretch, diameter=wanted.fixed.get(stretch.name, _whole(needed)))
+            laid = stretch._replace(diameter=wanted.fixed.get(stretch.name, _whole(needed)))
         else:
-            laid = replace(stretch, diameter=_whole(needed) if needed > reached else reached)
+            laid = stretch._replace(diameter=_whole(needed) if needed > reached else reached)
         if laid.diameter < reached - _SAME:
             message = (
                 f"{stretch.name} has a seat of {1e3 * laid.diameter:.4g} mm on {shaft!r} and must be slid over"
@@ -186,8 +185,7 @@ def _path(stretch: Stretch) -> str:
 def _seated(stretch: Stretch, bearing: Bearing) -> Stretch:
     """Return the seat of a bearing."""
     height = bearing.outer_diameter - bearing.bore
-    return replace(
-        stretch,
+    return stretch._replace(
         diameter=bearing.bore,
         shoulder=_whole(bearing.bore + SHOULDER * height),
         fillet=BEARING_FILLET * height,
@@ -205,7 +203,7 @@ def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
         return side
     wanted = side[-2].shoulder
     if side[-1].diameter < wanted <= inner.diameter + _SAME:
-        return [*side[:-1], replace(side[-1], diameter=wanted)]
+        return [*side[:-1], side[-1]._replace(diameter=wanted)]
     return side
 
 
@@ -226,7 +224,7 @@ def _core(
             f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
         )
         raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
-    return [replace(only, diameter=_whole(needed) if diameter is None else diameter)]
+    return [only._replace(diameter=_whole(needed) if diameter is None else diameter)]
 
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
@@ -239,7 +237,7 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
             raise DesignError([Problem(_path(stretch), message)])
         needed = max(beside, wanted.needed.get(stretch.name, 0.0))
         body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
-        laid.append(replace(stretch, diameter=_whole(needed) if stretch.kind == "between" else body))
+        laid.append(stretch._replace(diameter=_whole(needed) if stretch.kind == "between" else body))
         if stretch.kind == "integral" and needed > limits[stretch.name] + _SAME:
             message = (
                 f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
@@ -260,13 +258,13 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     at = max(sides, key=lambda k: stretches[k].length)
     beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
     collar = _whole(max(COLLAR * stretches[low].diameter, *beyond))
-    return [replace(stretch, diameter=collar) if k == at else stretch for k, stretch in enumerate(stretches)]
+    return [stretch._replace(diameter=collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
 def _ends(stretches: list[Stretch]) -> list[Stretch]:
     """Return the stretches that have a length; an end that carries nothing is as thick as what sits beside it."""
     if stretches[0].diameter == 0.0:
-        stretches = [replace(stretches[0], diameter=stretches[1].diameter), *stretches[1:]]
+        stretches = [stretches[0]._replace(diameter=stretches[1].diameter), *stretches[1:]]
     if stretches[-1].diameter == 0.0:
-        stretches = [*stretches[:-1], replace(stretches[-1], diameter=stretches[-2].diameter)]
+        stretches = [*stretches[:-1], stretches[-1]._replace(diameter=stretches[-2].diameter)]
     return [stretch for stretch in stretches if stretch.length > _SAME]
