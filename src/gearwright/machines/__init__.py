@@ -43,6 +43,7 @@ from gearwright.machines.propeller_map import (
     look_up,
 )
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
+from gearwright.machines.short_circuit import Winding, short_circuit_torque
 
 __all__ = [
     "EMPTY",
@@ -63,6 +64,7 @@ __all__ = [
     "PowerLimits",
     "PropellerMap",
     "Rotor",
+    "Winding",
     "angle_for_power",
     "angle_for_thrust",
     "battery_step",
@@ -87,6 +89,7 @@ __all__ = [
     "rated_losses",
     "rotor_inertia",
     "shared_losses",
+    "short_circuit_torque",
     "stored_energy",
     "turbine_diameter",
     "turbine_inertia",

@@ -38,6 +38,11 @@ EVENTS: Mapping[str, tuple[str, ...]] = {
     "speed-step": ("speed_step",),
     "gust": ("gust",),
     "clutch-engagement": ("clutch", "slip"),
+    "motor-short-circuit": ("back_emf_v", "inductance_mh", "pole_pairs"),
+    "engine-out": ("lag",),
+    "pitch-runaway": ("overspeed",),
+    "power-slam": ("power", "lag"),
+    "propeller-strike": ("lasts",),
 }
 """Event -> what a window must say about it."""
 
@@ -49,8 +54,9 @@ class WindowRules(Record):
     at: Time = Field(0.0, ge=0, le=1e6, description="Its start, from the start of the phase")
     duration: Time = Field(10.0, gt=0, le=1e4, description="Its length")
     event: Literal[
-        "none", "motor-cut", "turbine-cut", "mode-change", "pitch-step", "speed-step", "gust", "clutch-engagement"
-    ] = Field("none", description="What happens in it")
+        "none", "motor-cut", "turbine-cut", "mode-change", "pitch-step", "speed-step", "gust", "clutch-engagement",
+        "motor-short-circuit", "engine-out", "pitch-runaway", "power-slam", "propeller-strike",
+    ] = Field("none", description="What happens in it")  # fmt: skip
     event_at: Time = Field(1.0, ge=0, le=1e4, description="When, from the window's start")
     over: Time = Field(0.1, gt=0, le=1e3, description="Time that the change takes; a phase's change of power, too")
     mode: Literal["conventional", "hybrid", "electric"] | None = Field(
@@ -67,6 +73,26 @@ class WindowRules(Record):
     capacity: Torque | None = Field(
         None, gt=0, le=1e9, description="Torque at which a friction clutch slips once engaged"
     )
+    machine: str | None = Field(None, description="Motor or turbine that fails; left out: the only one of its kind")
+    back_emf_v: float | None = Field(
+        None, ge=0, le=1e5, description="E of the motor: rms voltage of a phase, without load at the rated speed, V"
+    )
+    inductance_mh: float | None = Field(
+        None, ge=1e-6, le=1e6, description="L of the motor: synchronous, of a phase without saliency, mH"
+    )
+    resistance_ohm: float | None = Field(
+        None, ge=0, le=1e3, description="R of a phase; left out: estimated from the motor's copper loss"
+    )
+    pole_pairs: int | None = Field(None, ge=1, le=200, description="p of the motor")
+    lag: Time | None = Field(None, gt=0, le=100, description="Time constant of a turbine that fails or speeds up")
+    overspeed: Ratio | None = Field(
+        None, gt=1, le=2, description="Speed that the overspeed governor holds, over the set speed"
+    )
+    strike_torque: Torque | None = Field(None, gt=0, le=1e9, description="That stops the propeller when it strikes")
+    stop_time: Time | None = Field(
+        None, gt=0, le=1e6, description="In place of it: in which such a torque would stop everything that turns"
+    )
+    lasts: Time | None = Field(None, gt=0, le=1e4, description="How long the propeller strikes")
     stiffness: Literal["constant", "varying"] | None = Field(
         None, description="Mesh stiffness; left out: as the design says"
     )
@@ -93,7 +119,21 @@ def window_problems(windows: Mapping[str, WindowRules], phases: Collection[str])
                 yield Problem(at, f"{window.event} without {field}; give one")
         if window.mode == "hybrid" and window.electric_share is None:
             yield Problem(at, "hybrid without electric_share; give the motors' part of the power, such as 0.3")
+        if window.event == "propeller-strike":
+            yield from _strike(at, window)
         if window.event != "none" and window.event_at >= window.duration:
             yield Problem(
                 f"{at}.event_at", f"{window.event_at:g} s, but the window ends at {window.duration:g} s; start earlier"
             )
+
+
+def _strike(at: str, window: WindowRules) -> Iterator[Problem]:
+    """Yield what is wrong with a propeller that strikes."""
+    if (window.strike_torque is None) == (window.stop_time is None):
+        yield Problem(at, "propeller-strike takes either strike_torque or stop_time; give one of them")
+    if window.stop_time is not None and window.lasts is not None and window.lasts >= window.stop_time:
+        yield Problem(
+            f"{at}.lasts",
+            f"{window.lasts:g} s, but everything stands still after stop_time, {window.stop_time:g} s; a window needs a"
+            " propeller that turns, give less",
+        )

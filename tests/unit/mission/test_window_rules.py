@@ -66,3 +66,48 @@ def test_a_mission_of_schedules_has_no_windows():
     first = next(iter(flight.mission.phases))
     with pytest.raises(DesignError, match="a window needs a propeller_map"):
         fly_window(flight, "any", WindowRules(phase=first))
+
+
+def test_a_fault_without_its_numbers_is_told_for_every_number():
+    text = shipped_mission("thesis").read_text(encoding="utf-8") + (
+        '\n[windows.a]\nphase = "cruise"\nevent = "motor-short-circuit"\n'
+        '[windows.b]\nphase = "cruise"\nevent = "engine-out"\n'
+        '[windows.c]\nphase = "cruise"\nevent = "pitch-runaway"\n'
+        '[windows.d]\nphase = "cruise"\nevent = "power-slam"\nlag_s = 1\n'
+        '[windows.e]\nphase = "cruise"\nevent = "propeller-strike"\nlasts_s = 1\n'
+        '[windows.f]\nphase = "cruise"\nevent = "propeller-strike"\nlasts_s = 1\nstop_time_s = 0.5\n'
+    )
+    with pytest.raises(DesignError) as caught:
+        parse_mission(text)
+    words = str(caught.value)
+    for part in (
+        "motor-short-circuit without back_emf_v",
+        "without inductance_mh",
+        "without pole_pairs",
+        "engine-out without lag",
+        "pitch-runaway without overspeed",
+        "power-slam without power",
+        "either strike_torque or stop_time",
+        "stands still after stop_time, 0.5 s",
+    ):
+        assert part in words
+
+
+def test_a_fault_of_a_machine_that_the_design_lacks_is_refused(flight):
+    short = WindowRules(
+        phase="cruise", event="motor-short-circuit", back_emf_v=1.0, inductance_mh=1.0, pole_pairs=2, machine="electrik"
+    )
+    with pytest.raises(DesignError, match="no such motor: electrik; did you mean electric"):
+        fly_window(flight, "short", short)
+    out = WindowRules(phase="cruise", event="engine-out", lag=1.0, machine="electric")
+    with pytest.raises(DesignError, match="no such turbine: electric"):
+        fly_window(flight, "out", out)
+
+
+def test_a_fault_names_its_machine_where_there_are_several_and_needs_one():
+    flight = fly(size(read(find_design("twin-engine-sprag"))), read_mission(shipped_mission("regional-250nm")))
+    with pytest.raises(DesignError, match="turbine-1, turbine-2; name one"):
+        fly_window(flight, "out", WindowRules(phase="climb", event="engine-out", lag=1.0))
+    short = WindowRules(phase="climb", event="motor-short-circuit", back_emf_v=1.0, inductance_mh=1.0, pole_pairs=2)
+    with pytest.raises(DesignError, match="the design has no motor; choose another event"):
+        fly_window(flight, "short", short)

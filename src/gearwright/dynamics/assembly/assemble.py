@@ -8,6 +8,7 @@ carries it with a positive force.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
@@ -45,6 +46,8 @@ class Driving(NamedTuple):
     """Shaft -> torque that losses take from it, against its sense [N m]."""
     capacities: Mapping[str, Curve]
     """Clutch -> torque at which it slips [N m]; a clutch that is left out is a shaft."""
+    carried: Mapping[str, float] = MappingProxyType({})
+    """Clutch -> torque that it carries at the start [N m]; 0 where it is left out."""
 
 
 @verb
@@ -136,4 +139,7 @@ def _add_driving(assembly: Assembly, driving: Driving) -> None:
             mobility = sum(1.0 / assembly.rotors[name].inertia for name in (first, second))
             damping = DampingRatio(sizing.design.dynamics.shaft_damping).damper(stiffness, mobility)
             capacity = driving.capacities[joint.name]
-            model.drive(ClutchDrive(joint.name, first, second, stiffness, damping, capacity, joint.overrunning))
+            carried = driving.carried.get(joint.name, 0.0)
+            model.drive(
+                ClutchDrive(joint.name, first, second, stiffness, damping, capacity, joint.overrunning, carried)
+            )

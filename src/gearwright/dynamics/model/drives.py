@@ -91,6 +91,8 @@ class ClutchDrive(NamedTuple):
     """Torque at which it slips [N m]."""
     one_way: bool = False
     """True: it overruns freely when the second rotation leads."""
+    carried: float = 0.0
+    """Torque at the start [N m]."""
 
 
 Drive = PropellerDrive | MachineDrive | ClutchDrive
@@ -129,7 +131,7 @@ def _states_of(drive: Drive) -> tuple[float, ...]:
         case MachineDrive():
             return ()
         case ClutchDrive():
-            return (0.0,)
+            return (drive.carried / drive.stiffness,)
 
 
 def _bodies_of(drive: Drive) -> tuple[str, str | None]:

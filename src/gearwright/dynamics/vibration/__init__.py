@@ -17,7 +17,7 @@ from gearwright.dynamics.vibration.critical_speeds import (
 from gearwright.dynamics.vibration.forced import forced_factors
 from gearwright.dynamics.vibration.judged import motion_checks, peak_checks, resonance_checks
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
-from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
+from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
 from gearwright.dynamics.vibration.response import Peak, Response, frequency_response, peaks
 from gearwright.dynamics.vibration.runup import Loudest, RunUp, loudest_speeds, run_up
 from gearwright.dynamics.vibration.spectra import Waterfall, tone_amplitudes, waterfall
@@ -38,6 +38,7 @@ __all__ = [
     "Peak",
     "Response",
     "RunUp",
+    "ShaftLoad",
     "SpeedCase",
     "SpeedMap",
     "Waterfall",
@@ -59,6 +60,7 @@ __all__ = [
     "periodic",
     "resonance_checks",
     "run_up",
+    "shaft_loads",
     "speed_map",
     "tone_amplitudes",
     "turning_shaft",

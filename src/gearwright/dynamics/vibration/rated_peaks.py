@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.dynamics.motion import Trace
-from gearwright.identity import Row
+from gearwright.identity import Kind, PartId, Row
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
 
@@ -31,6 +31,41 @@ class DynamicLoad:
     """Contact margin at the peak [-]."""
 
 
+@dataclass(frozen=True)
+class ShaftLoad:
+    """One shaft in a run."""
+
+    shaft: str
+    peak_torque: Annotated[float, Quantity("torque"), Origin("T_max", "run")]
+    """Largest torque of its lines, without sign [N m]."""
+    rated_torque: Annotated[float, Quantity("torque"), Origin("T at the section that governs", "sizing")]
+    """Torque that it is sized for [N m]."""
+    margin: Annotated[float, Quantity("ratio"), Origin("margin · T / T_max", "stress ∝ torque")]
+    """Against yield at the peak, with the bending moment that grows with the torque [-]."""
+
+
+def shaft_loads(sizing: Sizing, trace: Trace) -> tuple[ShaftLoad, ...]:
+    """Return the peak of every shaft beside what it is sized for, the worst first.
+
+    Args:
+        sizing: As sized.
+        trace: A run of it.
+    """
+    loads = list[ShaftLoad]()
+    for shaft in sizing.shafts if trace.force.bins else ():
+        lines = trace.labels.lines_of(PartId(Kind.SHAFT, shaft.name))
+        peak = max((_peak(trace, line) for line in lines), default=0.0)
+        if peak and shaft.torque:
+            rated = abs(shaft.torque)
+            loads.append(ShaftLoad(shaft.name, peak, rated, shaft.margin * rated / peak))
+    return tuple(sorted(loads, key=lambda load: load.margin))
+
+
+def _peak(trace: Trace, line: str) -> float:
+    history = trace.force.of(line)
+    return max(abs(float(history["maximum"].max())), abs(float(history["minimum"].min())))
+
+
 def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
     """Return the peak of every mesh row beside what it is sized for, the worst first.
 
@@ -50,7 +85,7 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     # The halves of a double-helical gear are one line; planets have a line each.
     together = mesh.count if mesh.row is Row.PAIR else 1
     statistics = [trace.force.of(name) for name in lines]
-    peak = max(max(abs(float(line["maximum"].max())), abs(float(line["minimum"].min()))) for line in statistics)
+    peak = max(_peak(trace, name) for name in lines)
     mean = max(abs(float(line["mean"].mean())) for line in statistics)
     force, sized_for = (
         peak * math.cos(mesh.working_pressure_angle) / together,

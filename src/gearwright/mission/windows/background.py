@@ -67,6 +67,12 @@ class Background:
     """Added to the governor's reference [rad]."""
     interval: int
     """Interval of the flight in which it starts."""
+    limits: bool = True
+    """False: a fault gives machines torques beyond their limits."""
+    held_speed: Curve | None = None
+    """What the propeller's governor holds in place of the set speed [rad/s]."""
+    strike: Curve | None = None
+    """Torque that stops the propeller, negative [N m]."""
 
 
 def background(flight: Flight, rules: WindowRules) -> Background:

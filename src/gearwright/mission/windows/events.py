@@ -9,21 +9,12 @@ import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.windows.background import Background, Curve, staged, turning_at
+from gearwright.mission.windows.curves import blended, stepped, value_at
+from gearwright.mission.windows.faults import engine_out, runaway, short_circuited, slammed, struck
 from gearwright.spec import WindowRules
 
 GUST_POINTS = 48
 """Points of a 1-cos gust: straight lines between them are off by 1e-3 of it."""
-
-
-def value_at(curve: Curve, time: float) -> float:
-    """Return a curve's value; it is held before its first and after its last point.
-
-    Args:
-        curve: (time [s], value).
-        time: [s].
-    """
-    times, values = zip(*curve, strict=True)
-    return float(np.interp(time, times, values))
 
 
 def changed(back: Background, rules: WindowRules) -> Background:
@@ -44,31 +35,25 @@ def changed(back: Background, rules: WindowRules) -> Background:
         case "mode-change":
             return _other_mode(back, rules)
         case "pitch-step":
-            return replace(back, pitch=_stepped([(0.0, 0.0)], rules, rules.pitch_step or 0.0))
+            return replace(back, pitch=stepped([(0.0, 0.0)], rules, rules.pitch_step or 0.0))
         case "speed-step":
-            return replace(back, speed=_stepped(back.speed, rules, rules.speed_step or 0.0))
+            return replace(back, speed=stepped(back.speed, rules, rules.speed_step or 0.0))
         case "gust":
             return replace(back, airspeed=_gust(back.airspeed, rules))
         case "clutch-engagement":
             return _joining(back, rules)
+        case "motor-short-circuit":
+            return short_circuited(back, rules)
+        case "engine-out":
+            return engine_out(back, rules)
+        case "pitch-runaway":
+            return runaway(back, rules)
+        case "power-slam":
+            return slammed(back, rules)
+        case "propeller-strike":
+            return struck(back, rules)
         case _:
             return back
-
-
-def _stepped(curve: Curve, rules: WindowRules, change: float) -> Curve:
-    """Return a curve that is higher by a change after the event."""
-    return _blended(curve, [(time, value + change) for time, value in curve], rules)
-
-
-def _blended(before: Curve, after: Curve, rules: WindowRules) -> Curve:
-    """Return one curve that becomes another while the event lasts."""
-    start, end = rules.event_at, rules.event_at + rules.over
-    times = sorted({start, end, *(time for curve in (before, after) for time, _ in curve)})
-    share = np.clip((np.array(times) - start) / rules.over, 0.0, 1.0)
-    return [
-        (time, (1.0 - part) * value_at(before, time) + part * value_at(after, time))
-        for time, part in zip(times, share.tolist(), strict=True)
-    ]
 
 
 def _scaled(back: Background, rules: WindowRules, machines: set[str]) -> Background:
@@ -77,8 +62,7 @@ def _scaled(back: Background, rules: WindowRules, machines: set[str]) -> Backgro
         message = f"{rules.event}, but the design has no such machine; choose another event"
         raise DesignError([Problem("windows", message)])
     torques = {
-        name: _blended(curve, [(0.0, 0.0)], rules) if name in machines else curve
-        for name, curve in back.torques.items()
+        name: blended(curve, [(0.0, 0.0)], rules) if name in machines else curve for name, curve in back.torques.items()
     }
     return replace(back, torques=torques)
 
@@ -95,10 +79,9 @@ def _other_mode(back: Background, rules: WindowRules) -> Background:
     after = staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(back.flight, back.interval))
     return replace(
         back,
-        torques={name: _blended(curve, [(0.0, after.torques[name])], rules) for name, curve in back.torques.items()},
+        torques={name: blended(curve, [(0.0, after.torques[name])], rules) for name, curve in back.torques.items()},
         resistances={
-            shaft: _blended(curve, [(0.0, after.resistances[shaft])], rules)
-            for shaft, curve in back.resistances.items()
+            shaft: blended(curve, [(0.0, after.resistances[shaft])], rules) for shaft, curve in back.resistances.items()
         },
     )
 
@@ -106,7 +89,7 @@ def _other_mode(back: Background, rules: WindowRules) -> Background:
 def _gust(airspeed: Curve, rules: WindowRules) -> Curve:
     top = rules.gust or 0.0
     if rules.gust_shape == "step":
-        return _stepped(airspeed, rules, top)
+        return stepped(airspeed, rules, top)
     times = rules.event_at + np.linspace(0.0, rules.over, GUST_POINTS + 1)
     inside = [
         (float(time), value_at(airspeed, float(time)) + 0.5 * top * (1.0 - math.cos(2.0 * math.pi * k / GUST_POINTS)))
@@ -121,7 +104,7 @@ def _joining(back: Background, rules: WindowRules) -> Background:
     joint = next((clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch), None)
     train = back.flight.sizing.train
     torques = {
-        name: _blended([(0.0, 0.0)], curve, rules) if joint and train.machines[name] == joint.driving else curve
+        name: blended([(0.0, 0.0)], curve, rules) if joint and train.machines[name] == joint.driving else curve
         for name, curve in back.torques.items()
     }
     return replace(back, torques=torques)

@@ -14,11 +14,15 @@ from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
 from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix, top_rate
 from gearwright.dynamics.motion import fastest_rate, followed, with_profile
+from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle
 from gearwright.mission.flight import Flight
+from gearwright.mission.supplied import supply_of
 from gearwright.mission.windows.background import Background, Curve, background
-from gearwright.mission.windows.events import changed, value_at
+from gearwright.mission.windows.curves import value_at
+from gearwright.mission.windows.events import changed
+from gearwright.mission.windows.faults import caught, failing, freewheels
 from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
 from gearwright.verbs import verb
@@ -33,6 +37,8 @@ CLOSE_CYCLES = 4.0
 """Cycles of the slowest mesh at the end of a window of which every step is kept [-]."""
 NOTICED = 1e-4
 """Swing of a propeller's speed over the speed itself from which on it is called a limit cycle [-]."""
+MACHINE_EVENTS = ("motor-short-circuit", "engine-out")
+"""Events of one machine."""
 NEVER_SLIPS = 1e12
 """Capacity of an overrunning clutch in the sense in which it holds [N m]."""
 
@@ -51,6 +57,10 @@ class DynamicWindow(Shown):
     """Time runs from the window's start."""
     limit_cycle: LimitCycle | None
     """What the governor sustains; None where it comes to rest."""
+    meshes: tuple[DynamicLoad, ...] = ()
+    """Peak of every mesh row beside what it is sized for, the worst first."""
+    shafts: tuple[ShaftLoad, ...] = ()
+    """Peak of every shaft beside what it is sized for, the worst first."""
 
 
 class _Blade(NamedTuple):
@@ -101,8 +111,12 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
     system = _system(back, rules)
     state = _start(system, back, rules)
     system = followed(system, rules.duration) if np.all(state[1] == 0.0) else system
+    governed = caught(back, rules, system)
+    if governed is not None:
+        system = followed(_system(governed, rules), rules.duration)
     trace = simulate(system, rules.duration, start=state, outputs=window_outputs(system, rules))
-    return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace))
+    loads = dynamic_loads(flight.sizing, trace), shaft_loads(flight.sizing, trace)
+    return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace), *loads)
 
 
 def _check(flight: Flight, name: str, rules: WindowRules) -> None:
@@ -115,6 +129,8 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
             f"{rules.at:g} s, but {rules.phase} ends after {phase_duration:g} s; start earlier, or in the next phase"
         )
         raise DesignError([Problem(f"{at}.at", message)])
+    if rules.event in MACHINE_EVENTS:
+        failing(supply_of(flight.sizing, flight.mission), rules, at)
     joints = {joint.name for joint in flight.sizing.train.joints}
     if rules.clutch is not None and rules.clutch not in joints:
         raise DesignError([Problem(f"{at}.clutch", f"no such clutch: {rules.clutch}; {near(rules.clutch, joints)}")])
@@ -147,8 +163,13 @@ def window_outputs(system: System, rules: WindowRules) -> Outputs:
 def _system(back: Background, rules: WindowRules) -> System:
     flight, design = back.flight, back.flight.sizing.design
     machines = [_machine(back, rules, name) for name in back.gearbox.machines]
-    held = {} if rules.clutch is None else {rules.clutch: _capacity(back, rules)}
-    driving = Driving([_propeller(back, rules), *machines], back.resistances, held)
+    if back.strike is not None:
+        machines.append(MachineDrive("strike", back.gearbox.propeller, back.strike, value_at(back.speed, 0.0)))
+    carried = freewheels(back, rules)
+    held: dict[str, float | Curve] = dict.fromkeys(carried, NEVER_SLIPS)
+    if rules.clutch is not None:
+        held[rules.clutch] = _capacity(back, rules)
+    driving = Driving([_propeller(back, rules), *machines], back.resistances, held, carried)
     system = assemble(
         flight.sizing,
         flight.sizing.reference.case,
@@ -179,7 +200,8 @@ def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
     reference = turning * value_at(back.speed, 0.0) / float(mean_speed)
     if name in supply.motors:
         motor = supply.motors[name]
-        return MachineDrive(name, name, back.torques[name], reference, 0.0, motor.peak_torque, motor.peak_power)
+        limits = (motor.peak_torque, motor.peak_power) if back.limits else (math.inf, math.inf)
+        return MachineDrive(name, name, back.torques[name], reference, 0.0, *limits)
     if name not in supply.engines:
         return MachineDrive(name, name, back.torques[name], reference, 0.0)
     engine = supply.engines[name]
@@ -207,8 +229,9 @@ def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
     settled = (governor.reference - pitch) / governor.integral if governor.integral else 0.0
     start = GovernorState(pitch, 0.0, settled)
     return PropellerDrive(
-        name, name, chart, diameter, governor, start, back.density, back.airspeed, back.speed, back.pitch
-    )
+        name, name, chart, diameter, governor, start, back.density, back.airspeed, back.held_speed or back.speed,
+        back.pitch,
+    )  # fmt: skip
 
 
 def _taken(back: Background, rules: WindowRules) -> float:

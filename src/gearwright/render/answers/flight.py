@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Annotated, Any
 
 from gearwright.dynamics import Trace
+from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission import (
     Durability,
     Flight,
@@ -275,6 +276,10 @@ class WindowAnswer:
     """Null where the governor comes to rest."""
     ranges: tuple[Range, ...]
     """What speeds, torques, pitch and line forces did, in the unit of each."""
+    meshes: tuple[DynamicLoad, ...]
+    """Peak of every mesh row beside what it is sized for, the worst first."""
+    shafts: tuple[ShaftLoad, ...]
+    """Peak of every shaft beside what it is sized for, the worst first."""
     notes: tuple[str, ...]
 
 
@@ -298,5 +303,7 @@ def window_answer(window: DynamicWindow) -> WindowAnswer:
         energy_imbalance=trace.work.imbalance,
         limit_cycle=None if cycle is None else GovernorCycle(cycle.frequency, cycle.amplitude),
         ranges=ranges(window),
+        meshes=window.meshes,
+        shafts=window.shafts,
         notes=tuple(trace.notes),
     )

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import fields
 
 from matplotlib.figure import Figure as Drawing
 
+from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.flight import heat_figure, power_figure, profile_figure, stores_figure
 from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.window import window_figure
-from gearwright.render.grid.table import MARKS
+from gearwright.render.grid.table import MARKS, Table, table
 from gearwright.render.pages.report_parts import Figure, Section, formulas
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
@@ -109,7 +111,16 @@ def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
     )
     named = ", ".join(f"{name} ({rules.phase}, {rules.event})" for name, rules in flight.mission.windows.items())
     note = f"Windows of the mission: {named}. Those that were flown with the page are drawn here."
-    return Section("Dynamic windows", figures=figures, notes=(note,))
+    return Section("Dynamic windows", figures=figures, tables=tuple(_peaks(flown)), notes=(note,))
+
+
+def _peaks(flown: Sequence[DynamicWindow]) -> Iterator[Table]:
+    """Yield what every mesh row and shaft of each window carried at most, beside what it is sized for."""
+    for window in flown:
+        meshes = tuple(field.name for field in fields(DynamicLoad))
+        yield table(f"Window {window.name}: peaks of meshes beside rated loads", window.meshes, meshes)
+        shafts = tuple(field.name for field in fields(ShaftLoad))
+        yield table(f"Window {window.name}: peaks of shafts beside rated torques", window.shafts, shafts)
 
 
 def _verdict(flight: Flight, parts: Durability, review: Review, life: LifeSizing | None) -> Section:

@@ -87,11 +87,25 @@ def window_text(window: DynamicWindow) -> str:
         f"{'':28} {'start':>11} {'minimum':>11} {'maximum':>11} {'end':>11}",
         *(_line(row) for row in ranges(window)),
         "",
+        *_peaks(window),
         window_verdict(window),
         f"Steps of {trace.step * 1e6:.3g} µs; {Error(trace.error, trace.rms_error).words()}; energies close"
         f" {energy_text(trace.work.imbalance)}",
     ]
     return "\n".join([*lines, *trace.notes[1:]])
+
+
+def _peaks(window: DynamicWindow) -> Iterator[str]:
+    """Yield the peak of every mesh row and shaft beside what it is sized for."""
+    yield f"{'peak beside what it is sized for':32} {'peak':>9} {'sized for':>9} {'':3}  margin left"
+    for load in window.meshes:
+        numbers = f"{shown(load.peak_force, 'force'):9.5g} {shown(load.rated_force, 'force'):9.5g} {unit('force'):3}"
+        margins = f"bending {load.bending_margin:.2f}, contact {load.contact_margin:.2f}"
+        yield f"{f'{load.mesh}, tangential':32} {numbers}  {margins}"
+    for shaft in window.shafts:
+        torques = " ".join(f"{shown(value, 'torque'):9.5g}" for value in (shaft.peak_torque, shaft.rated_torque))
+        yield f"{f'{shaft.shaft} shaft':32} {torques} {unit('torque'):3}  yield {shaft.margin:.2f}"
+    yield ""
 
 
 def _line(row: Range) -> str:
