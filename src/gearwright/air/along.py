@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.air import airspeed, atmosphere
 from gearwright.air.airspeed import _subsonic
-from gearwright.air.atmosphere import Air, air_at
+from gearwright.air.atmosphere import Air, check_air
 from gearwright.arrays import Floats
 from gearwright.lanes import rebound
 
@@ -35,8 +35,9 @@ def air_along(altitude: Floats, offset: float | Floats = 0.0) -> Air:
     Raises:
         DesignError: As `air_at`, for the least and the largest of them.
     """
-    for height, warmer in zip((np.min(altitude), np.max(altitude)), (np.min(offset), np.max(offset)), strict=True):
-        air_at(float(height), float(warmer))
+    offsets = (offset, offset) if isinstance(offset, float) else (float(np.min(offset)), float(np.max(offset)))
+    for height, warmer in zip((altitude.min(), altitude.max()), offsets, strict=True):
+        check_air(float(height), warmer)
     return cast(Air, _AIR._state(altitude, offset))
 
 

@@ -60,6 +60,20 @@ def air_at(altitude: float, offset: float = 0.0) -> Air:
     >>> round(air_at(5000.0).pressure, 1)
     54019.9
     """
+    check_air(altitude, offset)
+    return _state(altitude, offset)
+
+
+def check_air(altitude: float, offset: float) -> None:
+    """Refuse what the standard atmosphere does not reach.
+
+    Args:
+        altitude: Geopotential pressure altitude [m].
+        offset: Temperature above the standard one [K].
+
+    Raises:
+        DesignError: As `air_at`.
+    """
     problems = []
     if not 0.0 <= altitude <= CEILING:
         message = f"{altitude:g} m; the standard atmosphere is given from 0 to {CEILING:g} m"
@@ -67,7 +81,6 @@ def air_at(altitude: float, offset: float = 0.0) -> Air:
     if not -100.0 <= offset <= 100.0:
         problems.append(Problem("isa_offset", f"{offset:g} K from the standard atmosphere; give -100 to 100 K"))
     refuse(problems)
-    return _state(altitude, offset)
 
 
 def _state(altitude: float, offset: float) -> Air:

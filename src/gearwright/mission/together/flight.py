@@ -21,6 +21,7 @@ from gearwright.mission.together.gearbox import (
     drag_of,
     idle_of,
     machine_powers,
+    mesh_loss_of,
     node_speeds,
     point_of,
     stage_losses,
@@ -173,7 +174,7 @@ def _met(asked: _Asked, lost: Floats, lanes: Bools) -> _Met | None:
     if found is None:
         return None
     loads, speeds = found
-    work = powers.sum(axis=1) - _mesh_loss(box, loads, speeds)
+    work = powers.sum(axis=1) - mesh_loss_of(box, loads, speeds).sum(axis=1)
     by_work = ~np.isnan(wanted)
     factor = np.where(by_work, wanted / np.where(work == 0.0, 1.0, work), 0.0)
     short = np.zeros(len(wanted), bool)
@@ -190,10 +191,6 @@ def _met(asked: _Asked, lost: Floats, lanes: Bools) -> _Met | None:
 
 def _counts(box: Box) -> Floats:
     return np.array([float(row.count) for row in box.gearbox.sizing.train.meshes])
-
-
-def _mesh_loss(box: Box, loads: Loads, speeds: Floats) -> Floats:
-    return np.asarray(point_of(box, loads, speeds, np.zeros((len(speeds), len(box.machines)))).mesh_losses.sum(axis=1))
 
 
 def _losses(asked: _Asked, met: _Met, lanes: Bools) -> Floats:

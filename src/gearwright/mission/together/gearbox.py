@@ -179,6 +179,30 @@ def drag_of(box: Box, mesh_torques: Floats, propeller_speed: Floats, idle: Idle)
     return Drag(rubbing + idle.seals, idle.windage, idle.churning)  # type: ignore[arg-type]
 
 
+def mesh_loss_of(box: Box, loads: Loads, speeds: Floats) -> Floats:
+    """Return what each mesh loses, shape (n, meshes) [W].
+
+    Args:
+        box: The gearbox.
+        loads: What the train carries.
+        speeds: Of its nodes, shape (n, nodes) [rad/s].
+    """
+    first, second, third = (_full(speeds)[:, places] for places in _ends(box))
+    return -loads.first * (first - third) - loads.second * (second - third)
+
+
+def _full(speeds: Floats) -> Floats:
+    """Return the speeds of the nodes and of the ground."""
+    return np.concatenate([speeds, np.zeros((len(speeds), 1))], axis=1)
+
+
+def _ends(box: Box) -> list[list[int]]:
+    """Return the columns of the meshes' gears and carriers; the ground is the last one."""
+    train = box.gearbox.sizing.train
+    column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
+    return [[column[row.nodes[place]] for row in train.meshes] for place in range(3)]
+
+
 def point_of(box: Box, loads: Loads, speeds: Floats, powers: Floats) -> Point:
     """Return the operating points; every field has a first axis of n.
 
@@ -188,18 +212,12 @@ def point_of(box: Box, loads: Loads, speeds: Floats, powers: Floats) -> Point:
         speeds: Of its nodes, shape (n, nodes) [rad/s].
         powers: Of the machines without the propeller, shape (n, machines) [W].
     """
-    train = box.gearbox.sizing.train
-    full = np.concatenate([speeds, np.zeros((len(speeds), 1))], axis=1)
-    column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
-    ends = [[column[row.nodes[place]] for row in train.meshes] for place in range(3)]
-    first, second, third = (full[:, places] for places in ends)
-    losses = -loads.first * (first - third) - loads.second * (second - third)
-    total = np.zeros_like(full)
-    for places, torque in zip(ends, (loads.first, loads.second, loads.third), strict=True):
+    total = np.zeros((speeds.shape[0], speeds.shape[1] + 1))
+    for places, torque in zip(_ends(box), (loads.first, loads.second, loads.third), strict=True):
         for k, place in enumerate(places):
             total[:, place] += np.abs(torque[:, k])
     for k, node in enumerate(box.machines):
         total[:, node] += np.abs(np.where(powers[:, k] == 0.0, 0.0, powers[:, k] / speeds[:, node]))
     total[:, box.node] += np.abs(loads.balancing)
-    count = np.array([row.count for row in train.meshes])
-    return Point(speeds, 0.5 * total[:, :-1], powers, loads.first / count, losses)
+    count = np.array([row.count for row in box.gearbox.sizing.train.meshes])
+    return Point(speeds, 0.5 * total[:, :-1], powers, loads.first / count, mesh_loss_of(box, loads, speeds))

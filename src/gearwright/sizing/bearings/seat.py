@@ -81,10 +81,11 @@ def seat_forces_along(seat: Seat, torques: Floats, carrier_speed: Floats) -> tup
         carrier_speed: Speed of what swings a planet, shape (n,) or (1,) [rad/s].
     """
     force = np.zeros((len(torques), 3))
-    for k, torque in enumerate(torques.T):
-        force += np.where(torque < 0.0, -torque, torque)[:, None] * np.where(
-            torque[:, None] < 0.0, seat.backward[k], seat.forward[k]
-        )
+    for torque, forward, backward in zip(torques.T, seat.forward, seat.backward, strict=True):
+        if forward.any() or backward.any():  # not the meshes of other shafts
+            back = torque < 0.0
+            along = np.where(back[:, None], backward, forward) if back.any() else forward
+            force += np.abs(torque)[:, None] * along
     return _borne(seat, force, carrier_speed)
 
 

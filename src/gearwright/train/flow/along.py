@@ -65,7 +65,8 @@ def along(turn: Turn, balancing: int, part: Floats, applied: Floats) -> Loads | 
     before: Bools = x[:, :rows] < 0.0
     system = np.broadcast_to(known.scaled, (len(applied), *known.scaled.shape)).copy()
     for _ in range(_ROUNDS):
-        change = np.where(before[:, :, None], equations.change.negative, equations.change.positive)
+        alike = before[:1] if (before == before[0]).all() else before  # few trains have loads of both senses
+        change = np.where(alike[:, :, None], equations.change.negative, equations.change.positive)
         effective = known.matrix + part[:, :, None] * change
         system[:, :nodes, :rows] = effective.transpose(0, 2, 1) / known.scale[:rows]
         x = np.linalg.solve(system, -asked[:, :, None])[:, :, 0]
