@@ -104,7 +104,10 @@ def test_the_rigid_pass_is_followed_by_the_elastic_train():
     assert again.arrays.profile.factor[0] == window.system.arrays.profile.factor[0]
 
 
-@pytest.mark.parametrize("name", ["taxi-to-hybrid", "hybrid-to-turbine", "pitch-step", "gust"])
+FAULTS = ("short-circuit", "pitch-runaway", "power-slam", "propeller-strike")
+
+
+@pytest.mark.parametrize("name", ["taxi-to-hybrid", "hybrid-to-turbine", "pitch-step", "gust", *FAULTS])
 def test_energies_close_in_every_shipped_window(name):
     """Tolerance: what is left of the steps, 1e-5 of the work; forces as accurate as any run promises."""
     rules = thesis().mission.windows[name].model_copy(update={"stiffness": "varying"})
