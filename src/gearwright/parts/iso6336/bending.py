@@ -282,6 +282,7 @@ def bending_rating(
     loads: LoadFactors,
     strength: RootStrengthFactors,
     body: RootBody = RootBody(),
+    section: RootSection | None = None,
 ) -> BendingRating:
     """Return the root stress, its limit and the safety of one gear.
 
@@ -293,10 +294,11 @@ def bending_rating(
         loads: K factors.
         strength: Y_NT, Y_δrelT, Y_RrelT, Y_X, Y_M of the gear.
         body: Y_B, Y_DT, the edition and the place of the load.
+        section: The critical section where it is known; None: that of the tooth.
 
     Source: ISO 6336-3:2019, clause 5.
     """
-    section = root_section(loaded_tooth(mesh, gear, body.method), body.edition)
+    section = section or root_section(loaded_tooth(mesh, gear, body.method), body.edition)
     tip = contact_ratio_factor_root(mesh) if body.method is RatingMethod.C else None
     sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 and tip is None else 1.0
     helix = helix_factor(mesh, body.edition)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -46,7 +47,7 @@ from gearwright.parts.iso6336.loads import (
     specific_load,
 )
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
-from gearwright.parts.iso6336.root import Edition, root_section
+from gearwright.parts.iso6336.root import Edition, RootSection, root_section
 from gearwright.parts.iso6336.steels import life_curves, life_factor
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 from gearwright.units import Origin, Quantity
@@ -156,7 +157,9 @@ def rate_mesh(
         profile_factor=quality.profile_factor,
         edition=edition,
     )
-    roots = _root_strengths(mesh, steels, cycles, quality=quality, edition=edition)
+    sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
+    roots = _root_strengths(mesh, steels, cycles, sections=sections, quality=quality)
+    deep = deep_tooth_factor(mesh, quality.grade)
     first, second = (
         bending_rating(
             mesh,
@@ -165,7 +168,8 @@ def rate_mesh(
             specific_load=force / width,
             loads=loads,
             strength=roots[gear],
-            body=RootBody(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition, quality.choices.root),
+            body=RootBody(quality.rims[gear], deep, edition, quality.choices.root),
+            section=sections[gear],
         )
         for gear, width in enumerate(widths or (mesh.face_width, mesh.face_width))
     )
@@ -217,10 +221,14 @@ def _work_hardening(
 
 
 def _root_strengths(
-    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality, edition: Edition
+    mesh: MeshGeometry,
+    steels: Steels,
+    cycles: tuple[Value, Value],
+    *,
+    sections: Sequence[RootSection],
+    quality: MeshQuality,
 ) -> tuple[RootStrengthFactors, RootStrengthFactors]:
     """Y factors of the strength of both gears."""
-    sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
     first, second = (
         RootStrengthFactors(
             life=life_factor(life_curves(steel)[1], count),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 import numpy as np
 
@@ -150,15 +151,20 @@ def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:
     outer = math.inf if seat.largest_outer_diameter is None else seat.largest_outer_diameter
     fitting = [
         size
-        for size in bearings().values()
-        if size.kind == KINDS[seat.kind]
-        and size.outer_diameter <= outer + 1e-9
-        and (seat.bore is None or abs(size.bore - seat.bore) < APART)
+        for size in _in_order(KINDS[seat.kind], slim=slim)
+        if size.outer_diameter <= outer + 1e-9 and (seat.bore is None or abs(size.bore - seat.bore) < APART)
     ]
     if not fitting:
         message = f"no {KINDS[seat.kind]} bearing has at most {1e3 * outer:.4g} mm outside; give it more room"
         raise DesignError([Problem(f"bearings.{name}.largest_outer_diameter", message)])
-    return tuple(sorted(fitting, key=lambda size: (size.bore, size.mass) if slim else (size.mass, size.bore)))
+    return tuple(fitting)
+
+
+@cache
+def _in_order(kind: str, *, slim: bool) -> tuple[Bearing, ...]:
+    """Return the sizes of a kind in the catalogue, small bores or light ones first."""
+    sizes = (size for size in bearings().values() if size.kind == kind)
+    return tuple(sorted(sizes, key=lambda size: (size.bore, size.mass) if slim else (size.mass, size.bore)))
 
 
 def _as_made(seat: BearingSeat, standard: Bearing) -> Bearing:

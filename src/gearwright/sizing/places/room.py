@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from typing import NamedTuple
 
@@ -45,6 +45,10 @@ class Meeting(NamedTuple):
         return f"{self.one.part} and {self.other.part}"
 
 
+Meetings = dict[tuple[PartId, PartId], Meeting]
+"""Two shafts -> their two bodies with the least room between them."""
+
+
 @dataclass(frozen=True)
 class Rules:
     """Which bodies need no room beside each other."""
@@ -59,6 +63,8 @@ class Rules:
     """Shafts that are worked out along their axes."""
     hubs: Mapping[tuple[PartId, str], float]
     """Bevel gear with a hub of its own, and its shaft -> diameter of that hub [m]."""
+    known: list[tuple[Sequence[Body], Meetings]] = field(default_factory=list, compare=False, repr=False)
+    """Bodies that were held against each other last, and their meetings: axes and checks ask for the same."""
 
 
 def rules_of(
@@ -86,17 +92,23 @@ def rules_of(
     return Rules(frozenset(design.sets), frozenset(mates), bevels, frozenset(built), hubs)
 
 
-def meetings(bodies: Sequence[Body], rules: Rules) -> dict[tuple[PartId, PartId], Meeting]:
+def meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
     """Return two shafts -> their two bodies with the least room between them: the nearest, and all without room.
 
     Args:
         bodies: Of a transmission.
         rules: Which of them need no room.
     """
-    found: dict[tuple[PartId, PartId], Meeting] = {}
+    if not rules.known or rules.known[0][0] is not bodies:
+        rules.known[:] = [(bodies, _meetings(bodies, rules))]
+    return rules.known[0][1]
+
+
+def _meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
+    found: Meetings = {}
     clear = math.inf
-    for one, other in combinations(bodies, 2):
-        if not _minds(one, other, rules) or _apart(one, other) > clear + _TOUCH:
+    for (one, around), (other, beside) in combinations([(body, _sphere(body)) for body in bodies], 2):
+        if not _minds(one, other, rules) or _apart(around, beside) > clear + _TOUCH:
             continue
         room, key = room_between(one, other, enough=0.0), _ordered(owner(one), owner(other))
         if key not in found or room.gap < found[key].room.gap - _TOUCH:  # of equal ones the first
@@ -201,11 +213,13 @@ def _coaxial(one: Body, other: Body) -> bool:
     return off < _CLOSE and turned < _CLOSE
 
 
-def _apart(one: Body, other: Body) -> float:
+def _sphere(body: Body) -> tuple[list[float], float]:
+    """Return middle and radius of the sphere around a body [m]."""
+    half = body.length / 2.0
+    middle = [at + half * along for at, along in zip(body.origin, body.direction, strict=True)]
+    return middle, math.hypot(half, body.radius)
+
+
+def _apart(one: tuple[list[float], float], other: tuple[list[float], float]) -> float:
     """Return the room between the spheres around two bodies [m]: never more than between the bodies."""
-    middles = [
-        [at + body.length / 2.0 * along for at, along in zip(body.origin, body.direction, strict=True)]
-        for body in (one, other)
-    ]
-    far = math.dist(*middles)
-    return far - sum(math.hypot(body.length / 2.0, body.radius) for body in (one, other))
+    return math.dist(one[0], other[0]) - (one[1] + other[1])
