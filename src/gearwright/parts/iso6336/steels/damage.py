@@ -13,6 +13,8 @@ from gearwright.parts.iso6336.steels.strength import LifeCurve
 from gearwright.units import Origin, Quantity
 
 _PART6 = "ISO 6336-6:2019"
+_FACTORS = 0.01, 100.0
+"""Between which factors on all stresses the safety is looked for [-]."""
 
 
 @dataclass(frozen=True)
@@ -85,18 +87,28 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
         raise DesignError([Problem("spectrum", "no bin has both stress and cycles; give at least one")])
     parts = damage_parts(bins, reference, curve)
 
-    def total(factor: float) -> float:
-        return sum(damage_parts(bins, reference / factor, curve))
-
-    return Damage(parts, sum(parts), _unit_root(total))
-
-
-def _unit_root(total: Callable[[float], float]) -> float:
-    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit."""
-    low, high = 0.01, 100.0
-    if not total(low) <= 1.0 <= total(high):
+    low, high = (sum(damage_parts(bins, reference / factor, curve)) for factor in _FACTORS)
+    if not low <= 1.0 <= high:
         raise SolveError("spectrum: the stresses are beyond a hundredth or a hundredfold of the strength")
+    loads = [(level.stress, level.cycles) for level in bins if level.stress > 0.0]
+    return Damage(parts, sum(parts), _unit_root(lambda factor: _lasts(loads, reference / factor, curve)))
+
+
+def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve) -> bool:
+    """Tell whether stresses and their cycles damage by 1 or less; no further than the sum is above it."""
+    total = 0.0
+    for stress, cycles in loads:
+        endured = endurable_cycles(curve, stress / reference)
+        total += cycles / endured if endured > 0.0 else math.inf
+        if total > 1.0:
+            return False
+    return total <= 1.0
+
+
+def _unit_root(lasts: Callable[[float], bool]) -> float:
+    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit."""
+    low, high = _FACTORS
     while high / low > 1.0 + 1e-12:
         middle = (low * high) ** 0.5
-        low, high = (middle, high) if total(middle) <= 1.0 else (low, middle)
+        low, high = (middle, high) if lasts(middle) else (low, middle)
     return low
