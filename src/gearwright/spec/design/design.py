@@ -210,8 +210,7 @@ class Design(Shown, Record):
         Args:
             stage: Name of a pair, planetary set or compound set.
         """
-        stage_rules = self.stages[stage].gears
-        return with_oil(self.gears if stage_rules is None else _overlaid(self.gears, stage_rules), self.oil)
+        return _rules(self)[stage]
 
     @property
     def efficiencies(self) -> dict[str, float]:
@@ -235,6 +234,13 @@ class Design(Shown, Record):
 @of_the_latest
 def _machines(design: Design) -> dict[str, Machine]:
     return {name: machine for table in MACHINES for name, machine in getattr(design, table).items()}
+
+
+@of_the_latest
+def _rules(design: Design) -> dict[str, GearRules]:
+    own = {name: stage.gears for name, stage in design.stages.items()}
+    overlaid = {name: design.gears if rules is None else _overlaid(design.gears, rules) for name, rules in own.items()}
+    return {name: with_oil(rules, design.oil) for name, rules in overlaid.items()}
 
 
 def with_oil(rules: GearRules, oil: OilOfDesign) -> GearRules:
