@@ -82,7 +82,7 @@ def build_shaft(
             settled.append((slim, *_settled(task, slim=slim)))
         except DesignError as error:
             refused[slim] = error
-    for slim, seated, attempt in sorted(settled, key=lambda tried: _weight(*tried[1:], material)):
+    for slim, seated, attempt in sorted(settled, key=lambda tried: _weight(tried[1], tried[2], material)):
         try:
             return _finished(task, seated, attempt)
         except DesignError as error:
