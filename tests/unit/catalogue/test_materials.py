@@ -4,7 +4,7 @@ import dataclasses
 
 import pytest
 
-from gearwright.catalogue import material_of, materials, rated_steel
+from gearwright.catalogue import is_cast_iron, material_of, materials, rated_steel
 from gearwright.parts import LifeLine
 from gearwright.parts.hardness import BRINELL_PER_VICKERS, vickers_of_rockwell
 from gearwright.parts.iso6336 import Treatment, contact_life_curve, endurable_cycles, knee_curve, life_curves
@@ -15,8 +15,9 @@ BANDS = {
     Treatment.CASE_HARDENED: ((1300, 1650), (312, 525), (600, 800)),
     Treatment.NITRIDED: ((1125, 1450), (270, 468), (650, 900)),
     Treatment.THROUGH_HARDENED: ((413, 1124), (136, 371), (115, 390)),
+    Treatment.NODULAR_IRON: ((462, 700), (180, 248), (175, 300)),
 }
-"""Group -> least and greatest σ_Hlim [MPa], σ_Flim [MPa] and hardness [HV] over all grades of ISO 6336-5, table 1."""
+"""Group -> least and greatest σ_Hlim [MPa], σ_Flim [MPa] and hardness [HV, of iron HBW] over all grades of ISO 6336-5, table 1."""
 WORDS = ("name", "source", "sources", "estimated")
 
 
@@ -29,7 +30,22 @@ def test_the_steels_that_gear_designers_ask_for_are_there():
     assert asked <= set(GEARS)
 
 
-@pytest.mark.parametrize("name", materials())
+IRONS = [name for name, material in materials().items() if is_cast_iron(material.steel)]
+
+
+def test_irons_are_those_whose_numbers_a_foundry_prints():
+    """EN 1563: E, density, R_p0.2, R_m and the least hardness, which the class of ISO 6336-5 has."""
+    assert set(IRONS) == {"EN-GJS-600-3", "EN-GJS-700-2"}
+    for name in IRONS:
+        iron = materials()[name]
+        assert iron.ultimate_strength == 1e6 * float(name.split("-")[2])
+        assert 0.55 < iron.yield_strength / iron.ultimate_strength < 0.65
+        assert 169e9 < iron.elastic_modulus < 180e9
+        assert 7000.0 < iron.density < 7300.0
+        assert rated_steel(iron).hardness == iron.surface_hardness
+
+
+@pytest.mark.parametrize("name", [name for name in materials() if name not in IRONS])
 def test_a_material_is_a_steel(name):
     steel = materials()[name]
     assert 190e9 <= steel.elastic_modulus <= 215e9
