@@ -17,7 +17,7 @@ BANDS = {
     Treatment.THROUGH_HARDENED: ((413, 1124), (136, 371), (115, 390)),
     Treatment.NODULAR_IRON: ((462, 700), (180, 248), (175, 300)),
 }
-"""Group -> least and greatest σ_Hlim [MPa], σ_Flim [MPa] and hardness [HV, of iron HBW] over all grades of ISO 6336-5, table 1."""
+"""Group -> least and greatest σ_Hlim [MPa], σ_Flim [MPa] and hardness [HV, HBW of iron] of ISO 6336-5, table 1."""
 WORDS = ("name", "source", "sources", "estimated")
 
 
