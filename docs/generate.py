@@ -11,7 +11,12 @@ from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
 from gearwright.render.grid.table import written
 from gearwright.render.tables.sizing.materials import properties
-from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
+from gearwright.render.words.design_file import (
+    design_file_markdown,
+    mission_file_markdown,
+    mix_file_markdown,
+    study_file_markdown,
+)
 from gearwright.replays.colibri.page import colibri_markdown
 
 FOLDER = Path(__file__).parent
@@ -105,6 +110,7 @@ def beside(name: str) -> Callable[[], str]:
 PAGES: Mapping[str, Callable[[], str]] = {
     "reference/design-file.md": design_file_markdown,
     "reference/mission-file.md": mission_file_markdown,
+    "reference/mix-file.md": mix_file_markdown,
     "reference/study-file.md": study_file_markdown,
     "reference/materials.md": materials_markdown,
     "theory/colibri.md": colibri_markdown,

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from gearwright.errors import DesignError, Problem, SolveError
     from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
     from gearwright.mission import duty_spectrum as duty
+    from gearwright.mission import fly_mix as mix
     from gearwright.mission.windows import fly_window as window
     from gearwright.render.drawings.catalogue import sheets as draw
     from gearwright.render.pages.notebook import figure
@@ -49,13 +50,25 @@ if TYPE_CHECKING:
         shipped_designs,
         shipped_mission,
         shipped_missions,
+        shipped_mix,
+        shipped_mixes,
         shipped_studies,
         shipped_study,
     )
     from gearwright.sizing import influences, methods_beside, named_results, size, size_many
     from gearwright.sizing.losses import loss_balance
     from gearwright.sizing.mass import complete_mass
-    from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission, read_study, schema
+    from gearwright.spec import (
+        design_text,
+        edited,
+        edited_mission,
+        parse,
+        read,
+        read_mission,
+        read_mix,
+        read_study,
+        schema,
+    )
     from gearwright.store import StoredRun, load, save
     from gearwright.study import compare, equal_life, fly_many, for_engine
     from gearwright.study import run as study
@@ -94,6 +107,7 @@ _VERBS = {
     "loss_balance": "sizing.losses",
     "mass": "weights",
     "methods_beside": "sizing",
+    "mix": "mission",
     "modes": "dynamics",
     "named_results": "sizing",
     "parse": "spec",
@@ -103,6 +117,7 @@ _VERBS = {
     "read": "spec",
     "read_duty": "mission",
     "read_mission": "spec",
+    "read_mix": "spec",
     "read_study": "spec",
     "report": "render.pages.report",
     "response": "dynamics.vibration",
@@ -117,6 +132,8 @@ _VERBS = {
     "shipped_designs": "shipped",
     "shipped_mission": "shipped",
     "shipped_missions": "shipped",
+    "shipped_mix": "shipped",
+    "shipped_mixes": "shipped",
     "shipped_studies": "shipped",
     "shipped_study": "shipped",
     "simulate": "dynamics",
@@ -136,6 +153,7 @@ _VERBS = {
 _CALLED = {
     "draw": "sheets",
     "duty": "duty_spectrum",
+    "mix": "fly_mix",
     "response": "answer",
     "runup": "run_up",
     "study": "run",
@@ -175,6 +193,7 @@ __all__ = [
     "loss_balance",
     "mass",
     "methods_beside",
+    "mix",
     "modes",
     "named_results",
     "parse",
@@ -184,6 +203,7 @@ __all__ = [
     "read",
     "read_duty",
     "read_mission",
+    "read_mix",
     "read_study",
     "report",
     "response",
@@ -198,6 +218,8 @@ __all__ = [
     "shipped_designs",
     "shipped_mission",
     "shipped_missions",
+    "shipped_mix",
+    "shipped_mixes",
     "shipped_studies",
     "shipped_study",
     "simulate",

@@ -32,6 +32,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Flight": "gw.fly(sizing, mission)",
         "MeasuredDuty": "gw.read_duty(path)",
         "Mission": "gw.read_mission(path or shipped name)",
+        "Mix": "gw.read_mix(path or shipped name)",
         "Model": "gw.Model()",
         "Modes": "gw.modes(system)",
         "Outputs": "gw.Outputs(...)",

@@ -48,6 +48,7 @@ COMMANDS = (
     Command("runup pair.toml --speeds 2"),
     Command("sharing face-gear-split-torque"),
     Command("fly"),
+    Command("mix in-line-h2"),
     Command("duty bench.csv --classes 5"),
     Command("fly in-line-h2"),
     Command("window in-line-h2"),

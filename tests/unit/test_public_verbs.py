@@ -35,7 +35,15 @@ from gearwright.render.figures.maps import waterfall_figure
 from gearwright.render.figures.motion import mesh_frequencies
 from gearwright.render.figures.paths import orbit_figure, phase_figure, transmission_error_figure
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
-from gearwright.shipped import find_mission, find_study, shipped_file, shipped_mission, shipped_study
+from gearwright.shipped import (
+    find_mission,
+    find_mix,
+    find_study,
+    shipped_file,
+    shipped_mission,
+    shipped_mix,
+    shipped_study,
+)
 from gearwright.sizing import named_results, pick
 from gearwright.spec import edited, edited_mission, read_mission, read_study
 
@@ -43,7 +51,7 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference" / "api.md"
 SHOWN_ELSEWHERE = (
     critical_speeds, run_up, elastic_shares, load_sharing, sharing_problem, sharing_study, support_sweep,
     shaft_displacement, fly_window, window_rules, response_figure, waterfall_figure, mesh_frequencies,
-    find_mission, find_study, shipped_file, shipped_mission, shipped_study, pick,
+    find_mission, find_mix, find_study, shipped_file, shipped_mission, shipped_study, pick,
     edited_mission, read_mission, read_study,
 )  # fmt: skip
 """Verbs of the how-to pages and of the commands beside those of the reference."""
@@ -195,6 +203,7 @@ UNKNOWN = {
     "engines manufacturer": lambda: gw.engines(manufacturer="pratts"),
     "engines model": lambda: gw.engines(model="127Z"),
     "engines series": lambda: gw.engines(series="PW1000"),
+    "find_mix name": lambda: find_mix("regional-lif"),
     "find_study name": lambda: find_study("motor-spee"),
     "fly_window name": lambda: fly_window(flight(), "cruis"),
     "frequency_response errors": lambda: dynamics.frequency_response(system(), [9.0], errors={"first": 1e-6}),
@@ -211,6 +220,7 @@ UNKNOWN = {
     "power_flow_figure case": lambda: power_flow_figure(sizing(), "nope"),
     "propeller_map name": lambda: propeller_map("nope"),
     "read_mission path": lambda: read_mission("thesi"),
+    "read_mix path": lambda: gw.read_mix("regional-lif"),
     "read_study path": lambda: read_study("motor-spee"),
     "response_figure lines": lambda: response_figure(response(), ["first.sun"], title="errors"),
     "run_up lines": lambda: run_up_of(["first.sun"]),
@@ -230,6 +240,7 @@ UNKNOWN = {
     "sheets names": lambda: gw.draw(sizing(), ["shaf"]),
     "shipped_file name": lambda: shipped_file("thesi"),
     "shipped_mission name": lambda: shipped_mission("thesi"),
+    "shipped_mix name": lambda: shipped_mix("regional-lif"),
     "shipped_study name": lambda: shipped_study("motor-spee"),
     "statics balance": lambda: dynamics.statics(system(), balance="require"),
     "support_sweep shaft": lambda: support_sweep(sizing("face-gear-split-torque"), "inpu", [1e7]),

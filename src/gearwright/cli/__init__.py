@@ -22,7 +22,7 @@ from gearwright.cli.commands.draw import draw
 from gearwright.cli.commands.dynamics import campbell, response, runup, validate
 from gearwright.cli.commands.export import export
 from gearwright.cli.commands.files import new, schema
-from gearwright.cli.commands.lives import duty
+from gearwright.cli.commands.lives import duty, mix
 from gearwright.cli.commands.mission import fly
 from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.review import review
@@ -43,7 +43,7 @@ YOUNG = 100_000
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, run, check, size, close, review, report, draw, export, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
-    "Flights": (fly, window, duty),
+    "Flights": (fly, window, mix, duty),
     "Studies": (compare, study, status, resume, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),

@@ -30,6 +30,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "runup": (f"{_ROOM}vibration:RunUpAnswer", ""),
     "sharing": (f"{_ROOM}vibration:SharingAnswer", ""),
     "fly": (f"{_ROOM}flight:FlyAnswer", f"{_ROOM}flight:Moment"),
+    "mix": (f"{_ROOM}mix:MixAnswer", ""),
     "duty": (f"{_ROOM}duty:DutyAnswer", ""),
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),

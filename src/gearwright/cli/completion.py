@@ -1,4 +1,4 @@
-"""What a shell completes: names of shipped designs, missions and studies, and files beside them."""
+"""What a shell completes: names of shipped designs, missions, mixes and studies, and files beside them."""
 
 from __future__ import annotations
 
@@ -28,6 +28,17 @@ def missions(incomplete: str) -> list[str]:
     return _beginning(incomplete, shipped_missions())
 
 
+def mixes(incomplete: str) -> list[str]:
+    """Return mixes that begin so: shipped ones, and TOML files.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_mixes
+
+    return _beginning(incomplete, shipped_mixes())
+
+
 def studies(incomplete: str) -> list[str]:
     """Return studies that begin so: shipped ones, and TOML files.
 
@@ -45,9 +56,9 @@ def shipped(incomplete: str) -> list[str]:
     Args:
         incomplete: What stands on the command line.
     """
-    from gearwright.shipped import shipped_designs, shipped_missions, shipped_studies
+    from gearwright.shipped import shipped_designs, shipped_missions, shipped_mixes, shipped_studies
 
-    names = (*shipped_designs(), *shipped_missions(), *shipped_studies())
+    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies())
     return [name for name in names if name.startswith(incomplete)]
 
 

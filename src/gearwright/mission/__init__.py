@@ -8,6 +8,7 @@ from gearwright.mission.history import History, MachineHistory, MeshHistory, Nod
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
+from gearwright.mission.lives.flown_mix import FlownMix, fly_mix
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
 from gearwright.mission.lives.mix import MixedLife, mixed_life
@@ -23,6 +24,7 @@ __all__ = [
     "DutyBin",
     "DutySpectrum",
     "Flight",
+    "FlownMix",
     "GearDamage",
     "History",
     "LifeSizing",
@@ -46,6 +48,7 @@ __all__ = [
     "flight_series",
     "fly",
     "fly_each",
+    "fly_mix",
     "gear_damage",
     "gear_damages",
     "gearbox_of",

@@ -1,9 +1,10 @@
-"""Design, mission and study files that come with gearwright; `gearwright new` copies them."""
+"""Design, mission, mix and study files that come with gearwright; `gearwright new` copies them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Literal
 
 from gearwright.errors import DesignError, Problem, excerpt, near
 from gearwright.reading import beside
@@ -11,6 +12,7 @@ from gearwright.verbs import verb
 
 _DESIGNS = Path(__file__).parent / "designs"
 _MISSIONS = Path(__file__).parent / "missions"
+_MIXES = Path(__file__).parent / "mixes"
 _STUDIES = Path(__file__).parent / "studies"
 
 
@@ -38,7 +40,7 @@ def shipped_design(name: str) -> Path:
 
 @verb
 def shipped_file(name: str) -> Path:
-    """Return the path of a shipped design, mission or study file; no two share a name.
+    """Return the path of a shipped design, mission, mix or study file; no two share a name.
 
     Args:
         name: Such as ``in-line-h2`` or ``thesis``.
@@ -48,13 +50,15 @@ def shipped_file(name: str) -> Path:
     """
     if name in shipped_missions():
         return shipped_mission(name)
+    if name in shipped_mixes():
+        return shipped_mix(name)
     if name in shipped_studies():
         return shipped_study(name)
     if name in shipped_designs():
         return shipped_design(name)
-    names = (*shipped_designs(), *shipped_missions(), *shipped_studies())
+    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies())
     raise DesignError(
-        [Problem("name", f"there is no shipped design, mission or study {excerpt(name)!r}; {near(name, names)}")]
+        [Problem("name", f"there is no shipped design, mission, mix or study {excerpt(name)!r}; {near(name, names)}")]
     )
 
 
@@ -73,17 +77,31 @@ def find_design(name: str, folder: Path | None = None) -> Path:
 
 
 @verb
-def find_mission(name: str, folder: Path | None = None) -> Path:
+def find_mission(name: str, folder: Path | None = None, *, key: Literal["fly.mission", ""] = "fly.mission") -> Path:
     """Return the path of a mission file, or of the shipped mission of that name.
 
     Args:
         name: A path, or a name such as ``thesis``; a file of that name comes first.
-        folder: Of the study that names it, in which it must stand; left out: the path may lead anywhere.
+        folder: Of the study or mix that names it, in which it must stand; left out: the path may lead anywhere.
+        key: Entry of the file that names it.
 
     Raises:
         DesignError: If it looks like the name of a shipped mission and is none; with the nearest one.
     """
-    return _found(name, folder, shipped_mission, "fly.mission")
+    return _found(name, folder, shipped_mission, key)
+
+
+@verb
+def find_mix(name: str) -> Path:
+    """Return the path of a mix file, or of the shipped mix of that name.
+
+    Args:
+        name: A path, or a name such as ``regional-life``; a file of that name comes first.
+
+    Raises:
+        DesignError: If it looks like the name of a shipped mix and is none; with the nearest one.
+    """
+    return _found(name, None, shipped_mix, "")
 
 
 @verb
@@ -118,6 +136,27 @@ def _is_there(path: Path, asked: Callable[[Path], bool]) -> bool:
         return asked(path)
     except (OSError, ValueError):
         return False
+
+
+def shipped_mixes() -> tuple[str, ...]:
+    """Return the names of all shipped mixes."""
+    return tuple(sorted(path.stem for path in _MIXES.glob("*.toml")))
+
+
+@verb
+def shipped_mix(name: str) -> Path:
+    """Return the path of a shipped mix file.
+
+    Args:
+        name: Such as ``regional-life``.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    if name not in shipped_mixes():
+        known = shipped_mixes()
+        raise DesignError([Problem("name", f"there is no shipped mix {excerpt(name)!r}; {near(name, known)}")])
+    return _MIXES / f"{name}.toml"
 
 
 def shipped_studies() -> tuple[str, ...]:
@@ -157,6 +196,8 @@ def shipped_mission(name: str) -> Path:
     Raises:
         DesignError: If there is none of this name; with the nearest one.
     """
+    if name in shipped_mixes():
+        raise DesignError([Problem("name", f"{name!r} is a mix of missions; gearwright mix DESIGN {name} flies it")])
     if name not in shipped_missions():
         raise DesignError(
             [Problem("name", f"there is no shipped mission {excerpt(name)!r}; {near(name, shipped_missions())}")]

@@ -34,6 +34,7 @@ from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
+from gearwright.spec.mix import Mix, MixFile, parse_mix, read_mix
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, brief, build
@@ -82,6 +83,8 @@ __all__ = [
     "Load",
     "Machine",
     "Mission",
+    "Mix",
+    "MixFile",
     "Motor",
     "MotorRules",
     "OilNetworkRules",
@@ -122,6 +125,7 @@ __all__ = [
     "mission_problems",
     "parse",
     "parse_mission",
+    "parse_mix",
     "parse_study",
     "path_problem",
     "path_problems",
@@ -130,6 +134,7 @@ __all__ = [
     "range_of",
     "read",
     "read_mission",
+    "read_mix",
     "read_study",
     "reciprocals_of",
     "records",

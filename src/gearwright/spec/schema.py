@@ -1,4 +1,4 @@
-"""JSON Schema of design, mission and study files, from the same types that read them.
+"""JSON Schema of design, mission, mix and study files, from the same types that read them.
 
 Editors mark what does not fit. One mistake is to mark one place: there is no choice of schemas where a type says the
 same, and what is required is asked for only in a table whose keys are all known, as a key that is misspelt is then the
@@ -16,12 +16,15 @@ from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.spec.keys import Key, keys_of
 from gearwright.spec.mission import Mission
+from gearwright.spec.mix import MixFile
 from gearwright.spec.record import Record
 from gearwright.spec.study import Study
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 
-FILES: Mapping[str, type[Record]] = MappingProxyType({"design": Design, "mission": Mission, "study": Study})
+FILES: Mapping[str, type[Record]] = MappingProxyType(
+    {"design": Design, "mission": Mission, "mix": MixFile, "study": Study}
+)
 """What users write -> its type."""
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -31,7 +34,7 @@ def schema(of: str = "design") -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of a file: every key with its unit, bounds and meaning.
 
     Args:
-        of: ``design``, ``mission`` or ``study``.
+        of: ``design``, ``mission``, ``mix`` or ``study``.
 
     Raises:
         DesignError: If there is no such file.
@@ -53,7 +56,7 @@ def schema_id(of: str) -> str:
     """Return the name of the schema of a file; its last part counts up when files of before would no longer fit.
 
     Args:
-        of: ``design``, ``mission`` or ``study``.
+        of: ``design``, ``mission``, ``mix`` or ``study``.
 
     >>> schema_id("design")
     'urn:gearwright:file:design:1'

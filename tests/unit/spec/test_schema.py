@@ -12,6 +12,7 @@ from gearwright.shipped import (
     shipped_designs,
     shipped_mission,
     shipped_missions,
+    shipped_mix,
     shipped_studies,
     shipped_study,
 )
@@ -41,7 +42,7 @@ def test_every_shipped_study_fits(name):
     assert not faults(tomllib.loads(shipped_study(name).read_text(encoding="utf-8")), schema("study"))
 
 
-@pytest.mark.parametrize("of", ["design", "mission", "study"])
+@pytest.mark.parametrize("of", ["design", "mission", "mix", "study"])
 def test_a_schema_has_a_name_and_asks_for_no_null_which_toml_does_not_have(of):
     made = schema(of)
     assert made["$id"] == f"urn:gearwright:file:{of}:1"
@@ -61,10 +62,11 @@ def misspelt(tables, at=()):
             yield from misspelt(value, (*at, key))
 
 
-@pytest.mark.parametrize("of", ["design", "mission", "study"])
+@pytest.mark.parametrize("of", ["design", "mission", "mix", "study"])
 def test_one_misspelt_key_marks_one_place(of):
     """Where the schema names the keys; names that the user gives may be anything."""
     text = {"design": PAIR, "mission": shipped_mission("thesis").read_text(encoding="utf-8"),
+            "mix": shipped_mix("regional-life").read_text(encoding="utf-8"),
             "study": shipped_study("lightest-hybrid").read_text(encoding="utf-8")}[of]  # fmt: skip
     made, marked = schema(of), 0
     for path in misspelt(tomllib.loads(text)):

@@ -21,6 +21,7 @@ class File(StrEnum):
 
     DESIGN = "design"
     MISSION = "mission"
+    MIX = "mix"
     STUDY = "study"
 
 
@@ -28,7 +29,7 @@ def new(
     name: Annotated[
         str | None,
         typer.Argument(
-            help="A shipped design, mission or study; left out: list them",
+            help="A shipped design, mission, mix or study; left out: list them",
             autocompletion=shipped,
         ),
     ] = None,
@@ -36,7 +37,7 @@ def new(
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
     json: JsonOption = False,
 ) -> None:
-    """Write a shipped design, mission or study as a file to start from, or list all of them."""
+    """Write a shipped design, mission, mix or study as a file to start from, or list all of them."""
     from gearwright.errors import DesignError, Problem
     from gearwright.shipped import shipped_file
 
@@ -50,11 +51,15 @@ def new(
         raise DesignError(
             [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
         )
-    kind = {"designs": File.DESIGN, "missions": File.MISSION, "studies": File.STUDY}[source.parent.name]
+    kind = {"designs": File.DESIGN, "missions": File.MISSION, "mixes": File.MIX, "studies": File.STUDY}[
+        source.parent.name
+    ]
     beside = target.with_name(f"gearwright-{kind.value}.schema.json")
     write_text(target, f"#:schema ./{beside.name}\n{text}")
     write_text(beside, _schema_text(kind))
-    follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
+    follows = {"designs": "run", "missions": "fly DESIGN", "mixes": "mix DESIGN", "studies": "study"}[
+        source.parent.name
+    ]
     show(f"wrote {target}; next: gearwright {follows} {target}")
 
 
@@ -75,7 +80,7 @@ def _list(*, json: bool) -> None:
         show_answer("new", NewAnswer(files))
         return
     width = max(len(file.name) for file in files)
-    for kind, title in (("design", "designs"), ("mission", "\nmissions"), ("study", "\nstudies")):
+    for kind, title in (("design", "designs"), ("mission", "\nmissions"), ("mix", "\nmixes"), ("study", "\nstudies")):
         show(title)
         for file in files:
             if file.kind == kind:
@@ -88,7 +93,7 @@ def schema(
         str | None, typer.Option(help="Command whose JSON it describes instead, such as size", metavar="COMMAND")
     ] = None,
 ) -> None:
-    """Print the JSON Schema of a design, mission or study file, or of what a command prints with --json."""
+    """Print the JSON Schema of a design, mission, mix or study file, or of what a command prints with --json."""
     from gearwright.errors import DesignError, Problem, near
     from gearwright.spec import schema as file_schema
 

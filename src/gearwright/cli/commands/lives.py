@@ -1,6 +1,6 @@
-"""The command ``duty``: measured torque over time as a load spectrum.
+"""The commands ``mix`` and ``duty``: a life of several missions, and measured torque over time as a load spectrum.
 
-Imports that cost time stand inside the command, so that ``--help`` stays quick.
+Imports that cost time stand inside the commands, so that ``--help`` stays quick.
 """
 
 from __future__ import annotations
@@ -11,12 +11,40 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
-from gearwright.cli.options import JsonOption
+from gearwright.cli.completion import mixes
+from gearwright.cli.designs import sized
+from gearwright.cli.options import DesignArgument, JsonOption
 from gearwright.cli.terminal.output import show, show_commands, tell
 from gearwright.writing import write_text
 
 MACHINE = "MACHINE"
 """Stands for a machine in the text for a design where none is named."""
+
+
+def mix(
+    design: DesignArgument,
+    mix: Annotated[
+        str, typer.Argument(help="Mix file, or the name of a shipped mix", metavar="MIX", autocompletion=mixes)
+    ] = "regional-life",
+    json: JsonOption = False,
+) -> None:
+    """Fly a life of several missions: what fails first, which mission eats the life, fuel and charge of all flights."""
+    from gearwright.errors import DesignError
+    from gearwright.mission import fly_mix
+    from gearwright.render.answers.mix import mix_answer
+    from gearwright.render.words.mix import mix_text
+    from gearwright.shipped import find_mix
+    from gearwright.spec import file_text, placed, read_mix
+
+    asked, sizing = read_mix(mix), sized(design)
+    try:
+        flown = fly_mix(sizing, asked)
+    except DesignError as error:
+        raise DesignError(placed(error.problems, file_text(find_mix(mix))), mix) from None
+    if json:
+        show_answer("mix", mix_answer(flown), design=sizing.design.name)
+    else:
+        show(mix_text(flown))
 
 
 def duty(

@@ -6,6 +6,7 @@ Flying itself is in `mission`.
 from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
+from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
 from gearwright.mission.lives.mix import MixedLife, mixed_life
@@ -20,6 +21,7 @@ __all__ = [
     "Durability",
     "DutyBin",
     "DutySpectrum",
+    "FlownMix",
     "GearDamage",
     "LifeSizing",
     "MeasuredDuty",
@@ -27,9 +29,11 @@ __all__ = [
     "PartLife",
     "bearing_lives",
     "bearing_spectra",
+    "bearings_of",
     "durability",
     "duty_spectrum",
     "flight_checks",
+    "fly_mix",
     "gear_damage",
     "gear_damages",
     "mesh_spectrum",

@@ -134,11 +134,12 @@ class BearingLives:
 
 
 @verb
-def bearing_lives(flight: Flight) -> BearingLives:
+def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None) -> BearingLives:
     """Return the life of every bearing that the design gives or the mission asks for, over the flight's spectrum.
 
     Args:
         flight: As flown; its mission may ask for bearings, its design may seat them or name those of planets.
+        chosen: Seat -> bearing that is taken where the mission asks for one, as other missions need it, too.
 
     Source: ISO 281:2007, 5.3 and 7.3, with the equivalent load of every interval and Palmgren's linear damage; equal
         bearings side by side bear i^0.7 (balls) or i^(7/9) (rollers) times the rating of one, 5.1.2 and 7.1.2.
@@ -158,7 +159,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
             opened.append(seat.name)
         else:
             try:
-                rows.append(_known(flight, seat, duty, named))
+                rows.append(_known(flight, seat, duty, named, (chosen or {}).get(seat.name)))
             except DesignError as error:
                 problems += [Problem(seat.path, problem.message) for problem in error.problems if named]
                 notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
@@ -240,8 +241,10 @@ def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactor
     }
 
 
-def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None) -> BearingDamage:
+def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, taken: Bearing | None) -> BearingDamage:
     rules = flight.mission.bearings
+    if named is None and taken is not None:
+        return _asked_of(flight, seat, duty, Fitted(taken, cast(BearingLifeRules, rules).side_by_side))
     if named is None:
         return _chosen(flight, seat, duty, cast(BearingLifeRules, rules))
     chosen, fits = named.bearing, seat.given is not None

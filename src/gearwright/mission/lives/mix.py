@@ -57,7 +57,7 @@ def mixed_life(lives: Mapping[str, Durability], shares: Mapping[str, float]) -> 
     whole = {key: found for key, found in sums.items() if len(found) == len(lives)}
     rows = []
     for (name, mode), found in whole.items():
-        damage = sum(shares[mission] * value for mission, value in found.items())
+        damage = sum(shares[mission] * value for mission, value in found.items() if shares[mission])
         flights = 1.0 / damage if damage > 0.0 else math.inf
         rows.append(PartLife(name, mode, damage, flights, flights * hours))
     left = [

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import FATIGUE, BearingLives, bearing_lives
@@ -73,18 +75,19 @@ class Durability(Shown):
 
 
 @verb
-def durability(flight: Flight) -> Durability:
+def durability(flight: Flight, *, bearings: Mapping[str, Bearing] | None = None) -> Durability:
     """Return what a flight does to the gears and bearings that can be rated, and what cannot.
 
     Args:
         flight: As flown.
+        bearings: Seat -> bearing that is taken where the mission asks for one; left out: the lightest that does.
 
     Source: `gear_damage` and `bearing_lives`.
 
     Raises:
         DesignError: A bearing that the design names does not fit its seat, or cannot bear its kind of load.
     """
-    bearings = bearing_lives(flight)
+    seated = bearing_lives(flight, chosen=bearings)
     notes = [
         f"{stage}: {flight.sizing.design.pairs[stage].kind} gears; ISO 6336 rates cylindrical gears only"
         for stage in unrated_stages(flight.sizing.design)
@@ -93,4 +96,4 @@ def durability(flight: Flight) -> Durability:
         gears = gear_damage(flight)
     except DesignError as error:  # the flight is good without a rating; say why there is none
         gears, notes = (), notes + [f"{problem.path}: {problem.message}" for problem in error.problems]
-    return Durability(gears, bearings, (*notes, *bearings.notes))
+    return Durability(gears, seated, (*notes, *seated.notes))

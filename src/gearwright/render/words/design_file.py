@@ -1,4 +1,4 @@
-"""The reference of the design, mission and study files as Markdown, from the types that read them.
+"""The reference of the design, mission, mix and study files as Markdown, from the types that read them.
 
 Every table with its keys, units, defaults, bounds and meanings; nothing is written twice, so nothing can disagree.
 """
@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from gearwright.render.grid.table import written
-from gearwright.spec import Mission, OneOf, Record, Study, quantity_of, range_of, reciprocals_of
+from gearwright.spec import Mission, MixFile, OneOf, Record, Study, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import Design
 from gearwright.units import SUFFIXES, shown, unit
 
@@ -38,6 +38,11 @@ _MISSION_HEAD = """# The mission file
 A mission is a file of phases; `gearwright fly DESIGN MISSION` flies it: [flying the gearbox](../theory/flight.md).
 This page is made from the types that read the file.
 """
+_MIX_HEAD = """# The mix file
+
+A mix says which missions a gearbox flies in its life, and how often; `gearwright mix DESIGN MIX` flies it:
+[rate a life as it is lived](../how-to/lives.md). This page is made from the types that read the file.
+"""
 _COLUMNS = "| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n"
 
 
@@ -49,6 +54,11 @@ def design_file_markdown() -> str:
 def mission_file_markdown() -> str:
     """Return the reference of the mission file."""
     return _MISSION_HEAD + _tables(Mission)
+
+
+def mix_file_markdown() -> str:
+    """Return the reference of the mix file."""
+    return _MIX_HEAD + _tables(MixFile)
 
 
 def study_file_markdown() -> str:

@@ -10,26 +10,29 @@ from gearwright.shipped import (
     shipped_designs,
     shipped_mission,
     shipped_missions,
+    shipped_mix,
+    shipped_mixes,
     shipped_studies,
     shipped_study,
 )
-from gearwright.spec import read, read_mission, read_study
+from gearwright.spec import read, read_mission, read_mix, read_study
 
 
 @dataclass(frozen=True)
 class ShippedFile:
     """A file that comes with gearwright."""
 
-    kind: Literal["design", "mission", "study"]
+    kind: Literal["design", "mission", "mix", "study"]
     name: str
     """For the commands."""
     title: str
 
 
 def shipped_files() -> tuple[ShippedFile, ...]:
-    """Return designs, missions and studies, each kind by name."""
+    """Return designs, missions, mixes and studies, each kind by name."""
     return (
         *(ShippedFile("design", name, read(shipped_design(name)).name) for name in shipped_designs()),
         *(ShippedFile("mission", name, read_mission(shipped_mission(name)).name) for name in shipped_missions()),
+        *(ShippedFile("mix", name, read_mix(shipped_mix(name)).name) for name in shipped_mixes()),
         *(ShippedFile("study", name, read_study(shipped_study(name)).name) for name in shipped_studies()),
     )
