@@ -208,7 +208,8 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     point, friction, dragged, powers = loaded(flown, moment, asked, before.point)
     rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
     drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.pack, before.warmths, rating, phase.mode))
-    performance = performed(blades, moment, point.work)
+    held = phase.pitch if phase.kind is not None else None  # of a path; plain phases may be flown together
+    performance = performed(blades, moment, point.work, pitch=held)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     share = sum(asked.parts.get(name, 0.0) for name in supply.motors)
     warm = _warmed(flown, moment, before.warm, lost)

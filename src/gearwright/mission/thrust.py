@@ -20,6 +20,10 @@ _ROUNDS = 8
 """Rounds in which the factor of compressibility settles: it hardly changes with the thrust [-]."""
 
 
+_SAME_ANGLE = 1e-6
+"""Difference of blade angles that is rounding [rad]."""
+
+
 class Blades(NamedTuple):
     """The propeller of one gearbox."""
 
@@ -95,9 +99,22 @@ def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: 
         thrust = needed / (moment.air.density * turns**2 * diameter**4)
         try:
             angle = angle_for_thrust(chart, ratio, _incompressible(blades.map_name, moment, advance, thrust))
+            if phase.kind != "taxi":  # on the ground blades may be that fine
+                _refuse_ungoverned(chart, ratio, angle)
         except DesignError as error:
             raise _too_steep(error, moment, phase, needed) from None
     return coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5
+
+
+def _refuse_ungoverned(chart: PropellerMap, ratio: float, angle: float) -> None:
+    """Refuse blades below the angle of least power, where a finer pitch takes more: no governor holds a speed there."""
+    governed = angle_for_power(chart, ratio, coefficients(chart, ratio, angle).power)
+    if abs(governed - angle) > _SAME_ANGLE:
+        message = (
+            f"blades at {math.degrees(angle):.3g}° give the thrust, below the angle of least power, where no governor"
+            " holds the speed; ask for less braking, or give pitch"
+        )
+        raise DesignError([Problem("propeller", message)])
 
 
 def _advance(blades: Blades, moment: Moment) -> Advance:
@@ -131,8 +148,8 @@ def _too_steep(error: DesignError, moment: Moment, phase: Phase, thrust: float) 
     message = (
         f"at {speed:.4g} m/s, sinking {max(sink, 0.0):.3g} m/s and gaining {moment.acceleration:.3g} m/s², the aircraft"
         f" is held by less than it weighs down the path: a propeller would have to brake by {-thrust / 1e3:.3g} kN, and"
-        " its map does not; sink or slow down more gently, set flaps, or fly a map in all states"
-        " (6-blades-af115-all-states)"
+        " governed it does not; sink or slow down more gently, set flaps, turn the propeller at another speed, or fly a"
+        " map in all states (6-blades-af115-all-states)"
     )
     return DesignError([Problem("descent", message)])
 
@@ -195,13 +212,14 @@ def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, floa
     return found.power * scale * turns * diameter, factor * found.thrust * scale
 
 
-def performed(blades: Blades, moment: Moment, work: float) -> Performance:
+def performed(blades: Blades, moment: Moment, work: float, *, pitch: float | None = None) -> Performance:
     """Return what a propeller does with a power.
 
     Args:
         blades: The propeller.
         moment: Where it is flown.
         work: Power that reaches the propeller [W].
+        pitch: Blade angle, where it is held: in reverse two angles take a power [rad].
 
     Raises:
         DesignError: The power lies outside the map, or the Mach number outside its charts.
@@ -210,7 +228,7 @@ def performed(blades: Blades, moment: Moment, work: float) -> Performance:
     if blades.chart is None:
         return Performance(advance.ratio)
     diameter, turns, ratio = advance
-    angle = angle_for_power(blades.chart, ratio, work / (density * turns**3 * diameter**5))
+    angle = angle_for_power(blades.chart, ratio, work / (density * turns**3 * diameter**5)) if pitch is None else pitch
     thrust = coefficients(blades.chart, ratio, angle).thrust
     factor = _factor(blades.map_name, moment, advance, thrust)
     return Performance(ratio, angle, factor, factor * thrust * density * turns**2 * diameter**4)

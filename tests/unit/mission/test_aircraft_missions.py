@@ -1,5 +1,7 @@
 """The shipped missions that an aircraft flies: their books, their distances, and what charges."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -64,3 +66,16 @@ def test_smaller_steps_change_the_fuel_by_little():
     mission = read_mission(shipped_mission("regional-aircraft")).model_copy(update={"step": 5.0})
     fine = fly(FLIGHTS["regional-aircraft"].sizing, mission)
     assert fine.fuel == pytest.approx(FLIGHTS["regional-aircraft"].fuel, rel=1e-3)
+
+
+def test_blades_held_in_reverse_brake_in_the_history_as_on_the_path():
+    """The power of the path had been given to the other angle that takes it: 29 kN forwards."""
+    mission = read_mission(shipped_mission("regional-aircraft"))
+    reverse = mission.phases["landing"].model_copy(update={"power": None, "pitch": math.radians(-8.0)})
+    flight = fly(
+        size(read(shipped_design("in-line"))),
+        mission.model_copy(update={"phases": {**mission.phases, "landing": reverse}}),
+    )
+    row = {row.name: row for row in phase_forces(flight)}["landing"]
+    assert row.thrust < 0.0
+    assert row.left_over == pytest.approx(0.0, abs=0.05 * row.drag)  # the mean of four intervals beside their path

@@ -4,9 +4,9 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import fly, phase_forces
-from gearwright.shipped import shipped_design
+from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import parse_mission, read
+from gearwright.spec import edited_mission, parse_mission, read, read_mission
 
 PLAIN = size(read(shipped_design("in-line")))
 HEAD = """
@@ -183,3 +183,11 @@ def test_a_mission_without_kinds_has_no_paths():
     plain = CRUISE.replace('kind = "cruise"\n', "")
     flight = fly(PLAIN, parse_mission(HEAD + plain))
     assert not flight.paths
+
+
+def test_a_descent_that_only_blades_below_the_angle_of_least_power_would_hold_is_refused():
+    """It was flown with the thrust of the other blade angle that takes the same power, 68 kN off the path."""
+    shipped = read_mission(shipped_mission("regional-aircraft"))
+    mission = edited_mission(shipped, {"phases.descent.rate_of_climb_ft_min": -9000.0})
+    with pytest.raises(DesignError, match=r"would have to brake by 29\.9 kN, and governed it does not"):
+        fly(PLAIN, mission)
