@@ -29,6 +29,8 @@ def test_a_window_is_flown_saved_and_drawn(tmp_path):
     words = run("in-line-h2", str(mission), "short", "--output", str(output), "--figure", str(figure))
     assert "motor-cut after 0.1 s" in words
     assert "The governor does not limit-cycle" in words
+    assert "second.sun-planet, tangential" in words
+    assert "output shaft" in words.partition("peak beside what it is sized for")[2]
     assert "propeller pitch" in load(output).trace.labels.drives
     assert figure.read_text(encoding="utf-8").startswith("<svg")
 
@@ -39,3 +41,5 @@ def test_a_window_is_printed_as_json(tmp_path):
     found = json.loads(run("in-line-h2", str(mission), "short", "--stiffness", "constant", "--json"))["result"]
     assert found["limit_cycle"] is None
     assert {row["name"] for row in found["ranges"]} >= {"propeller speed", "output shaft", "second.sun-planet-5"}
+    assert {row["mesh"] for row in found["meshes"]} >= {"first.sun-planet", "second.planet-ring"}
+    assert {row["shaft"] for row in found["shafts"]} == {"input", "intermediate", "output"}
