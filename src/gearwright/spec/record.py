@@ -227,8 +227,8 @@ def _table(value: object, annotation: Any, written: Written, location: Location)
 
 def _is_named(name: str, written: Written, location: Location) -> bool:
     """Tell whether a text can be a name, of an axis of a study several paths, and note it where it cannot."""
-    paths = name.split(",") if location[:-1] == ("axes",) else [name]
-    good = all(is_path(path.strip()) for path in paths)
+    paths = [path.strip() for path in name.split(",")] if location[:-1] == ("axes",) else [name]
+    good = all(map(is_path, paths))
     if not good:
         written.report(location, f"{brief(name)} {NAME_RULE}")
     return good
