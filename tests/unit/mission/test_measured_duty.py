@@ -142,3 +142,11 @@ def test_all_faults_are_told_at_once(tmp_path):
     with pytest.raises(DesignError) as raised:
         read_duty(written(tmp_path, "time_s,torque_nm,speed_rpm\n0,1,1\n2,x,1\n1,1,1\n3,1\n"))
     assert [problem.path for problem in raised.value.problems] == ["line 3, torque_nm", "line 5", "line 4"]
+
+
+@pytest.mark.parametrize("cell", ["1e308", "1_000", "\u0661\u0660"])
+def test_what_no_instrument_writes_is_no_number(cell, tmp_path):
+    file = tmp_path / "duty.csv"
+    file.write_text(f"time_s,torque_nm,speed_rpm\n0,10,100\n{cell},20,100\n", encoding="utf-8")
+    with pytest.raises(DesignError, match="line 3, time_s: .* is no finite number"):
+        read_duty(file)

@@ -39,6 +39,8 @@ SEPARATORS = (";", "\t")
 """Between cells, where the first line has them; else the comma."""
 LARGEST = 50_000_000
 """Largest file that is read [bytes]: about a million rows."""
+BEYOND = 1e30
+"""What no number of a measurement reaches, in whatever unit."""
 MOST_SHOWN = 8
 """Lines that are named of a file with many faults [-]."""
 _NEEDED = "its first line names the columns, such as time_s, torque_nm, speed_rpm"
@@ -235,11 +237,12 @@ def _header_problems(header: Sequence[str]) -> list[Problem]:
 
 
 def _number(cell: str) -> float:
-    """Return the number of a cell; NaN for none."""
+    """Return the number of a cell; NaN for none, and for what nothing measures."""
     try:
-        return float(cell)
+        number = float(cell)
     except ValueError:
         return math.nan
+    return number if cell.isascii() and "_" not in cell and abs(number) < BEYOND else math.nan
 
 
 def _row_problems(number: int, cells: Sequence[str], header: Sequence[str]) -> Iterator[Problem]:
