@@ -148,5 +148,5 @@ def test_all_faults_are_told_at_once(tmp_path):
 def test_what_no_instrument_writes_is_no_number(cell, tmp_path):
     file = tmp_path / "duty.csv"
     file.write_text(f"time_s,torque_nm,speed_rpm\n0,10,100\n{cell},20,100\n", encoding="utf-8")
-    with pytest.raises(DesignError, match="line 3, time_s: .* is no finite number"):
+    with pytest.raises(DesignError, match=r"line 3, time_s: .* is no finite number"):
         read_duty(file)
