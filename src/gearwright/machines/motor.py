@@ -147,16 +147,7 @@ def motor_loss(motor: MotorLosses, torque: float, speed: float) -> float:
         given. A motor without torque is switched off and only its iron and windage
         are dragged along.
     """
-    return _dragged(motor, speed) if torque == 0.0 else _loaded(motor, torque, speed)
-
-
-def _dragged(motor: MotorLosses, speed: float) -> float:
     turning = abs(speed)
-    return motor.iron * turning + motor.eddy * turning**2 + motor.windage * turning**3
-
-
-def _loaded(motor: MotorLosses, torque: float, speed: float) -> float:
-    turning = abs(speed)
-    return (
-        _dragged(motor, speed) + motor.copper * torque * torque + motor.stray * abs(torque) * turning + motor.constant
-    )
+    dragged = motor.iron * turning + motor.eddy * turning**2 + motor.windage * turning**3
+    switched_on = motor.constant * (torque != 0.0)
+    return dragged + motor.copper * torque * torque + motor.stray * abs(torque) * turning + switched_on

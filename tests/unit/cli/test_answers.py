@@ -38,6 +38,7 @@ event_at_s = 0.2
 duration_s = 0.5
 """
 )
+DUTY = "time_s,torque_nm,speed_rpm\n0,10,100\n1,20,100\n2,0,0\n"
 SHORT = "--duration 0.001 --stiffness constant"
 LINES = {
     "new": "new",
@@ -53,6 +54,8 @@ LINES = {
     "runup": "runup pair.toml --speeds 2",
     "sharing": "sharing face-gear-split-torque --target 55/45",
     "fly": "fly in-line-h2 thesis --life-h 2000",
+    "mix": "mix in-line-h2 regional-life",
+    "duty": "duty duty.csv",
     "window": "window in-line-h2 short.toml cut",
     "compare": "compare in-line star",
     "compare closed": "compare pair.toml --life-h 300",
@@ -71,7 +74,7 @@ WITH_LINES = [command for command, (_, row) in ANSWERS.items() if row]
 def call(monkeypatch, capsys, tmp_path):
     """Run the command line in a folder with designs, a mission and a study; gives code, out, err, new files."""
     monkeypatch.chdir(tmp_path)
-    files = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "small.toml": STUDY, "short.toml": MISSION}
+    files = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "small.toml": STUDY, "short.toml": MISSION, "duty.csv": DUTY}
     for name, text in files.items():
         Path(name).write_text(text, encoding="utf-8")
 
@@ -166,6 +169,7 @@ def test_every_key_of_a_quantity_ends_in_its_unit():
         for key, unit in quantities(answer_schema(command)):
             letters = re.sub(r"[^a-z0-9]", "", unit.replace("²", "2").replace("³", "3").replace("µ", "u").lower())
             letters = {"": "deg" if unit == "°" else "percent", "c": "degc", "mpa": "mpa"}.get(letters, letters)
+            letters = "nmi" if unit == "NM" else letters
             assert key.replace("_", "").replace("sqrt", "").endswith(letters), (command, key, unit)
             seen += 1
     assert seen > 300

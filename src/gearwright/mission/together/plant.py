@@ -165,7 +165,7 @@ def motors_along(supply: Supply, powers: Mapping[str, Floats], speeds: Mapping[s
     for name, losses in supply.motors.items():
         power, speed = powers[name], speeds[name]
         torque = power / speed
-        lost = lost + np.where(power != 0.0, _MOTOR._loaded(losses, torque, speed), 0.0)
+        lost = lost + np.where(power != 0.0, _MOTOR.motor_loss(losses, torque, speed), 0.0)
         weak |= np.abs(torque) > losses.peak_torque * (1.0 + _SLACK)
         weak |= np.abs(power) > losses.peak_power * (1.0 + _SLACK)
     return lost, weak
@@ -180,7 +180,8 @@ def dragged_along(supply: Supply, driven: Mapping[str, Bools], speeds: Mapping[s
         speeds: Machine -> speed without sign, shape (n,) [rad/s].
     """
     dragged = [
-        np.where(driven[name], 0.0, _MOTOR._dragged(losses, speeds[name])) for name, losses in supply.motors.items()
+        np.where(driven[name], 0.0, _MOTOR.motor_loss(losses, 0.0, speeds[name]))
+        for name, losses in supply.motors.items()
     ]
     return np.asarray(sum(dragged, np.zeros(len(next(iter(speeds.values()))))))
 
