@@ -34,6 +34,9 @@ def test_roots_bear_their_static_load_up_to_the_printed_cycles(treatment):
     soft = treatment in (Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED, *pearlitic)
     curve = bending_life_curve(treatment)
     assert list(curve.cycles) == [1e4 if soft else 1e3, 3e6, 1e10]
+    nitrided = (Treatment.NITRIDED, Treatment.NITRIDED_THROUGH_HARDENED, Treatment.FERRITIC_NODULAR_IRON)
+    weaker = dict.fromkeys((*nitrided, Treatment.GREY_IRON), 1.6) | {Treatment.NITROCARBURISED: 1.1}
+    assert curve.factors[0] == weaker.get(treatment, 2.5)
 
 
 def test_a_round_disc_of_steel_has_its_mass_and_inertias():
