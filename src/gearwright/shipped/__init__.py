@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
 
@@ -18,7 +18,7 @@ _STUDIES = Path(__file__).parent / "studies"
 
 def shipped_designs() -> tuple[str, ...]:
     """Return the names of all shipped designs."""
-    return tuple(sorted(path.stem for path in _DESIGNS.glob("*.toml")))
+    return _names(_DESIGNS)
 
 
 @verb
@@ -31,11 +31,7 @@ def shipped_design(name: str) -> Path:
     Raises:
         DesignError: If there is none of this name; with the nearest one.
     """
-    if name not in shipped_designs():
-        raise DesignError(
-            [Problem("name", f"there is no shipped design {excerpt(name)!r}; {near(name, shipped_designs())}")]
-        )
-    return _DESIGNS / f"{name}.toml"
+    return _named(_DESIGNS, "design", name)
 
 
 @verb
@@ -140,7 +136,7 @@ def _is_there(path: Path, asked: Callable[[Path], bool]) -> bool:
 
 def shipped_mixes() -> tuple[str, ...]:
     """Return the names of all shipped mixes."""
-    return tuple(sorted(path.stem for path in _MIXES.glob("*.toml")))
+    return _names(_MIXES)
 
 
 @verb
@@ -153,15 +149,12 @@ def shipped_mix(name: str) -> Path:
     Raises:
         DesignError: If there is none of this name; with the nearest one.
     """
-    if name not in shipped_mixes():
-        known = shipped_mixes()
-        raise DesignError([Problem("name", f"there is no shipped mix {excerpt(name)!r}; {near(name, known)}")])
-    return _MIXES / f"{name}.toml"
+    return _named(_MIXES, "mix", name)
 
 
 def shipped_studies() -> tuple[str, ...]:
     """Return the names of all shipped studies."""
-    return tuple(sorted(path.stem for path in _STUDIES.glob("*.toml")))
+    return _names(_STUDIES)
 
 
 @verb
@@ -174,16 +167,12 @@ def shipped_study(name: str) -> Path:
     Raises:
         DesignError: If there is none of this name; with the nearest one.
     """
-    if name not in shipped_studies():
-        raise DesignError(
-            [Problem("name", f"there is no shipped study {excerpt(name)!r}; {near(name, shipped_studies())}")]
-        )
-    return _STUDIES / f"{name}.toml"
+    return _named(_STUDIES, "study", name)
 
 
 def shipped_missions() -> tuple[str, ...]:
     """Return the names of all shipped missions."""
-    return tuple(sorted(path.stem for path in _MISSIONS.glob("*.toml")))
+    return _names(_MISSIONS)
 
 
 @verb
@@ -198,12 +187,16 @@ def shipped_mission(name: str) -> Path:
     """
     if name in shipped_mixes():
         raise DesignError([Problem("name", f"{name!r} is a mix of missions; gearwright mix DESIGN {name} flies it")])
-    if name not in shipped_missions():
-        raise DesignError(
-            [Problem("name", f"there is no shipped mission {excerpt(name)!r}; {near(name, shipped_missions())}")]
-        )
-    return _MISSIONS / f"{name}.toml"
+    return _named(_MISSIONS, "mission", name)
 
 
-def _none(kind: str, name: str, names: Iterable[str]) -> DesignError:
-    return DesignError([Problem("name", f"there is no shipped {kind} {excerpt(name)!r}; {near(name, names)}")])
+def _names(folder: Path) -> tuple[str, ...]:
+    return tuple(sorted(path.stem for path in folder.glob("*.toml")))
+
+
+def _named(folder: Path, kind: str, name: str) -> Path:
+    """Return a shipped file of a kind, or refuse its name with the nearest one."""
+    names = _names(folder)
+    if name not in names:
+        raise DesignError([Problem("name", f"there is no shipped {kind} {excerpt(name)!r}; {near(name, names)}")])
+    return folder / f"{name}.toml"
