@@ -38,8 +38,10 @@ from gearwright.machines.propeller_map import (
     PropellerMap,
     angle_for_power,
     angle_for_thrust,
+    angle_near,
     blade_angles,
     coefficients,
+    governs,
     look_up,
 )
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
@@ -67,6 +69,7 @@ __all__ = [
     "Winding",
     "angle_for_power",
     "angle_for_thrust",
+    "angle_near",
     "battery_step",
     "blade_angles",
     "coefficients",
@@ -74,6 +77,7 @@ __all__ = [
     "current_of",
     "fuel_flow",
     "governor_rates",
+    "governs",
     "highest_current",
     "ideal_power",
     "limit_cycle",

@@ -11,6 +11,8 @@ from gearwright.errors import DesignError, Problem
 
 INSIDE, OUTSIDE = 0, 1
 """Status of a look-up."""
+_SAME_ANGLE = 1e-6
+"""Difference of blade angles that is rounding [rad]."""
 
 
 class PropellerMap(NamedTuple):
@@ -132,6 +134,46 @@ def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -
         DesignError: No blade angle of the map does.
     """
     return _inverted(chart, advance_ratio, thrust, table=chart.thrust, name="thrust coefficient")
+
+
+def governs(chart: PropellerMap, advance_ratio: float, angle: float) -> bool:
+    """Tell whether a coarser pitch takes more power, as a governor needs it.
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        angle: Blade angle [rad].
+
+    Source: the angle lies on the rise of the map's row at J, between that of least power and the stall of the blades.
+    """
+    angles, row = _row(chart, advance_ratio, chart.power)
+    rise = angles[_rising(row)]
+    return bool(rise[0] - _SAME_ANGLE <= angle <= rise[-1] + _SAME_ANGLE)
+
+
+def angle_near(chart: PropellerMap, advance_ratio: float, power: float, near: float) -> float:
+    """Return the blade angle at which the propeller takes a power, of several the one next to another angle [rad].
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        power: C_P [-].
+        near: Blade angle [rad], such as that of the moment before.
+
+    Source: all crossings of the map's row at J, which has one on either side of the angle of least power.
+
+    Raises:
+        DesignError: No blade angle of the map does.
+    """
+    angles, row = _row(chart, advance_ratio, chart.power)
+    over = row - power
+    crossed = np.flatnonzero(over[:-1] * over[1:] <= 0.0)
+    if not len(crossed):
+        raise _outside(chart, advance_ratio, f"power coefficient {power:.4g}, of {row.min():.4g} to {row.max():.4g}")
+    steps = row[crossed + 1] - row[crossed]
+    parts = np.where(steps == 0.0, 0.0, -over[crossed] / np.where(steps == 0.0, 1.0, steps))
+    met = angles[crossed] + parts * (angles[crossed + 1] - angles[crossed])
+    return float(met[np.argmin(np.abs(met - near))])
 
 
 def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Floats, name: str) -> float:

@@ -25,7 +25,7 @@ from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.tail import with_tail
-from gearwright.mission.thrust import Blades, performed, propeller_power
+from gearwright.mission.thrust import Blades, performed, wanted_of
 from gearwright.mission.together import Reached, flights_together, log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
@@ -198,9 +198,9 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     flown = _oiled(flown, before.warm)
     gearbox, blades, mission, supply, _ = flown
     phase = mission.phases[moment.phase]
-    wanted = propeller_power(blades, mission, moment, burnt=before.burnt)
+    wanted = wanted_of(blades, mission, moment, burnt=before.burnt)
     spin_up = gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
-    asked = Asked(supply.parts(phase), wanted, spin_up)
+    asked = Asked(supply.parts(phase), wanted.power, spin_up)
     if phase.strategy is not None:
         phase, asked = shared(flown, moment, asked, Then(phase, before.point, before.pack.charge, planned))
     flown = with_tail(flown, moment, asked, before.point, burnt=before.burnt)
@@ -208,8 +208,7 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     point, friction, dragged, powers = loaded(flown, moment, asked, before.point)
     rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
     drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.pack, before.warmths, rating, phase.mode))
-    held = phase.pitch if phase.kind is not None else None  # of a path; plain phases may be flown together
-    performance = performed(blades, moment, point.work, pitch=held)
+    performance = performed(blades, moment, point.work, pitch=wanted.pitch)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     share = sum(asked.parts.get(name, 0.0) for name in supply.motors)
     warm = _warmed(flown, moment, before.warm, lost)

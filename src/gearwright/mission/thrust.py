@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue import compressed
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients
+from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients, governs
 from gearwright.mission.forces import stated_thrust
 from gearwright.mission.profile import Moment
 from gearwright.mission.trim import trimmed
@@ -18,10 +18,6 @@ LARGEST_LIFT = 10.0
 """Lift coefficient that no wing has, whatever its flaps [-]: beyond it a phase is no flight."""
 _ROUNDS = 8
 """Rounds in which the factor of compressibility settles: it hardly changes with the thrust [-]."""
-
-
-_SAME_ANGLE = 1e-6
-"""Difference of blade angles that is rounding [rad]."""
 
 
 class Blades(NamedTuple):
@@ -75,8 +71,22 @@ class Borne(NamedTuple):
         return (self.mass - self.burnt) * GRAVITY
 
 
-def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: float) -> float | None:
-    """Return the power of the propeller's shaft [W], or None where the machines' power is given.
+class Wanted(NamedTuple):
+    """What an interval asks of a propeller; both are None where the machines' power is given."""
+
+    power: float | None = None
+    """Of its shaft [W]."""
+    pitch: float | None = None
+    """Blade angle that takes it [rad]; None where powers are schedules."""
+
+
+def wanted_of(blades: Blades, mission: Mission, moment: Moment, *, burnt: float) -> Wanted:
+    """Return what an interval asks of a propeller: power, and the blade angle that was chosen for it.
+
+    Two blade angles take the same power, one on either side of the angle of least power. So the angle is never found
+    again from the power: it is the one that is held, or the one that gives the thrust, which only rises with the angle
+    until the blades stall. Only where the machines' power is given the angle follows from it, on the coarse side, which
+    is the one that a governor finds (`performed`).
 
     Args:
         blades: The propeller.
@@ -89,9 +99,9 @@ def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: 
     """
     phase, chart = mission.phases[moment.phase], blades.chart
     if moment.power is None and mission.rotorcraft is not None:
-        return trimmed(mission.rotorcraft, mission, moment, diameter=blades.diameter, burnt=burnt).main
+        return Wanted(trimmed(mission.rotorcraft, mission, moment, diameter=blades.diameter, burnt=burnt).main)
     if moment.power is not None or chart is None:
-        return None
+        return Wanted()
     advance = diameter, turns, ratio = _advance(blades, moment)
     angle = phase.pitch
     if angle is None:
@@ -103,13 +113,12 @@ def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: 
                 _refuse_ungoverned(chart, ratio, angle)
         except DesignError as error:
             raise _too_steep(error, moment, phase, needed) from None
-    return coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5
+    return Wanted(coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5, angle)
 
 
 def _refuse_ungoverned(chart: PropellerMap, ratio: float, angle: float) -> None:
     """Refuse blades below the angle of least power, where a finer pitch takes more: no governor holds a speed there."""
-    governed = angle_for_power(chart, ratio, coefficients(chart, ratio, angle).power)
-    if abs(governed - angle) > _SAME_ANGLE:
+    if not governs(chart, ratio, angle):
         message = (
             f"blades at {math.degrees(angle):.3g}° give the thrust, below the angle of least power, where no governor"
             " holds the speed; ask for less braking, or give pitch"
@@ -219,7 +228,7 @@ def performed(blades: Blades, moment: Moment, work: float, *, pitch: float | Non
         blades: The propeller.
         moment: Where it is flown.
         work: Power that reaches the propeller [W].
-        pitch: Blade angle, where it is held: in reverse two angles take a power [rad].
+        pitch: Blade angle from which the power was found (`wanted_of`) [rad]; left out: the one that a governor finds.
 
     Raises:
         DesignError: The power lies outside the map, or the Mach number outside its charts.

@@ -14,7 +14,7 @@ from gearwright.mission.collect import Flown
 from gearwright.mission.loading import Asked, loaded
 from gearwright.mission.path import Node, Path, Paths, speed_by_law
 from gearwright.mission.profile import Moment, moments, phase_duration, ramped
-from gearwright.mission.thrust import performed, propeller_power, thrust_at
+from gearwright.mission.thrust import performed, thrust_at, wanted_of
 from gearwright.spec import Mission, Phase
 
 SMOOTH = 0.5
@@ -196,7 +196,7 @@ def _burnt(flown: Flown, name: str, phase: Phase, paths: Paths, before: _Before)
     alone = mission.model_copy(update={"phases": {name: phase.model_copy(update={"from_altitude": before.altitude})}})
     try:
         for moment in moments(alone, paths):
-            wanted = propeller_power(flown.blades, mission, moment, burnt=before.burnt + total)
+            wanted = wanted_of(flown.blades, mission, moment, burnt=before.burnt + total).power
             power = moment.power or (wanted or 0.0) / USUAL_EFFICIENCY
             total += _fuel(flown, phase, moment, power) * moment.duration * (phase.engines or mission.engines)
     except DesignError:

@@ -19,7 +19,7 @@ from gearwright.mission.strategies.plan import FORBIDDEN, Plan, Stage, optimal_p
 from gearwright.mission.strategies.rules import driven
 from gearwright.mission.strategies.shares import Then, shared
 from gearwright.mission.supply import machine_speeds
-from gearwright.mission.thrust import propeller_power
+from gearwright.mission.thrust import wanted_of
 from gearwright.spec import Phase, StrategyRules, engine_out
 
 MARGIN = 1e-3
@@ -96,7 +96,7 @@ def _needs(flown: Flown, plan: Mapping[int, float]) -> list[Need]:
     charge = mission.battery.start_charge if mission.battery else 0.0
     for k, moment in enumerate(moments(mission, flown.paths)):
         phase = mission.phases[moment.phase]
-        wanted = propeller_power(flown.blades, mission, moment, burnt=burnt)
+        wanted = wanted_of(flown.blades, mission, moment, burnt=burnt).power
         gain = flown.gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
         asked = Asked(flown.supply.parts(phase), wanted, gain)
         if phase.strategy is not None:

@@ -20,7 +20,7 @@ def asked_power(blades: Blades, course: Course, pitch: Floats) -> tuple[Floats, 
         course: Where it is flown.
         pitch: That is held, NaN where none is, shape (n,) [rad].
 
-    Source: `propeller_power`.
+    Source: `wanted_of`.
     """
     power, outside = np.full(len(pitch), math.nan), np.zeros(len(pitch), bool)
     if blades.chart is None:
@@ -34,13 +34,14 @@ def asked_power(blades: Blades, course: Course, pitch: Floats) -> tuple[Floats, 
     return power, outside
 
 
-def performance_along(blades: Blades, course: Course, work: Floats) -> tuple[Performance, Bools]:
+def performance_along(blades: Blades, course: Course, work: Floats, *, pitch: Floats) -> tuple[Performance, Bools]:
     """Return what a propeller does with its powers, fields of shape (n,), and where its charts do not reach.
 
     Args:
         blades: The propeller.
         course: Where it is flown.
         work: Powers that reach it, shape (n,) [W].
+        pitch: That is held, NaN where none is, shape (n,) [rad].
 
     Source: `performed`.
     """
@@ -48,13 +49,15 @@ def performance_along(blades: Blades, course: Course, work: Floats) -> tuple[Per
     density, sound = course.air.density, course.air.sound_speed
     if blades.chart is None:
         return Performance(ratio), np.zeros(len(work), bool)  # type: ignore[arg-type]
-    angle = angle_along(blades.chart, ratio, work / (density * turns**3 * blades.diameter**5), blades.chart.power)
-    _, thrust, left = power_and_thrust(blades.chart, ratio, angle.value)
+    taken = work / (density * turns**3 * blades.diameter**5)
+    governed, held = angle_along(blades.chart, ratio, taken, blades.chart.power), np.isnan(course.power)
+    angle = np.where(held, pitch, governed.value)
+    _, thrust, left = power_and_thrust(blades.chart, ratio, angle)
     tips = math.pi * turns * blades.diameter / sound
     factor = squeezed_along(blades.map_name, ratio, thrust, mach=course.mach, tip_mach=tips)
     force = factor.value * thrust * density * turns**2 * blades.diameter**4
-    outside = angle.outside | left | factor.outside
-    return Performance(ratio, angle.value, factor.value, force), outside  # type: ignore[arg-type]
+    outside = (governed.outside & ~held) | left | factor.outside
+    return Performance(ratio, angle, factor.value, force), outside  # type: ignore[arg-type]
 
 
 def _turning(blades: Blades, course: Course) -> tuple[Floats, Floats]:

@@ -107,7 +107,7 @@ def flown_together(box: Box, blades: Blades, supply: Supply, deck: Deck) -> Toge
     work = point.machine_powers.sum(axis=1) - lost
     carried = sum(friction) + dragged + spin_up
     powers = {name: point.machine_powers[:, k] + parts[:, k] * carried for k, name in enumerate(box.gearbox.machines)}
-    performance, left = performance_along(blades, course, work)
+    performance, left = performance_along(blades, course, work, pitch=deck.pitch)
     burnt = burnt_along(supply, course, powers, speeds, deck.rating)
     heat, weak = motors_along(supply, powers, speeds)
     electric = sum((powers[name] for name in supply.motors), none) + heat

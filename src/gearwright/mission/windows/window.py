@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, hold
 from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
 from gearwright.errors import DesignError, Problem, near
-from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle
+from gearwright.machines import Governor, GovernorState, LimitCycle, angle_near, blade_angles, governs, limit_cycle
 from gearwright.mission.flight import Flight
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.windows.background import Background, Curve, background
@@ -39,6 +40,8 @@ NOTICED = 1e-4
 """Swing of a propeller's speed over the speed itself from which on it is called a limit cycle [-]."""
 MACHINE_EVENTS = ("motor-short-circuit", "engine-out")
 """Events of one machine."""
+_PILOTS: Mapping[str, None] = {"lowest_pitch": None, "highest_pitch": None, "reference_pitch": None}
+"""Stops and reference of a governor where the pilot holds the blades."""
 NEVER_SLIPS = 1e12
 """Capacity of an overrunning clutch in the sense in which it holds [N m]."""
 
@@ -64,7 +67,7 @@ class DynamicWindow(Shown):
 
 
 class _Blade(NamedTuple):
-    """Blade angles that a map holds at an advance ratio."""
+    """Blade angles between which a governor turns the blades: those of the map, or one alone that the pilot holds."""
 
     lowest: float
     """[rad]"""
@@ -222,10 +225,12 @@ def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
     speed, density, airspeed = (value_at(curve, 0.0) for curve in (back.speed, back.density, back.airspeed))
     turns = speed / (2.0 * math.pi)
     ratio = airspeed / (turns * diameter)
-    pitch = angle_for_power(chart, ratio, _taken(back, rules) / (density * turns**3 * diameter**5))
-    governor = _governor(
-        rules.governor or back.flight.mission.governor, pitch, back, _Blade(*blade_angles(chart, ratio))
-    )
+    flown = back.flight.history.pitch
+    assert flown is not None  # there is a map
+    taken = _taken(back, rules) / (density * turns**3 * diameter**5)
+    pitch = angle_near(chart, ratio, taken, float(flown[back.interval]))
+    blade = _Blade(*blade_angles(chart, ratio)) if governs(chart, ratio, pitch) else _Blade(pitch, pitch)
+    governor = _governor(rules.governor or back.flight.mission.governor, pitch, back, blade)
     settled = (governor.reference - pitch) / governor.integral if governor.integral else 0.0
     start = GovernorState(pitch, 0.0, settled)
     return PropellerDrive(
@@ -248,8 +253,10 @@ def _taken(back: Background, rules: WindowRules) -> float:
 
 
 def _governor(rules: GovernorRules, pitch: float, back: Background, blade: _Blade) -> Governor:
+    free = blade.lowest < blade.highest  # else finer than the angle of least power, where no governor works
+    rules = rules if free else rules.model_copy(update=_PILOTS)
     held = back.flight.mission.phases[back.phase].pitch
-    lowest = rules.lowest_pitch if rules.lowest_pitch is not None else held
+    lowest = rules.lowest_pitch if rules.lowest_pitch is not None or not free else held
     return Governor(
         reference=rules.reference_pitch if rules.reference_pitch is not None else pitch,
         proportional=math.radians(rules.gain_deg_s),
