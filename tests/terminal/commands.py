@@ -42,6 +42,7 @@ COMMANDS = (
     Command("draw pair.toml --what arrangement --format svg"),
     Command("export pair.toml --to glb"),
     Command("export pair.toml --to html --out turning.html --detail coarse"),
+    Command("export pair.toml --to rexs"),
     Command("schema", machine=True),
     Command("campbell pair.toml"),
     Command("response hybrid.toml"),

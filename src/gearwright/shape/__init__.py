@@ -3,22 +3,44 @@
 Envelopes and places are `sizing`'s; pages and drawings that show solids are `render`'s.
 """
 
+from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
 from gearwright.shape.masses import SolidMass, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
 from gearwright.shape.solids import Edges, Surface, edges_of
+from gearwright.shape.stands import Stand, stands_of
+from gearwright.shape.teeth import (
+    bevel_pair,
+    cylindrical_gear,
+    halves_of,
+    hand_of,
+    is_internal,
+    kind_of,
+    sized_mesh,
+)
 
 __all__ = [
     "COLOURS",
     "DETAILS",
+    "Contact",
     "Edges",
     "Node",
     "Scene",
     "SolidMass",
+    "Stand",
     "Surface",
+    "bevel_pair",
+    "contacts_of",
+    "cylindrical_gear",
     "edges_of",
     "glb",
+    "halves_of",
+    "hand_of",
+    "is_internal",
+    "kind_of",
     "scene",
+    "sized_mesh",
     "solid_masses",
+    "stands_of",
 ]

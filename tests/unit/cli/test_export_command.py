@@ -45,6 +45,14 @@ def test_a_page_is_written(folder):
     assert (folder / "pair-gearbox.html").read_text(encoding="utf-8").startswith("<!doctype html>")
 
 
+@pytest.mark.parametrize(("format_", "version"), [("rexs", b'version="1.7"'), ("rexs-1.6", b'version="1.6"')])
+def test_a_rexs_file_is_written_and_what_is_not_in_it_is_said(folder, format_, version):
+    answer = export("pair.toml", "--to", format_)
+    assert "wrote pair-gearbox.rexs: REXS" in answer.output
+    assert "rules of rating, sizing and dynamics" in answer.output
+    assert version in (folder / "pair-gearbox.rexs").read_bytes()
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

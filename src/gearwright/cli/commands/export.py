@@ -20,18 +20,21 @@ if TYPE_CHECKING:
 def export(
     design: DesignArgument,
     to: Annotated[
-        str, typer.Option("--to", help="glb: solids that turn; html: a page on which they do; json: the sizing")
+        str,
+        typer.Option(
+            "--to", help="glb: solids that turn; html: a page on which they do; rexs, rexs-1.6: REXS; json: the sizing"
+        ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
     detail: Annotated[Literal["fine", "coarse"], typer.Option(help="Of the solids of glb")] = "fine",
 ) -> None:
-    """Export a sized design: solids as GLB, a page on which the gearbox turns, or the sizing as JSON."""
+    """Export a sized design: solids as GLB, a page on which the gearbox turns, REXS, or the sizing as JSON."""
     from gearwright.cli.designs import sized
 
     _refuse_unknown(to)
     sizing = sized(design)
     content, words = FORMATS[to](sizing, detail)
-    path = file or named_after(design, f"gearbox.{to}")
+    path = file or named_after(design, f"gearbox.{to.partition('-')[0]}")
     write_bytes(path, content)
     show(f"wrote {path}: {words}")
 
@@ -61,6 +64,22 @@ def _html(sizing: Sizing, detail: Literal["fine", "coarse"]) -> tuple[bytes, str
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
 
 
+def _rexs(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+    return _rexs_of(sizing, "1.7")
+
+
+def _rexs_16(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+    return _rexs_of(sizing, "1.6")
+
+
+def _rexs_of(sizing: Sizing, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
+    from gearwright.exchange import to_rexs
+
+    file = to_rexs(sizing, version=version)
+    words = f"REXS {version}, {file.components} components; not in it:"
+    return file.content, "\n  ".join((words, *file.left_out))
+
+
 def _json(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
     from gearwright.store import text_of_value
 
@@ -72,5 +91,7 @@ FORMATS: Mapping[str, Callable[[Sizing, Literal["fine", "coarse"]], tuple[bytes,
     "glb": _glb,
     "html": _html,
     "json": _json,
+    "rexs": _rexs,
+    "rexs-1.6": _rexs_16,
 }
 """Name -> what it holds, and in words what was written."""

@@ -1,0 +1,9 @@
+"""Gearboxes in REXS, the exchange format of FVA: a writer of sizings, a reader of designs.
+
+The database of REXS itself, with which files are checked, lies with the tests.
+"""
+
+from gearwright.exchange.rexs.words import VERSIONS
+from gearwright.exchange.rexs.write import RexsFile, to_rexs
+
+__all__ = ["VERSIONS", "RexsFile", "to_rexs"]

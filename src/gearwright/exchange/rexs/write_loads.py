@@ -1,0 +1,63 @@
+"""Machines, clutches and load cases as components and spectra of REXS."""
+
+from __future__ import annotations
+
+from gearwright.exchange.rexs.sheet import Value
+from gearwright.exchange.rexs.task import Task
+from gearwright.spec import GROUND
+from gearwright.spec.design import shares_of
+
+
+def write_machines(task: Task) -> None:
+    """Write every machine as a load on its shaft.
+
+    Args:
+        task: Whose shafts are written.
+    """
+    sizing = task.sizing
+    powers = sizing.reference.machine_powers
+    follows = min(powers, key=lambda name: powers[name])  # what takes most follows from all others
+    for machine in sizing.machines:
+        number = task.sheet.add("external_load", machine.name, {
+            "u_coordinate_on_shaft": sizing.arrangement.plans[machine.shaft].places[machine.name],
+            "transmits_torque": True, "defines_torque": machine.name != follows,
+        })  # fmt: skip
+        task.sheet.relate("assembly", {"assembly": task.shafts[machine.shaft], "part": number})
+        task.loads[machine.name] = number
+
+
+def write_clutches(task: Task) -> None:
+    """Write every clutch and brake, engaged as it is in the case that speaks for the design.
+
+    Args:
+        task: Whose shafts are written.
+    """
+    for name, clutch in task.sizing.design.clutches.items():
+        ends = [end for end in (clutch.driving, clutch.driven) if end != GROUND]
+        outer = task.casing if len(ends) == 1 else task.shafts[ends[1]]
+        number = task.sheet.add("switchable_coupling", name, {})
+        task.sheet.relate("side", {"assembly": number, "inner_part": task.shafts[ends[0]], "outer_part": outer})
+        task.loads[name] = number
+
+
+def write_cases(task: Task) -> None:
+    """Write every load case: torques of machines, speeds of shafts, clutches that hold.
+
+    Args:
+        task: Whose machines and clutches are written.
+    """
+    sizing = task.sizing
+    shares = shares_of(sizing.design) or {next(iter(sizing.flows)): 1.0}
+    for name, flow in sizing.flows.items():
+        said: dict[int, dict[str, Value]] = {
+            task.unit: {"operating_time_fraction": float(shares.get(name, 0.0))},
+            task.casing: {"temperature_lubricant": sizing.design.oil.temperature},
+        }
+        for machine in sizing.machines:
+            torque, power = flow.machine_torques[machine.name], flow.machine_powers[machine.name]
+            said[task.loads[machine.name]] = {"torque_around_u_axis": torque, "power": power}
+        for shaft in sizing.shafts:
+            said[task.shafts[shaft.name]] = {"rotational_speed": flow.speeds[shaft.name]}
+        for clutch in sizing.design.clutches:
+            said[task.loads[clutch]] = {"is_engaged": (clutch in flow.joints,)}
+        task.sheet.cases.append(said)
