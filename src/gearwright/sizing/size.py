@@ -19,7 +19,7 @@ from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
-from gearwright.sizing.stages import compound_sizes, gear_checks, size_gears, size_meshes, stage_sizes
+from gearwright.sizing.stages import compound_sizes, gear_checks, pass_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
 from gearwright.spec import Design, edited
 from gearwright.spec.design import Given, given_values
@@ -82,6 +82,7 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [
         *gear_checks(context, gears, meshes, sizes),
+        *pass_checks(context),
         *(check for shaft in shafts for check in shaft_checks(shaft)),
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in settled.built for check in built_checks(shaft, design)),

@@ -35,27 +35,43 @@ def chain(kinds: str, ratio: float, *, planets: int = 3, most: int = 22, power: 
     return text + RULES.format(most=most)
 
 
-def brute(design) -> tuple[float, int]:
-    """Return the least mass of gears of all combinations of a chain, and how many there are."""
+def brute(design, factors=lambda speeds: ()) -> tuple[float, int]:
+    """Return the least mass of gears of all combinations of a chain that no band forbids, and how many there are.
+
+    The bands hold where all speeds are the rated ones times the factors, which may follow from the last shaft's speed.
+    """
     power, first = design.turbines["turbine"].power, 6000 * RPM
     asked = design.propellers["propeller"].speed
     stages = sorted(design.simple_stages)
     part = (first / asked) ** (1.0 / len(stages))
     masses = []
 
-    def extend(level: int, speed: float, mass: float) -> None:
+    def extend(level: int, speed: float, mass: float, rates: tuple[float, ...] = ()) -> None:
         if level == len(stages):
-            masses.append(mass)
+            if not any(forbidden(design, factor * rate) for factor in factors(speed) for rate in rates):
+                masses.append(mass)
             return
         last = level == len(stages) - 1
         wanted = speed / (asked if last else first / part ** (level + 1))
         for small, large, ratio in beside(design, stages[level], wanted):
             held = not last or abs(speed / ratio / asked - 1.0) <= 0.05
             if abs(ratio / wanted - 1.0) <= 0.025 and held:
-                extend(level + 1, speed / ratio, mass + weight(design, stages[level], small, large, power / speed))
+                own = mass + weight(design, stages[level], small, large, power / speed)
+                planetary = isinstance(design.stages[stages[level]], Planetary)
+                rate = small * (speed - speed / ratio if planetary else speed) / (2.0 * math.pi)
+                extend(level + 1, speed / ratio, own, (*rates, rate))
 
     extend(0, first, 0.0)
     return min(masses, default=math.inf), len(masses)
+
+
+def forbidden(design, frequency: float) -> bool:
+    """Tell whether a frequency or a multiple of it is inside a band [Hz]."""
+    return any(
+        band.lowest < k * frequency < band.highest
+        for band in design.teeth.forbidden.values()
+        for k in range(1, band.harmonics + 1)
+    )
 
 
 def beside(design, name: str, wanted: float):

@@ -16,6 +16,7 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
 from gearwright.sizing.many.twinned import twinned
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
+from gearwright.sizing.teeth.forbidden import clear
 from gearwright.sizing.teeth.front import Front
 from gearwright.sizing.teeth.masses import aligned
 from gearwright.sizing.teeth.search import MANY, Chosen, carried_over, is_ready
@@ -72,6 +73,14 @@ def _spread(rating: Any, row: Ints) -> Any:
     return replace(rating, rules=rules, material=material) if own or steel else rating
 
 
+def _banned(ban: Any, row: Ints) -> Any:
+    """Return a ban whose numbers that are lanes are those of the row of every choice."""
+    ends = {(name,): end.data[row] for name in ("lowest", "highest") if type(end := getattr(ban.band, name)) is Lanes}
+    band = replaced(ban.band, ends) if ends else ban.band
+    factors = lanes_of(ban.factor).data
+    return ban._replace(band=band, factor=factors[row] if len(factors) > 1 else float(factors[0]))
+
+
 class _Given(NamedTuple):
     """What the search of a batch reads."""
 
@@ -90,7 +99,9 @@ class _Given(NamedTuple):
         """Return a task with the numbers of every choice of a front."""
         row = front.teeth[ROW]
         torque, speed, rolling = (numbers[row] for numbers in self.numbers[task.name])
-        return replace(task, torque=torque, speed=speed, rolling=rolling, rating=_spread(task.rating, row))
+        bans = tuple(_banned(ban, row) for ban in task.bans)
+        rating = _spread(task.rating, row)
+        return replace(task, torque=torque, speed=speed, rolling=rolling, rating=rating, bans=bans)
 
     def targets(self, front: Front) -> Any:
         """Return the asked speeds of every choice of a front."""
@@ -121,11 +132,14 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
     if any(not is_given(stage) and nominal.tooth_ratios[name] <= 1.0 for name, stage in design.planetaries.items()):
         raise Unsupported("a ring no larger than its sun")
     flow, kept = search.nominal_flow(design, train, nominal)
-    design = nominal.design
+    given_design, design = design, nominal.design
     tasks = [search.task_of(name, design, train, nominal, flow) for name in design.simple_stages]
     if any(task.rating.proportions is not None for task in tasks):
         raise Unsupported("gears that a standard rates")
-    tasks = search.with_twins(tasks, design, nominal)
+    bans = search.banned(tasks, given_design, train, nominal, flow)
+    if bans.whole:
+        raise Unsupported("bands of frequencies that only whole trains are held against")
+    tasks = search.with_twins(bans.tasks, design, nominal)
     given = _Given(
         design, tasks, nominal,
         {shaft: rows_of(speed, count) for shaft, speed in nominal.speeds.items()},
@@ -222,7 +236,12 @@ def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None
     grown = replace(grown, speeds={**grown.speeds, **speeds})
     if not good.all():
         grown, small, large = grown.take(good), small[good], large[good]
-    return weighed_front(grown, given.task(task, grown), given.design, small, large)
+    own = given.task(task, grown)
+    grown = weighed_front(grown, own, given.design, small, large)
+    if not own.bans:
+        return grown
+    good = clear(grown, given.task(task, grown))
+    return grown.take(good) if good.any() else None
 
 
 def _speeds_hold(given: _Given, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:

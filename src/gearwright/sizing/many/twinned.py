@@ -14,6 +14,7 @@ import numpy as np
 from gearwright.arrays import Ints
 from gearwright.checks import ROUNDING
 from gearwright.lanes import CHANGES, Diverged, Lanes, Unsupported, chosen, lanes_of, twin
+from gearwright.ranking import ALIKE
 from gearwright.spec.design import stage_shifts
 
 KEPT = 20_000
@@ -236,7 +237,7 @@ def _search(module: ModuleType) -> None:
     def heaviest(loads: Iterable[tuple[Any, Any]]) -> tuple[Any, Any]:
         torque, rolling = 0.0, 1.0
         for load, speed in loads:
-            heavier = load > torque
+            heavier = load > torque * (1.0 + ALIKE)
             torque, rolling = chosen(heavier, load, torque), chosen(heavier, speed, rolling)
         return torque, rolling
 

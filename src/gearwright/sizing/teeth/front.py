@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Pair, Planetary
-from gearwright.spec.design import StageShifts
+from gearwright.spec.design import ForbiddenBand, StageShifts
 from gearwright.train import Edge
 
 
@@ -58,6 +58,15 @@ class Front:
         return Front(*({name: made([part[name] for part in same]) for name in same[0]} for same in parts))
 
 
+class Ban(NamedTuple):
+    """A forbidden band of frequencies as one stage is held against it."""
+
+    name: str
+    band: ForbiddenBand
+    factor: float
+    """Speeds of the case over those of the search [-]."""
+
+
 @dataclass(frozen=True)
 class Task:
     """One stage of the search."""
@@ -79,6 +88,8 @@ class Task:
     """Stage before it whose teeth it has, because what both do is the same; empty where it has none."""
     deviation: int = 0
     """z_r − (z_s + 2 z_p) of a ring that is chosen [-]."""
+    bans: tuple[Ban, ...] = ()
+    """Bands of frequencies at which nothing of it passes."""
     known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
     [-] at nominal load, as far as found."""

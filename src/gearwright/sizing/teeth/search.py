@@ -18,17 +18,20 @@ import numpy as np
 from gearwright.arrays import Bools
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
+from gearwright.ranking import largest
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.bevels import bevel_rows
 from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
 from gearwright.sizing.teeth.candidates import given_teeth, is_given, planet_counts
+from gearwright.sizing.teeth.forbidden import banned
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import aligned
 from gearwright.sizing.teeth.refusal import refusal
 from gearwright.sizing.teeth.stage import extend
 from gearwright.sizing.teeth.states import EQUAL, needs_of
 from gearwright.sizing.teeth.twins import with_twins
+from gearwright.sizing.teeth.whole import clear_places
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
 from gearwright.spec.design import RATINGS, module_owners
 from gearwright.train import (
@@ -85,16 +88,21 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
         if not is_given(stage) and ratio <= 1.0:  # a ring no larger than its sun: no torques could be found
             raise refusal(name, stage, design, ratio, fewest=0, nominal=nominal)
     flow, kept = nominal_flow(design, train, nominal)
-    design = nominal.design
+    given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
     )  # fmt: skip
-    found = _searched(_Search(design, nominal), start, with_twins(tasks, design, nominal))
+    bans = banned(tasks, given, train, nominal, flow)
+    found = _searched(_Search(design, nominal, bans.whole), start, with_twins(bans.tasks, design, nominal))
     mass = aligned(found.front, design).mass
     first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
     others = [place for place in np.argsort(mass, kind="stable").tolist() if place != first]
+    if bans.whole:
+        chosen = (_chosen(design, found.front, place, None) for place in (first, *others))
+        trains = zip((first, *others), ((choice.teeth, choice.planets) for choice in chosen), strict=True)
+        first, *others = clear_places(given, train, bans.whole, trains, wanted=design.teeth.sized + 1)
     search = TeethSearch(
         combinations=float(found.front.tally["combinations"].sum()) + found.left_out,
         weighed=found.weighed,
@@ -105,7 +113,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     return [_chosen(design, found.front, place, search) for place in (first, *others)[: design.teeth.sized]]
 
 
-def _chosen(design: Design, front: Front, place: int, search: TeethSearch) -> Chosen:
+def _chosen(design: Design, front: Front, place: int, search: TeethSearch | None) -> Chosen:
     """Return one of the whole combinations of a front."""
     left_out = {name for name, stage in design.planetaries.items() if stage.planets_given is None}
     return Chosen(
@@ -121,6 +129,8 @@ class _Search(NamedTuple):
     design: Design
     """As the case holds it that asks for the speeds."""
     nominal: Targets
+    whole: frozenset[str] = frozenset()
+    """Forbidden bands that only whole trains are held against: none is left out before."""
 
 
 @dataclass(frozen=True)
@@ -155,11 +165,12 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
             )
         later.remove(task)
         rule = _MayWin(search, tuple(later), limit)
-        needs = needs_of(later, design, kept=design.teeth.sized)
+        needs = needs_of(later, design, kept=1 if search.whole else design.teeth.sized)
+        needs = needs._replace(every=bool(search.whole))
         grown = extend(found.front, task, design, search.nominal, needs=needs, may_win=rule)
         left_out = found.left_out + grown.left_out
         found = _Found(carried_over(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
-        if later and beam is None and len(found.front) > MANY:
+        if later and beam is None and len(found.front) > MANY and not search.whole:
             limit = min(limit, _known(search, found.front, later))
             found = _only(found, _MayWin(search, tuple(later), limit)(found.front))
         found = _narrowed(search, found, later, beam or MOST)
@@ -285,11 +296,7 @@ def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
     Args:
         loads: Torques [N m] and rolling speeds [rad/s].
     """
-    torque, rolling = 0.0, 1.0
-    for load, speed in loads:
-        if load > torque:
-            torque, rolling = load, speed
-    return torque, rolling
+    return largest([(0.0, 1.0), *loads], lambda row: row[0])
 
 
 def is_ready(task: Task, front: Front) -> bool:

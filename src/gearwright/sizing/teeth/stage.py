@@ -22,6 +22,7 @@ from gearwright.sizing.teeth.candidates import (
     shares_gear,
 )
 from gearwright.sizing.teeth.closing import ring_variants
+from gearwright.sizing.teeth.forbidden import clear, refused
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import weigh
 from gearwright.sizing.teeth.refusal import contradiction, refusal
@@ -66,21 +67,30 @@ def extend(
     Raises:
         DesignError: If no candidate is left, with what would do.
     """
-    targets = asked_ratios(front, task, nominal)
+    targets, forbidden = asked_ratios(front, task, nominal), list[Front]()
     for reach in REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
         for part, variant in product(_parts(front), ring_variants(task, design)):
             ratios, added = _grown(part, variant, design, asked_ratios(part, task, nominal), reach=reach)
             near.append(ratios)
-            if added is not None:
-                weighed += len(added)
-                kept = lightest(added, needs)
-                winning = may_win(kept)
-                left_out += float(kept.tally["combinations"][~winning].sum())
-                grown.append(kept.take(winning))
+            if added is None:
+                continue
+            weighed += len(added)
+            if task.bans:
+                good = clear(added, task)
+                if not good.any():
+                    forbidden.append(added)
+                    continue
+                added = added.take(good)
+            kept = lightest(added, needs)
+            winning = may_win(kept)
+            left_out += float(kept.tally["combinations"][~winning].sum())
+            grown.append(kept.take(winning))
         if grown:
             whole = lightest(grown[0].joined(grown[1:]), needs) if len(grown) > 1 else grown[0]
             return Extended(whole, weighed, left_out)
+    if forbidden:
+        raise refused(task, forbidden)
     actual = np.concatenate(near)
     if len(actual):
         raise contradiction(task.name, task.stage, design, float(np.median(actual)))

@@ -39,6 +39,8 @@ class Needs(NamedTuple):
     """Whose modules are not settled yet."""
     kept: int = 1
     """How many of the lightest that leave the same; more than one only of whole combinations [-]."""
+    every: bool = False
+    """All teeth and numbers of planets tell choices apart: only whole trains are held against some of the rules."""
 
 
 def needs_of(later: Sequence[Task], design: Design, *, kept: int = 1) -> Needs:
@@ -118,7 +120,8 @@ def states_of(front: Front, needs: Needs) -> Ints:
         for shaft, speed in front.speeds.items()
         if shaft in needs.shafts and len(speed) > 1
     ]
-    columns += [teeth for gear, teeth in front.teeth.items() if gear in needs.gears]
+    columns += [teeth for gear, teeth in front.teeth.items() if needs.every or gear in needs.gears]
+    columns += list(front.planets.values()) if needs.every else []
     for group in needs.groups & front.cubes.keys():
         columns += [front.cubes[group].view(np.int64), front.volumes[group].view(np.int64)]
     state = np.zeros(len(front), dtype=np.int64)

@@ -37,7 +37,9 @@ def _are_twins(task: Task, other: Task, design: Design, nominal: Targets) -> boo
     if not (_stands_alone(task, design) and _stands_alone(other, design)):
         return False
     loads = zip((task.torque, task.speed, task.rolling), (other.torque, other.speed, other.rolling), strict=True)
-    if task.rating != other.rating or not all(math.isclose(*pair, rel_tol=_SAME) for pair in loads):
+    if (task.bans, task.rating) != (other.bans, other.rating):
+        return False
+    if not all(math.isclose(*pair, rel_tol=_SAME) for pair in loads):
         return False
     if _described(task.stage) != _described(other.stage) or task.edge is None or other.edge is None:
         return False

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
+from gearwright.spec.checks.bands import band_problems
 from gearwright.spec.checks.cases import case_problems
 from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.epicyclics import epicyclic_problems
@@ -38,7 +39,7 @@ def reference_problems(design: Design) -> list[Problem]:
     problems = [problem for check in checks for problem in check(design)]
     more = (
         material_problems, gear_problems, effect_problems, motion_problems, mounting_problems, oil_problems,
-        place_problems,
+        place_problems, band_problems,
     )  # fmt: skip
     return [*problems, *(problem for check in more for problem in check(design))]
 

@@ -39,6 +39,7 @@ from gearwright.spec.design.rules import (
     AgmaWheelSteel,
     BearingRules,
     DynamicsRules,
+    ForbiddenBand,
     FrictionName,
     GearRules,
     Iso6336Rules,
@@ -58,7 +59,15 @@ from gearwright.spec.design.rules import (
 )
 from gearwright.spec.design.shafts import NOTHING_GIVEN, SIDE_ANGLES, KeepOut, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
-from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, levels_of, shares_of
+from gearwright.spec.design.spectrum import (
+    RATED,
+    case_named,
+    cases_forbidding,
+    cases_of,
+    drives_of,
+    levels_of,
+    shares_of,
+)
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, PlanetBearing, gear_named
 from gearwright.spec.design.teeth import (
     PAIR_ROLES,
@@ -105,6 +114,7 @@ __all__ = [
     "DynamicsRules",
     "ElectricMachine",
     "Epicyclic",
+    "ForbiddenBand",
     "FrictionName",
     "GearRules",
     "Generator",
@@ -142,6 +152,7 @@ __all__ = [
     "allowed_for",
     "allowed_in_case",
     "case_named",
+    "cases_forbidding",
     "cases_of",
     "compound_shifts",
     "drives_of",

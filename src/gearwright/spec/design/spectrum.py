@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from gearwright.spec.design.design import Design
 from gearwright.spec.design.duty import Case, Drive
 from gearwright.spec.design.latest import of_the_latest
+from gearwright.spec.design.rules import ForbiddenBand
 
 RATED = "rated"
 """Name of the one case of a design without cases: each machine at its rated power."""
@@ -20,6 +21,17 @@ def cases_of(design: Design) -> tuple[str, ...]:
         design: With its cases, or none.
     """
     return tuple(sorted(design.cases, key=lambda name: (name != RATED, design.cases[name].static))) or (RATED,)
+
+
+def cases_forbidding(design: Design, band: ForbiddenBand) -> tuple[str, ...]:
+    """Return the names of the cases in which a forbidden band of frequencies holds: those named, or all that last.
+
+    Args:
+        design: With its cases, or none.
+        band: Of the rules for its teeth.
+    """
+    named = cases_of(design) if band.cases is None else band.cases
+    return tuple(case for case in named if band.cases is not None or not case_named(design, case).static)
 
 
 def case_named(design: Design, case: str) -> Case:

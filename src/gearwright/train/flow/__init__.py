@@ -5,6 +5,7 @@ from gearwright.train.flow.branches import Attachment, Branch, attachments, bran
 from gearwright.train.flow.carried import MeshFlow, PowerFlow, shaft_powers
 from gearwright.train.flow.case import power_flow, power_flows
 from gearwright.train.flow.efficiencies import Efficiency, efficiencies
+from gearwright.train.flow.passes import passes
 from gearwright.train.flow.recirculation import recirculation
 from gearwright.train.flow.sharing import Sharing
 from gearwright.train.flow.statics import balance, solve_torques
@@ -26,6 +27,7 @@ __all__ = [
     "branches",
     "can_be_along",
     "efficiencies",
+    "passes",
     "power_flow",
     "power_flows",
     "recirculation",

@@ -3,6 +3,7 @@
 What is rated stands in the design itself; what a method covers in `methods`.
 """
 
+from gearwright.spec.design.rules.bands import ForbiddenBand
 from gearwright.spec.design.rules.bearings import GRADE_KEYS, WARMTH_KEYS, BearingRules, OilOfDesign
 from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
 from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules, ThicknessFit
@@ -38,6 +39,7 @@ __all__ = [
     "AgmaWheelSteel",
     "BearingRules",
     "DynamicsRules",
+    "ForbiddenBand",
     "FrictionName",
     "GearRules",
     "HousingMaterial",

@@ -9,6 +9,7 @@ from pydantic import Field
 
 from gearwright.catalogue import CENTRE_FITS, THICKNESS_FITS
 from gearwright.spec.bounds import OneOf
+from gearwright.spec.design.rules.bands import ForbiddenBand
 from gearwright.spec.design.rules.methods import RatingName
 from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
 from gearwright.spec.record import Record
@@ -150,6 +151,9 @@ class TeethRules(Record):
         0, ge=0, le=2, description="Teeth by which chosen rings may differ from z_s + 2 z_p, where shifts close the set"
     )
     hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")
+    forbidden: dict[str, ForbiddenBand] = Field(
+        default_factory=dict, description="Frequencies at which no teeth shall pass, by name: [teeth.forbidden.NAME]"
+    )
     sized: int = Field(
         1,
         ge=1,
