@@ -20,9 +20,7 @@ class ForbiddenBand(Record):
         description="mesh: how often teeth mesh, z |ω − ω_c|/2π of every pair and set; planet-pass: how often planets"
         " pass a tooth of their ring, N |ω_c − ω_r|/2π",
     )
-    harmonics: int = Field(
-        1, ge=1, le=20, description="Multiples of it that stay out, itself included"
-    )
+    harmonics: int = Field(1, ge=1, le=20, description="Multiples of it that stay out, itself included")
     cases: list[str] | None = Field(
         None, description="Load cases in which it holds; left out: all that are not static, or rated without any"
     )
