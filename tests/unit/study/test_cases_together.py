@@ -11,7 +11,7 @@ import pytest
 from gearwright.sizing import Named
 from gearwright.spec import Study, parse_study, read
 from gearwright.study.answers import Row, blocks_of
-from gearwright.study.cases import Case, cases, evaluate, evaluated, goes_together
+from gearwright.study.cases import LEAST, Case, cases, evaluate, evaluated, goes_together
 from gearwright.study.running.pace import LAST, Pace
 
 DESIGNS = {name: read(name) for name in ("in-line-h2", "mixed-h2")}
@@ -127,7 +127,9 @@ def test_chunks_grow_by_two_and_never_take_longer_than_they_should() -> None:
     for _ in range(16):
         sizes.append(pace.size)
         pace.note(pace.size, 1e-4 * pace.size)
-    assert sizes[:14] == [2**k for k in range(14)] and sizes[-1] == 8192
+    assert sizes[:8] == [LEAST * 2**k for k in range(8)] and sizes[-1] == 8192
     pace.note(1000, 1000.0)
     assert pace.size == 3
-    assert Pace(together=True, size=2048).next_of(1000, 4) == LAST, "the last chunks are smaller"
+    assert Pace(together=True, size=2048, known=True).next_of(1000, 4) == LAST, "the last chunks are smaller"
+    assert Pace(together=True).next_of(100, 4) == 25, "few cases are for all workers"
+    assert Pace(together=False).size == 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,30 +66,27 @@ class Block:
     def __iter__(self) -> Iterator[tuple[int, Row]]:
         """Yield number and row of every case."""
         shape = self.shape
-        paths = [path for path, _ in shape.inputs]
-        given, failed = len(paths), shape.failed
-        names = [(name, dimension) for name, dimension, _ in shape.results]
-        for number, entries in zip(self.numbers, self._entries(), strict=True):
-            results = {
-                name: Named(value, dimension)
-                for (name, dimension), value in zip(names, entries[given : given + len(names)], strict=True)
-            }
+        paths, names = [path for path, _ in shape.inputs], [name for name, *_ in shape.results]
+        columns = self._columns()
+        inputs, reasons = columns[: len(paths)], columns[-1] if shape.failed else repeat("")
+        results = [
+            map(Named, column, repeat(dimension))
+            for column, (_, dimension, _) in zip(columns[len(paths) :], shape.results, strict=False)
+        ]
+        of_paths, of_names = (zip(*part, strict=True) if part else repeat(()) for part in (inputs, results))
+        for number, given, found, reason in zip(self.numbers, of_paths, of_names, reasons, strict=False):
             yield (
                 number,
-                Row(
-                    shape.design, dict(zip(paths, entries[:given], strict=True)), results, entries[-1] if failed else ""
-                ),
+                Row(shape.design, dict(zip(paths, given, strict=True)), dict(zip(names, found, strict=True)), reason),
             )
 
-    def _entries(self) -> Iterator[tuple[Any, ...]]:
-        """Yield the entries of every row in their order."""
-        kinds = self.shape.kinds
-        if OTHER not in kinds:
-            yield from (record[1:] for record in self.records.tolist())
-            return
-        for record, texts in zip(self.records.tolist(), self.texts, strict=True):
-            numbers, others = iter(record[1:]), iter(texts)
-            yield tuple(next(others if kind == OTHER else numbers) for kind in kinds)
+    def _columns(self) -> list[Sequence[Any]]:
+        """Return the entries of all rows, column after column."""
+        others = iter(zip(*self.texts, strict=True))
+        return [
+            next(others) if kind == OTHER else self.records[f"entry {k}"].tolist()
+            for k, kind in enumerate(self.shape.kinds)
+        ]
 
     def where(self, kept: Bools) -> Block:
         """Return some of the rows.

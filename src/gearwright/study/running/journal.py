@@ -7,6 +7,7 @@ Only one runner writes; readers may look at any time. A file on a network drive 
 
 from __future__ import annotations
 
+import gc
 import json
 import sqlite3
 import time
@@ -151,8 +152,21 @@ class Journal:
         Args:
             numbers: Finished cases.
         """
-        known = {number: row for number, row in kept_rows(self.database, self.total) if row is not None}
+        with _uncollected():
+            known = {number: row for number, row in kept_rows(self.database, self.total) if row is not None}
         return [known[number] for number in sorted(numbers) if number in known]
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Let the collector wait while much is made that is no garbage: to look at it again and again takes longer."""
+    waits = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if waits:
+            gc.enable()
 
 
 def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: str = "") -> None:

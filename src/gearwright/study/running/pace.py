@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gearwright.study.cases import LEAST as LEAST_TOGETHER
+
 CHUNK_TIME, TOGETHER_TIME = 0.1, 3.0
 """Processor time that a chunk should take [s]: beside a message of 0.1 ms; and of cases sized together, the more the
 quicker each."""
@@ -15,7 +17,10 @@ LAST = 256
 
 @dataclass
 class Pace:
-    """The size of the next chunk: twice the last one at most, so that a slow study is noticed in time."""
+    """The size of the next chunk: twice the last one at most, so that a slow study is noticed in time.
+
+    The first have one case, or as many as are sized sooner together, if there are enough for all workers.
+    """
 
     together: bool
     """True where cases are sized together."""
@@ -24,9 +29,12 @@ class Pace:
     least: int = 1
     """Cases of a chunk at least, however long they take: flights that are found together [-]."""
 
+    known: bool = False
+    """Whether any chunk was finished."""
+
     def __post_init__(self) -> None:
         """Begin with the least."""
-        self.size = max(self.size, self.least)
+        self.size = max(self.size, self.least, LEAST_TOGETHER if self.together else 1)
 
     def note(self, count: int, seconds: float) -> None:
         """Take account of a finished chunk.
@@ -35,6 +43,7 @@ class Pace:
             count: Its cases.
             seconds: Of processor time that it took.
         """
+        self.known = True
         aim, largest = (TOGETHER_TIME, LARGEST_TOGETHER) if self.together else (CHUNK_TIME, LARGEST)
         seconds_per_case = max(seconds / max(count, 1), 1e-6)
         self.size = max(self.least, min(int(aim / seconds_per_case), largest, 2 * self.size))
@@ -46,4 +55,4 @@ class Pace:
             left: Cases that are left at most.
             chunks: That are in hand at once.
         """
-        return min(self.size, max(LAST, left // max(chunks, 1)))
+        return min(self.size, max(LAST if self.known else self.least, left // max(chunks, 1)))
