@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.air import Air, air_along, true_along
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.path import Path, Paths
 from gearwright.spec import Mission, Phase
@@ -73,6 +73,16 @@ class Course(NamedTuple):
         """Flight Mach numbers [-]."""
         return self.true_airspeed / self.air.sound_speed
 
+    def at(self, kept: Ints) -> Course:
+        """Return some intervals.
+
+        Args:
+            kept: Their numbers.
+        """
+        air: Any = [np.asarray(column)[kept] for column in self.air]
+        columns: dict[str, Any] = {name: getattr(self, name)[kept] for name in _COLUMNS}
+        return Course(phase=tuple(self.phase[k] for k in kept.tolist()), air=Air(*air), **columns)
+
     def moments(self) -> Iterator[Moment]:
         """Yield the intervals one by one."""
         air = map(Air, *(np.asarray(column).tolist() for column in self.air))
@@ -80,6 +90,9 @@ class Course(NamedTuple):
         rest = [column.tolist() for column in self[6:-1]]
         power = [None if math.isnan(value) else value for value in self.power.tolist()]
         yield from map(Moment, self.phase, *columns, air, *rest, power)
+
+
+_COLUMNS = tuple(name for name in Course._fields if name not in ("phase", "air"))
 
 
 class _Before(NamedTuple):
@@ -137,11 +150,7 @@ def joined(courses: Sequence[Course]) -> Course:
         courses: At least one.
     """
     air: Any = [np.concatenate(column) for column in zip(*(course.air for course in courses), strict=True)]
-    columns: dict[str, Any] = {
-        name: np.concatenate([getattr(course, name) for course in courses])
-        for name in Course._fields
-        if name not in ("phase", "air")
-    }
+    columns: dict[str, Any] = {name: np.concatenate([getattr(course, name) for course in courses]) for name in _COLUMNS}
     return Course(phase=tuple(chain.from_iterable(course.phase for course in courses)), air=Air(*air), **columns)
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.mission.profile import Course, course_of, joined
 from gearwright.mission.supply import Supply
 from gearwright.spec import Mission, Phase, engine_out
@@ -38,6 +38,23 @@ class Deck(NamedTuple):
         starts = np.zeros(len(self.pitch), bool)
         starts[[lanes.start for lanes in self.flights]] = True
         return starts
+
+    def at(self, kept: Ints) -> Deck:
+        """Return the deck of some intervals, of every flight at least one.
+
+        Args:
+            kept: Their numbers, rising.
+        """
+        ends = np.searchsorted(kept, [0, *(lanes.stop for lanes in self.flights)]).tolist()
+        return Deck(
+            self.missions,
+            self.course.at(kept),
+            tuple(slice(start, end) for start, end in pairwise(ends)),
+            {name: part[kept] for name, part in self.parts.items()},
+            {name: driven[kept] for name, driven in self.driven.items()},
+            self.pitch[kept],
+            self.rating[kept],
+        )
 
 
 def is_free(mission: Mission) -> bool:

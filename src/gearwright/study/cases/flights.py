@@ -21,8 +21,8 @@ _kept: list[tuple[Design, Mapping[str, Value], Sizing]] = []
 """The last sizing."""
 
 
-TOGETHER = 16
-"""Flights of a chunk: their arrays stay in the caches of a processor."""
+TOGETHER = 64
+"""Flights of a chunk: many beside what an operation on arrays costs, few beside a cache and a journal."""
 
 
 def flown_together(study: Study, designs: Mapping[str, Design], cases: Sequence[Case]) -> list[Row]:
