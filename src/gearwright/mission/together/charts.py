@@ -85,26 +85,51 @@ def angle_along(chart: PropellerMap, ratio: Floats, wanted: Floats, table: Float
 
     Source: `angle_for_power`: the rise of the row at J that spans most, inverted.
     """
-    cell, lanes = _cell(chart, ratio), np.arange(len(ratio))
-    u = cell.part[:, None]
-    row = (1.0 - u) * table[cell.below] + u * table[cell.below + 1]
+    cell, angles = _cell(chart, ratio), chart.blade_angle
+    start, end = _rises(chart, table, cell)
+
+    def value(k: Ints) -> Floats:
+        return np.asarray((1.0 - cell.part) * table[cell.below, k] + cell.part * table[cell.below + 1, k])
+
+    above, beyond = start, end + 1
+    for _ in range(int(table.shape[1]).bit_length()):  # the first angle of the rise at which there is more
+        middle = np.minimum((above + beyond) // 2, end)
+        less, going = value(middle) <= wanted, above < beyond
+        above, beyond = np.where(less & going, middle + 1, above), np.where(less | ~going, beyond, middle)
+    k = start + np.clip(above - start - 1, 0, np.maximum(end - start - 1, 0))
+    after, low = np.minimum(k + 1, table.shape[1] - 1), value(k)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        slope = (angles[after] - angles[k]) / (value(after) - low)
+    outside = cell.outside | ~((value(start) <= wanted) & (wanted <= value(end))) | (end <= start)
+    return Read(np.where(outside, angles[start], slope * (wanted - low) + angles[k]), outside)
+
+
+def _rises(chart: PropellerMap, table: Floats, cell: _Cell) -> tuple[Ints, Ints]:
+    """Return first and last angle of the rise that spans most, of the rows at points between two rows of a map.
+
+    Where both rows rise at the same angles and most in the same rise, so do all between them.
+    """
+    nodes = _cell(chart, chart.advance_ratio[1:])
+    ends = [_rise(row, nodes.low, nodes.high) for row in (table[:-1], table[1:])]
+    alike = (ends[0][0] == ends[1][0]) & (ends[0][1] == ends[1][1]) & (ends[0][2] == ends[1][2]).all(axis=1)
+    start, end = ends[0][0][cell.below], ends[0][1][cell.below]
+    others = np.flatnonzero(~alike[cell.below])
+    if len(others):
+        below, u = cell.below[others], cell.part[others, None]
+        row = (1.0 - u) * table[below] + u * table[below + 1]
+        start[others], end[others], _ = _rise(row, cell.low[others], cell.high[others])
+    return start, end
+
+
+def _rise(row: Floats, low: Ints, high: Ints) -> tuple[Ints, Ints, Bools]:
+    """Return first and last angle of the rise that spans most, and where rises start, of many rows."""
     place = np.arange(row.shape[1])
-    given = (place >= cell.low[:, None]) & (place <= cell.high[:, None])
+    given = (place >= low[:, None]) & (place <= high[:, None])
     starts = np.ones_like(given)
     starts[:, 1:] = ~(given[:, 1:] & given[:, :-1] & (row[:, 1:] > row[:, :-1]))
     first = np.maximum.accumulate(np.where(starts, place, 0), axis=1)
-    rise = np.where(given, row - np.take_along_axis(row, first, axis=1), -1.0)
-    end = np.argmax(rise, axis=1)
-    start = first[lanes, end]
-    value = wanted[:, None]
-    inside = (place >= start[:, None]) & (place <= end[:, None])
-    k = start + np.clip((inside & (row <= value)).sum(axis=1) - 1, 0, np.maximum(end - start - 1, 0))
-    angles, low = chart.blade_angle, row[lanes, k]
-    after = np.minimum(k + 1, row.shape[1] - 1)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        slope = (angles[after] - angles[k]) / (row[lanes, after] - low)
-    outside = cell.outside | ~((row[lanes, start] <= wanted) & (wanted <= row[lanes, end])) | (end <= start)
-    return Read(np.where(outside, angles[start], slope * (wanted - low) + angles[k]), outside)
+    end = np.argmax(np.where(given, row - np.take_along_axis(row, first, axis=1), -1.0), axis=1)
+    return first[np.arange(len(row)), end], end, starts
 
 
 def squeezed_along(name: str, ratio: Floats, thrust: Floats, *, mach: Floats, tip_mach: Floats) -> Read:
