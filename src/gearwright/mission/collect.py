@@ -12,18 +12,20 @@ from gearwright.air import stagnation_ratios
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
+from gearwright.lanes import rebound
 from gearwright.machines.power import exhaust_heat
+from gearwright.mission.course import Moment
 from gearwright.mission.flight import Balance, Flight, PackWear, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
 from gearwright.mission.path import Paths
 from gearwright.mission.plant import DryRun, GearHeat, Pack, PackState, Warm, Warmths, dry_run
-from gearwright.mission.profile import Moment
 from gearwright.mission.supply import Drawn, Supply
 from gearwright.mission.thrust import Blades, Performance
-from gearwright.parts.losses import cooler_conductance, oil_flow
+from gearwright.parts.losses import oil, oil_flow
 from gearwright.spec import Mission
 
+_OIL = rebound(oil)
 _LEAST_COOLING = 1.0
 """By how much the oil in a cooler must be warmer than the air [K]."""
 
@@ -211,15 +213,14 @@ def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> f
     """The largest conductance that any interval needs [W/K]."""
     if mission.oil.network is not None:
         return mission.oil.network.cooler_w_k
-    oil, air = 0.5 * (mission.oil.inlet_temperature_k + oil_outlet), history.air_temperature
-    if float((oil - air).min()) < _LEAST_COOLING:
+    warm, air = 0.5 * (mission.oil.inlet_temperature_k + oil_outlet), history.air_temperature
+    if float((warm - air).min()) < _LEAST_COOLING:
         message = (
             f"{mission.oil.inlet_temperature_k:g} K: the air, of up to {float(air.max()):.4g} K,"
             " does not cool this oil; let it be warmer"
         )
         raise DesignError([Problem("oil.inlet_temperature_k", message)])
-    rows = zip(history.gearbox_heat, oil, air, strict=True)
-    return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
+    return float(np.max(_OIL.cooler_conductance(history.gearbox_heat, warm, air)))
 
 
 def _dry(mission: Mission, gearbox: Gearbox, log: Log) -> DryRun | None:

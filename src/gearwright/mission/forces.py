@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from gearwright.air import Air, Polar, drag_force, dynamic_force, stall_speed
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.profile import Moment
+from gearwright.mission.course import Moment
 from gearwright.spec import Aircraft, Phase
 from gearwright.spec.aircraft import Setting
 from gearwright.units import GRAVITY

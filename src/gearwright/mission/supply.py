@@ -20,6 +20,7 @@ from gearwright.machines import (
     power_limits,
 )
 from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
+from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Gearbox, Point
 from gearwright.mission.plant import (
     Pack,
@@ -32,7 +33,6 @@ from gearwright.mission.plant import (
     warm_motor,
     warmed_motor,
 )
-from gearwright.mission.profile import Moment
 from gearwright.spec import Phase, WindingRules
 
 _SLACK = 1e-9

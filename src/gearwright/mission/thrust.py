@@ -8,8 +8,8 @@ from typing import NamedTuple
 from gearwright.catalogue import compressed
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients, governs
+from gearwright.mission.course import Moment
 from gearwright.mission.forces import stated_thrust
-from gearwright.mission.profile import Moment
 from gearwright.mission.trim import trimmed
 from gearwright.spec import Aircraft, Mission, Phase
 from gearwright.units import GRAVITY

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Annotated, NamedTuple
 
+from gearwright.mission.course import Moment
 from gearwright.mission.flight import Flight
 from gearwright.mission.forces import Attitude, resistance
-from gearwright.mission.profile import Moment, moments
+from gearwright.mission.profile import moments
 from gearwright.spec import Aircraft
 from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time
 from gearwright.verbs import verb

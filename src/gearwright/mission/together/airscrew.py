@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.mission.profile import Course
+from gearwright.mission.course import Course
 from gearwright.mission.thrust import Blades, Performance
 from gearwright.mission.together.charts import angle_along, power_and_thrust, squeezed_along
 

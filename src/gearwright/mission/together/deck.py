@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -11,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.mission.profile import Course, course_of, joined
+from gearwright.mission.course import Course
+from gearwright.mission.profile import laid_out, stretches_of
 from gearwright.mission.supply import Supply
 from gearwright.spec import Mission, Phase, engine_out
 
@@ -78,24 +78,20 @@ def deck_of(supply: Supply, missions: Sequence[Mission]) -> Deck:
     Raises:
         DesignError: A phase asks for a machine that there is not, or is supersonic.
     """
-    courses = [course_of(mission) for mission in missions]
-    edges = np.cumsum([0, *(len(course.time) for course in courses)]).tolist()
-    stretches = [
-        (mission, mission.phases[name], count)
-        for mission, course in zip(missions, courses, strict=True)
-        for name, count in Counter(course.phase).items()
-    ]
-    counts = [count for _, _, count in stretches]
-    asked = [supply.parts(phase) for _, phase, _ in stretches]
+    whole = [stretches_of(mission) for mission in missions]
+    stretches = [stretch for flight in whole for stretch in flight]
+    course, counts = laid_out(stretches)
+    ends = np.cumsum([0, *counts])[np.cumsum([0, *map(len, whole)])].tolist()
+    asked = [supply.parts(stretch.phase) for stretch in stretches]
     names = (*supply.engines, *supply.motors)
     return Deck(
         missions=tuple(missions),
-        course=joined(courses),
-        flights=tuple(slice(start, end) for start, end in pairwise(edges)),
+        course=course,
+        flights=tuple(slice(start, end) for start, end in pairwise(ends)),
         parts={name: np.repeat([parts.get(name, 0.0) for parts in asked], counts) for name in names},
         driven={name: np.repeat([name in parts for parts in asked], counts) for name in names},
-        pitch=np.repeat([_pitch(phase) for _, phase, _ in stretches], counts),
-        rating=np.repeat([_rating(mission, phase) for mission, phase, _ in stretches], counts),
+        pitch=np.repeat([_pitch(stretch.phase) for stretch in stretches], counts),
+        rating=np.repeat([_rating(stretch.mission, stretch.phase) for stretch in stretches], counts),
     )
 
 

@@ -32,8 +32,11 @@ def flights_together(all_flown: Sequence[Flown]) -> list[Flight | Reached | None
         return found
     try:
         deck = deck_of(supply, [all_flown[k].mission for k in free])
-    except DesignError:  # alone it is told which
-        return found
+    except DesignError:  # one that has no course is told why alone, and does not slow the others down
+        if len(all_flown) == 1:
+            return found
+        half = len(all_flown) // 2
+        return flights_together(all_flown[:half]) + flights_together(all_flown[half:])
     whole = flown_together(box, blades, supply, deck)
     if whole is None:
         return found

@@ -13,8 +13,8 @@ from gearwright.arrays import Bools, Floats
 from gearwright.lanes import rebound
 from gearwright.machines import Battery, battery_step, current_of, gas_turbine, highest_current, motor
 from gearwright.machines.power import Exhaust, Gas, exhaust, gases
+from gearwright.mission.course import Course
 from gearwright.mission.plant import Pack, PackState
-from gearwright.mission.profile import Course
 from gearwright.mission.supply import Supply
 
 _SLACK = 1e-9

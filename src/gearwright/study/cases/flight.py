@@ -10,7 +10,7 @@ from gearwright.spec import Design, Flown, Mission
 
 HOUR = 3600.0
 _LIFE = ("fly.life", "fly.flights", "fly.governing")
-_LIFE_ENDING = ".life"
+_LIFE_ENDING, _OF_FLIGHT = ".life", "fly."
 
 
 def flown(design: Design, mission: Mission, asked: Flown) -> tuple[Sizing, Flight]:
@@ -38,13 +38,13 @@ def asks_lives(names: Iterable[str]) -> bool:
     Args:
         names: Of the results.
     """
-    return any(name in _LIFE or (name.startswith("fly.") and name.endswith(_LIFE_ENDING)) for name in names)
+    return any(name in _LIFE or (name.startswith(_OF_FLIGHT) and name.endswith(_LIFE_ENDING)) for name in names)
 
 
 def flight_results(
     flight: Flight, names: Iterable[str], damages: tuple[GearDamage, ...] | None = None
 ) -> dict[str, Named]:
-    """Return the results of a flight by name; damage is summed only if a name asks for a life.
+    """Return the results of a flight by name; lives, and results of phases, only if a name asks for one.
 
     Args:
         flight: As flown.
@@ -62,9 +62,11 @@ def flight_results(
     Raises:
         DesignError: If a life is asked for and ISO 6336 does not rate the gears.
     """
-    results = {**_whole(flight), **dict(_phases(flight))}
+    names, results = list(names), _whole(flight)
     if asks_lives(names):
         results |= _lives(damages or gear_damage(flight))
+    if any(name.startswith(_OF_FLIGHT) and name not in results for name in names):
+        results |= dict(_phases(flight))
     return results
 
 

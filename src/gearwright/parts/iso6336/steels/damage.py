@@ -55,12 +55,21 @@ def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) 
     Source: ISO 6336-6:2019, clause 5. Stresses below the endurance corner damage along the last slope of the curve
         (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
     """
-    return tuple([_part(level, reference, curve) for level in bins])
+    return tuple([damage_part(level.cycles, level.stress / reference, curve) for level in bins])
 
 
-def _part(level: StressBin, reference: float, curve: LifeCurve) -> float:
-    endured = endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else math.inf
-    return level.cycles / endured if endured > 0.0 else math.inf
+def damage_part(cycles: float, factor: float, curve: LifeCurve) -> float:
+    """Return the damage of load cycles under one stress, n/N; ∞ above the static limit [-].
+
+    Args:
+        cycles: n [-].
+        factor: Stress over its limit at a life factor of 1 [-].
+        curve: S-N curve of the flank or the root.
+
+    Source: ISO 6336-6:2019, clause 5.
+    """
+    endured = endurable_cycles(curve, factor) if factor > 0.0 else math.inf
+    return cycles / endured if endured > 0.0 else math.inf
 
 
 def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> Damage:

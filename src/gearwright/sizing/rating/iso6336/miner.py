@@ -12,7 +12,7 @@ from gearwright.parts.iso6336 import (
     Steels,
     StressBin,
     Value,
-    damage_parts,
+    damage_part,
     life_curves,
     spectrum_damage,
 )
@@ -99,4 +99,4 @@ def _parts(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> list[fl
     """Miner's part of every class; the limits differ from class to class by the film factors."""
     stresses, limits = (np.broadcast_to(values, len(cycles)).tolist() for values in strain[:2])
     rows = zip(cycles, stresses, limits, strict=True)
-    return [damage_parts([StressBin(stress, turns)], limit, curve)[0] for turns, stress, limit in rows]
+    return [damage_part(turns, stress / limit, curve) for turns, stress, limit in rows]
