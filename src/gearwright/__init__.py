@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.dynamics.vibration import run_up as runup
     from gearwright.errors import DesignError, Problem, SolveError
-    from gearwright.exchange import to_rexs
+    from gearwright.exchange import to_fmu, to_rexs
     from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
     from gearwright.mission import duty_spectrum as duty
     from gearwright.mission import fly_mix as mix
@@ -145,6 +145,7 @@ _VERBS = {
     "speed_map": "dynamics",
     "statics": "dynamics",
     "study": "study",
+    "to_fmu": "exchange",
     "to_rexs": "exchange",
     "validate": "validate",
     "waterfall": "dynamics",
@@ -232,6 +233,7 @@ __all__ = [
     "speed_map",
     "statics",
     "study",
+    "to_fmu",
     "to_rexs",
     "validate",
     "waterfall",

@@ -41,6 +41,7 @@ COMMANDS = (
     Command("report pair.toml"),
     Command("draw pair.toml --what arrangement --format svg"),
     Command("export pair.toml --to glb"),
+    Command("export pair.toml --to fmu"),
     Command("export pair.toml --to html --out turning.html --detail coarse"),
     Command("export pair.toml --to rexs"),
     Command("schema", machine=True),

@@ -185,6 +185,8 @@ def run_up_of(lines):
 UNKNOWN = {
     "gw.assemble case": lambda: gw.assemble(sizing(), "rate"),
     "gw.assemble stiffness": lambda: gw.assemble(sizing(), stiffness="constan"),
+    "gw.to_fmu case": lambda: gw.to_fmu(sizing(), "rate"),
+    "gw.to_fmu version": lambda: gw.to_fmu(sizing(), version="2"),
     "gw.read path": lambda: gw.read("in-lin"),
     "gw.report case": lambda: gw.report(sizing(), case="rate"),
     "gw.save case": lambda: gw.save(gw.StoredRun(sizing().design, "rate", trace()), "never.nc"),

@@ -1,8 +1,9 @@
-"""Files of other tools, written from what gearwright computes and read into what it designs: REXS.
+"""Files of other tools, written from what gearwright computes and read into what it designs: REXS, FMUs of simulators.
 
 Solids as GLB are `shape`'s, drawings `render`'s, runs and values `store`'s.
 """
 
+from gearwright.exchange.fmu import FmuFile, fmu_of_system, to_fmu
 from gearwright.exchange.rexs import VERSIONS, RexsFile, to_rexs
 
-__all__ = ["VERSIONS", "RexsFile", "to_rexs"]
+__all__ = ["VERSIONS", "FmuFile", "RexsFile", "fmu_of_system", "to_fmu", "to_rexs"]

@@ -53,10 +53,20 @@ def test_a_rexs_file_is_written_and_what_is_not_in_it_is_said(folder, format_, v
     assert version in (folder / "pair-gearbox.rexs").read_bytes()
 
 
+@pytest.mark.parametrize("version", ["", "-3.0"])
+def test_an_fmu_is_written_and_it_is_said_what_is_inside(folder, version):
+    answer = export("pair.toml", "--to", f"fmu{version}", "--step", "1e-6")
+    assert (folder / "pair-gearbox.fmu").read_bytes()[:2] == b"PK"
+    assert f"FMI {version[1:] or '2.0'} co-simulation" in answer.output
+    assert "steps of 1e-06 s" in answer.output
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (("pair.toml", "--to", "gbl"), r"'gbl' is not written; did you mean glb"),
+        (("pair.toml", "--to", "json", "--step", "1e-6"), r"--step: it is of fmu and fmu-3.0"),
+        (("pair.toml", "--to", "fmu", "--case", "cruse"), r"no case 'cruse'"),
         (("pair.toml", "--to", "dxf"), r"use gearwright draw DESIGN --format dxf"),
         (("pair.toml", "--to", "glb", "--out", "no-folder/x.glb"), r"no-folder"),
         (("broken.toml", "--to", "glb"), r"turbine"),

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from driven_train import PITCH, SPEED, driven_state, driven_train, propeller
 
 from designs import HYBRID
+from driven_train import PITCH, SPEED, driven_state, driven_train, propeller
 from gearwright.dynamics import Model, replay, simulate
 from gearwright.dynamics.equations import WORKS, kernel, reference
 from gearwright.dynamics.model import ClutchDrive, MachineDrive

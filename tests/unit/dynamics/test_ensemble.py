@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_systems import random_system
 
 from gearwright.dynamics import Outputs, simulate, simulate_many
 from gearwright.dynamics.motion import STABLE, fastest_rate
 from gearwright.errors import DesignError, SolveError
+from random_systems import random_system
 
 
 def family(count: int):

@@ -3,13 +3,13 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_systems import random_system
 
 from gearwright.dynamics.codegen import compiled, parameter_rows, parameters, topology
 from gearwright.dynamics.equations import WORKS, reference
 from gearwright.dynamics.model import check_structure, stacked
 from gearwright.dynamics.motion import blank_record, stepper
 from gearwright.errors import DesignError
+from random_systems import random_system
 
 
 def random_state(seed: int, size: int):

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from random_systems import random_system
 
 from gearwright.dynamics import DampingRatio, Model, Outputs, Periodic, simulate
+from random_systems import random_system
 
 
 def stiff_and_soft(stiff: float = 1e15):

@@ -3,9 +3,9 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_systems import random_system
 
 from gearwright.dynamics.equations import WORKS, kernel, reference, stored_energy
+from random_systems import random_system
 
 
 @settings(max_examples=60)

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_systems import random_system
 
 from gearwright.dynamics import (
     Accuracy,
@@ -23,6 +22,7 @@ from gearwright.dynamics import (
 from gearwright.dynamics.motion import CHECKPOINTS, default_step
 from gearwright.dynamics.motion.steps import whole_step
 from gearwright.errors import DesignError, SolveError
+from random_systems import random_system
 
 
 def driven_pair(backlash: float = 0.0, constant: bool = False):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 import typer
 
@@ -17,23 +17,39 @@ if TYPE_CHECKING:
     from gearwright.sizing import Sizing
 
 
+class Wanted(NamedTuple):
+    """How a file is wanted, by those formats that have a choice."""
+
+    detail: Literal["fine", "coarse"]
+    case: str | None
+    step: float | None
+
+
 def export(
     design: DesignArgument,
     to: Annotated[
         str,
         typer.Option(
-            "--to", help="glb: solids that turn; html: a page on which they do; rexs, rexs-1.6: REXS; json: the sizing"
+            "--to",
+            help="glb: solids that turn; html: a page on which they do; rexs, rexs-1.6: REXS; fmu, fmu-3.0: FMI 2.0 and"
+            " 3.0; json: the sizing",
         ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
     detail: Annotated[Literal["fine", "coarse"], typer.Option(help="Of the solids of glb")] = "fine",
+    case: Annotated[str | None, typer.Option(help="Load case of fmu; left out: the design's first one")] = None,
+    step: Annotated[
+        float | None, typer.Option("--step", help="Of fmu's integration [s]; left out: that of simulate")
+    ] = None,
 ) -> None:
-    """Export a sized design: solids as GLB, a page on which the gearbox turns, REXS, or the sizing as JSON."""
-    from gearwright.cli.designs import sized
+    """Export a sized design: solids as GLB, a page on which it turns, REXS, its dynamics as FMU, the sizing as JSON."""
+    from gearwright.cli.designs import placed_in, sized
 
     _refuse_unknown(to)
+    _refuse_unused(to, {"--case": case, "--step": step})
     sizing = sized(design)
-    content, words = FORMATS[to](sizing, detail)
+    with placed_in(design):
+        content, words = FORMATS[to](sizing, Wanted(detail, case, step))
     path = file or named_after(design, f"gearbox.{to.partition('-')[0]}")
     write_bytes(path, content)
     show(f"wrote {path}: {words}")
@@ -48,27 +64,34 @@ def _refuse_unknown(name: str) -> None:
         refuse([Problem("--to", f"{name!r} is not written; {near(name, list(FORMATS))}")])
 
 
-def _glb(sizing: Sizing, detail: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
+    from gearwright.errors import Problem, refuse
+
+    unused = [option for option, value in given.items() if value is not None and not name.startswith("fmu")]
+    refuse(Problem(option, f"it is of fmu and fmu-3.0; leave it out with {name}") for option in unused)
+
+
+def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
     from gearwright.shape import glb, scene
 
-    built = scene(sizing, detail=detail)
+    built = scene(sizing, detail=wanted.detail)
     content = glb(built)
     triangles = sum(len(built.surfaces[node.surface].triangles) for node in built.nodes)
     return content, f"{len(built.nodes)} bodies, {triangles} triangles, {len(content) / 1e6:.2f} MB"
 
 
-def _html(sizing: Sizing, detail: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
     from gearwright.render.pages.turning import turning
 
-    content = turning(sizing, detail=detail).encode()
+    content = turning(sizing, detail=wanted.detail).encode()
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
 
 
-def _rexs(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+def _rexs(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return _rexs_of(sizing, "1.7")
 
 
-def _rexs_16(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+def _rexs_16(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return _rexs_of(sizing, "1.6")
 
 
@@ -80,18 +103,37 @@ def _rexs_of(sizing: Sizing, version: Literal["1.7", "1.6"]) -> tuple[bytes, str
     return file.content, "\n  ".join((words, *file.left_out))
 
 
-def _json(sizing: Sizing, _: Literal["fine", "coarse"]) -> tuple[bytes, str]:
+def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.store import text_of_value
 
     content = text_of_value(sizing).encode()
     return content, "the sizing; gw.load reads it"
 
 
-FORMATS: Mapping[str, Callable[[Sizing, Literal["fine", "coarse"]], tuple[bytes, str]]] = {
+def _fmu(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
+    return _fmu_of(sizing, wanted, "2.0")
+
+
+def _fmu_3(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
+    return _fmu_of(sizing, wanted, "3.0")
+
+
+def _fmu_of(sizing: Sizing, wanted: Wanted, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
+    from gearwright.exchange import to_fmu
+
+    file = to_fmu(sizing, wanted.case, version=version, step=wanted.step)
+    held = f"binary for {file.platform} and sources" if file.platform else f"sources only, as {file.missing}"
+    variables = f"{len(file.ports)} variables, steps of {file.step:.3g} s"
+    return file.content, f"FMI {file.version} co-simulation, {variables}, {len(file.content) / 1e3:.0f} kB: {held}"
+
+
+FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
     "html": _html,
     "json": _json,
     "rexs": _rexs,
     "rexs-1.6": _rexs_16,
+    "fmu": _fmu,
+    "fmu-3.0": _fmu_3,
 }
 """Name -> what it holds, and in words what was written."""

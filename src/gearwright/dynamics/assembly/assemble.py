@@ -116,6 +116,18 @@ def default_case(sizing: Sizing) -> str:
     return next(iter(sizing.design.cases), RATED)
 
 
+def loaded_bodies(sizing: Sizing, case: str | None = None) -> dict[str, str]:
+    """Return machine → body of the assembled train that feels its torque.
+
+    Args:
+        sizing: What was sized.
+        case: As in `assemble`.
+    """
+    assembly = Assembly(sizing, by_name(case or default_case(sizing), sizing.flows, "case"), harmonics=0)
+    add_bodies(assembly)
+    return {machine.name: assembly.loaded_body(machine) for machine in sizing.machines}
+
+
 def _add_torques(assembly: Assembly) -> None:
     for machine in assembly.sizing.machines:
         torque = assembly.flow.machine_torques.get(machine.name, 0.0)

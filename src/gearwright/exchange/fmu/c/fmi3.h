@@ -1,0 +1,51 @@
+/* Types of FMI 3.0, as far as co-simulation needs them. STANDARD_HEADERS takes those of the Modelica Association instead,
+   which a compiler then holds this interface against. FMI3_FUNCTION_PREFIX goes before every name, for those who link
+   several models into one program. */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef STANDARD_HEADERS
+#include "fmi3Functions.h"
+#else
+typedef void *fmi3Instance, *fmi3InstanceEnvironment, *fmi3FMUState;
+typedef uint32_t fmi3ValueReference;
+typedef float fmi3Float32;
+typedef double fmi3Float64;
+typedef int8_t fmi3Int8;
+typedef uint8_t fmi3UInt8, fmi3Byte;
+typedef int16_t fmi3Int16;
+typedef uint16_t fmi3UInt16;
+typedef int32_t fmi3Int32;
+typedef uint32_t fmi3UInt32;
+typedef int64_t fmi3Int64;
+typedef uint64_t fmi3UInt64;
+typedef bool fmi3Boolean, fmi3Clock;
+typedef const char *fmi3String;
+typedef const fmi3Byte *fmi3Binary;
+typedef enum { fmi3OK, fmi3Warning, fmi3Discard, fmi3Error, fmi3Fatal } fmi3Status;
+typedef enum {
+    fmi3Independent,
+    fmi3Constant,
+    fmi3Fixed,
+    fmi3Tunable,
+    fmi3Discrete,
+    fmi3Dependent
+} fmi3DependencyKind;
+typedef enum { fmi3IntervalNotYetKnown, fmi3IntervalUnchanged, fmi3IntervalChanged } fmi3IntervalQualifier;
+typedef void (*fmi3LogMessageCallback)(fmi3InstanceEnvironment, fmi3Status, fmi3String, fmi3String);
+typedef void (*fmi3ClockUpdateCallback)(fmi3InstanceEnvironment);
+typedef void (*fmi3IntermediateUpdateCallback)(fmi3InstanceEnvironment, fmi3Float64, fmi3Boolean, fmi3Boolean,
+                                               fmi3Boolean, fmi3Boolean, fmi3Boolean *, fmi3Float64 *);
+typedef void (*fmi3LockPreemptionCallback)(void);
+typedef void (*fmi3UnlockPreemptionCallback)(void);
+#endif
+
+#ifndef FMI3_FUNCTION_PREFIX
+#define FMI3_FUNCTION_PREFIX
+#endif
+#define PASTED(prefix, name) prefix##name
+#define JOINED(prefix, name) PASTED(prefix, name)
+#define FMI(name) JOINED(FMI3_FUNCTION_PREFIX, name)
+
+typedef fmi3LogMessageCallback Logger;
