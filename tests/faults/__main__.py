@@ -15,9 +15,10 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import random
 from collections import Counter
 from collections.abc import Sequence
+from hashlib import sha256
+from operator import itemgetter
 from pathlib import Path
 
 # Threads do not survive a fork.
@@ -33,13 +34,22 @@ from mutators import APART, Fault, faults_of
 
 
 def draw(modules: Sequence[str], count: int, seed: int) -> list[Fault]:
-    """Return faults drawn with equal chances from all that there are, but for those that are counted apart."""
+    """Return faults drawn with equal chances from all that there are, but for those that are counted apart.
+
+    A seed gives every fault a rank by its own text, so that a draw stays the same where other code comes or goes.
+    """
     every = [fault for module in modules for fault in faults_of(module, source_of(module))]
     faults = [fault for fault in every if fault.kind not in APART]
     print(f"{len(faults)} faults in {len(modules)} modules", flush=True)
     for kind in APART:
         print(f"  apart: {sum(fault.kind == kind for fault in every)} of {kind}", flush=True)
-    return random.Random(seed).sample(faults, min(count, len(faults)))
+    seen = Counter[str]()
+    ranked = []
+    for fault in faults:
+        text = f"{fault.module} {fault.function} {fault.name} {fault.kind} {fault.change}"
+        seen[text] += 1
+        ranked.append((sha256(f"{seed} {text} {seen[text]}".encode()).digest(), fault))
+    return [fault for _, fault in sorted(ranked, key=itemgetter(0))[:count]]
 
 
 def command_line() -> argparse.Namespace:

@@ -115,12 +115,13 @@ def _is_default(fault: Fault) -> bool:
 
 
 def _distance(test: str, module: str) -> int:
-    """Return how far a test is from a module: 0 if its file imports from it, 1 from its room, 2 golden, 3 any other."""
+    """Return how far a test is from a module: 0 if its file imports it, 1 a room around it, 2 golden, 3 any other."""
     file = test.partition("::")[0]
     imported = _imported(file)
     if module in imported:
         return 0
-    if module.rpartition(".")[0] in imported:
+    parts = module.split(".")
+    if any(".".join(parts[:depth]) in imported for depth in range(3, len(parts))):
         return 1
     return 2 if file.startswith("tests/golden") else 3
 
