@@ -88,19 +88,22 @@ class Calls:
             for name in self.tests
             if name == f"{file}:{fault.function}" or name.startswith(f"{file}:{fault.function}.")
         ]
+        beside = [name for name in self.tests if name.startswith(f"{file}:")] if not own else []
         if fault.function == "<module>" or (fault.function in self.readers and fault.function.strip("_")[:1].isupper()):
-            # A constant, or the default of a field: who reads it, and who calls anything beside it.
+            # A constant, or the default of a field: who reads it, and then who calls anything beside it.
             own = sorted(self.readers.get(fault.name or fault.function, set()))
-            own += [name for name in self.tests if name.startswith(f"{file}:")]
-        if not any(name in self.tests for name in own):
-            own = [name for name in self.tests if name.startswith(f"{file}:")]
-        rank = {test: place for name in own for place, test in enumerate(self.tests.get(name, ()))}
+            beside = [name for name in self.tests if name.startswith(f"{file}:")]
+        rank: dict[str, tuple[int, int]] = {}
+        for group, names in enumerate((own, beside)):
+            for name in names:
+                for place, test in enumerate(self.tests.get(name, ())):
+                    rank[test] = min(rank.get(test, (group, place)), (group, place))
         # A test that reads a constant, or a default, calls nothing: its file has the name.
         named = fault.name if fault.function == "<module>" else f"{fault.function}." if _is_default(fault) else ""
-        reading = {test: -1 for test in self.seconds if named and named in _text(test.partition("::")[0])}
-        rank |= reading
+        reading = {test for test in self.seconds if named and named in _text(test.partition("::")[0])}
+        rank |= dict.fromkeys(reading, (0, 0))
 
-        def order(test: str) -> tuple[bool, int, int, float]:
+        def order(test: str) -> tuple[bool, int, tuple[int, int], float]:
             return test not in reading, _distance(test, fault.module), rank[test], self.seconds[test]
 
         tests = sorted(rank, key=order)

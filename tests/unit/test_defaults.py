@@ -31,7 +31,8 @@ FACTORS_OF_ONE = """
     load_distribution_factor.crowning load_distribution_factor.offset pitting_rating.profile_factor
     single_contact_factors.profile_factor windage_power_dawson.enclosure BearingGeometry.rows Seat.side_by_side
     deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
-    PlanetarySet.flank influences.wish Needs.kept needs_of.kept
+    PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
+    PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure
 """
 """Factors, counts and senses that leave a formula as it is."""
 
@@ -58,6 +59,7 @@ NOTHINGS = """
     add_body.damping_ratio add_rotor.damping_ratio add_gear_contact.damping add_gear_contact.backlash
     Model.mesh.damping Model.mesh.backlash Model.shaft.damping Model.support.damping Model.load.constant
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
+    ClassDamage.within.start
 """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
@@ -65,16 +67,17 @@ NO = """
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
-    ClutchDrive.one_way Line.turns_along
+    ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
     " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims"
 )
+PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers"
 PAIRS_OF_NOTHING = """
     BevelTooth.thickness_shifts HobbedPair.profile_shifts ScuffingMesh.reliefs ToothContact.path
     reduced_mass.bore_ratios theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
-    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash
+    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked
 """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque
@@ -114,6 +117,15 @@ OF_STANDARDS = {
     "system_life.slope": 10.0 / 9.0,
     # ISO 6336-1: K′ = 0.48 between bearings; c′ of 14 and c_γ of 20 N/(mm µm).
     "PinionShaft.constant": 0.48, "ScuffingMesh.stiffness": (14e9, 20e9),
+    "mesh_springs.specific_load": 1e5,
+    # ISO 6336-2 and -3, clause 11: 0.85 at 1e10 cycles; a face of ten modules.
+    "contact_life_curve.at_1e10": 0.85, "bending_life_curve.at_1e10": 0.85, "knee_curve.at_1e10": 0.85,
+    "shifted_mesh.face_width": 10.0,
+    # One member between bearings, crowned: K_mb and C_xc of AGMA 2003, K_Hβ-be and e of ISO 10300.
+    "AgmaBevelMaking.mounting": 1.1, "AgmaBevelMaking.crowning": 1.5, "BevelDuty.mounting": 1.1,
+    "BevelSurfaces.peak_exponent": 1.5, "VirtualPair.peak_exponent": 1.5,
+    # λ_M 45 W/(m K), ρ_M 7800 kg/m³, c_M 440 J/(kg K).
+    "FilmMesh.thermal": math.sqrt(45.0 * 7800.0 * 440.0),
     "GearBlank.rim_ratio": 5.0, "rectangular_curve.step": 0.75,
     # Eight harmonics of a stiffness, forty slices of a shaft.
     "mesh_stiffness_energy.harmonics": 8, "mesh_curve_iso6336.harmonics": 8, "mesh_stiffness_kuang_yang.harmonics": 8,
@@ -126,6 +138,7 @@ WANTED = {
     "nothing": dict.fromkeys(NOTHINGS.split(), 0.0),
     "no": dict.fromkeys(NO.split(), False),
     "pairs of one": dict.fromkeys(PAIRS_OF_ONE.split(), (1.0, 1.0)),
+    "pairs of no": dict.fromkeys(PAIRS_OF_NO.split(), (False, False)),
     "pairs of nothing": dict.fromkeys(PAIRS_OF_NOTHING.split(), (0.0, 0.0)),
     "endless": dict.fromkeys(ENDLESS.split(), math.inf),
     "standards": OF_STANDARDS,
@@ -146,7 +159,8 @@ def defaults() -> dict[str, list[object]]:
 
 
 def _of(owner: str, thing: object) -> Iterator[tuple[str, object]]:
-    if dataclasses.is_dataclass(thing):
+    thing = inspect.unwrap(thing) if callable(thing) else thing  # type: ignore[arg-type]
+    if inspect.isclass(thing) and dataclasses.is_dataclass(thing):
         yield from ((f"{owner}.{field.name}", field.default) for field in dataclasses.fields(thing))
     if inspect.isclass(thing):
         yield from ((f"{owner}.{name}", value) for name, value in getattr(thing, "_field_defaults", {}).items())
@@ -166,3 +180,21 @@ def test_what_is_left_out_is_neutral_or_a_standards_number(meaning):
         if not numbers or any(number != pytest.approx(value, rel=1e-12, abs=0.0) for number in numbers):
             wrong[name] = numbers
     assert wrong == {}
+
+
+RATING = ("iso6336", "agma2001", "agma2003", "bevel", "scuffing", "micropitting")
+
+
+def test_every_number_that_a_rating_takes_where_nothing_is_said_is_in_these_tables():
+    rooms = [f"gearwright.parts.{room}" for room in RATING] + ["gearwright.sizing.rating"]
+    told = {name for names in WANTED.values() for name in names}
+    untold = {
+        name
+        for room in rooms
+        for found in pkgutil.walk_packages(importlib.import_module(room).__path__, f"{room}.")
+        for owner, thing in vars(importlib.import_module(found.name)).items()
+        if getattr(thing, "__module__", "") == found.name and not owner.startswith("_")
+        for name, value in _of(owner, thing)
+        if isinstance(value, int | float) or (isinstance(value, tuple) and value and isinstance(value[0], int | float))
+    }
+    assert untold <= told

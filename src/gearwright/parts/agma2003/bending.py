@@ -216,6 +216,6 @@ def effective_face(section: MeanSection, load: LoadPoint, height: float) -> floa
     width, lean = section.bevel.face_width, math.cos(section.bevel.spiral_angle)
     line = width * section.action * load.chord * section.base_cosine**2 / section.ellipse
     free = max((width - line) / lean, 0.0)
-    toe = min(max(0.5 * free + load.along_face / lean, 0.0), free)
-    spread = math.atan(toe / height) + math.atan((free - toe) / height)
+    near = max(0.5 * free - abs(load.along_face) / lean, 0.0)
+    spread = math.atan(near / height) + math.atan((free - near) / height)
     return (height * lean * spread + line) / width

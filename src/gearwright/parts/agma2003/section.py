@@ -14,8 +14,6 @@ from gearwright.errors import Problem, refuse
 from gearwright.parts.bevel import BevelPair
 
 SOURCE = "ANSI/AGMA 2003-D19"
-_MOST_PAIRS = 8
-"""Pairs of teeth to either side of the rated one that can share its load; annex C says that two are enough."""
 
 
 @dataclass(frozen=True)
@@ -151,13 +149,15 @@ class MeanSection:
         Source: ANSI/AGMA 2003-D19, eqs C.41, C.42, C.103 and C.104: all pairs within the ellipse, each by the cube of
             its length of action.
         """
-        own, pitch, square = self.chord(place), self.base_pitch, self.ellipse - 4.0 * place**2
-        total = own**3
-        for step in range(1, _MOST_PAIRS + 1):
-            for side in (1.0, -1.0):
-                other = square - 4.0 * step * pitch * (step * pitch + 2.0 * side * place)
-                total += max(other, 0.0) ** 1.5
-        return own**3 / total
+        own = self.chord(place) ** 3
+        return own / (own + self._beyond(place, self.base_pitch) + self._beyond(place, -self.base_pitch))
+
+    def _beyond(self, place: float, step: float) -> float:
+        """Cubes of the lengths of action of all pairs on one side of a place, a base pitch apart [m³]."""
+        total = 0.0
+        while (chord := self.chord(place := place + step)) > 0.0:
+            total += chord**3
+        return total
 
 
 def root_between(function: Callable[[float], float], low: float, high: float) -> float:

@@ -147,7 +147,7 @@ def _by_region(ratio: float, error: float, overlap: float) -> float:
     else:
         c_12, c_3 = 0.32 + 0.57 / (overlap - 0.3), 0.096 / (overlap - 1.56)
         c_4, c_56 = (0.57 - 0.05 * overlap) / (overlap - 1.44), 0.47 + 0.12 / (overlap - 1.74)
-    middle = 0.125 * math.sin(math.pi * (overlap - 2.0)) + 0.875
+    middle = 0.125 * math.sin(math.pi * overlap) + 0.875  # ε_vγ − 2 in the standard: a whole turn less
     c_7 = 0.75 if overlap <= 1.5 else middle if overlap <= 2.5 else 1.0
     resonant, above = c_12 * error + c_4 + 1.0, c_56 * error + c_7
     if ratio <= 0.75:

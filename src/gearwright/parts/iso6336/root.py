@@ -177,7 +177,7 @@ def _rolled_tangent(loaded: LoadedTooth, edition: Edition) -> _Tangent:
     internal = np.asarray(z_n) < 0
     opening = np.where(internal, np.pi / 6.0, np.pi / 3.0)
     turned = 2.0 / z_n * (0.5 * np.pi - _corner(loaded, tooth)) - opening
-    theta = _tangent_angle(drop, turned, z_n, start=0.5 * np.pi - opening)
+    theta = _tangent_angle(drop, turned, z_n)
     cosine = np.cos(theta)
     offset = drop / cosine - tooth.fillet_radius
     chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset
@@ -212,9 +212,9 @@ def _corner(loaded: LoadedTooth, tooth: ToothProportions) -> Value:
     )
 
 
-def _tangent_angle(drop: Value, constant: Value, teeth: Value, *, start: Value) -> Value:
+def _tangent_angle(drop: Value, constant: Value, teeth: Value) -> Value:
     """Solve ϑ = 2 G/z_n tan ϑ − H by Newton's iteration, for all variants at once."""
-    theta = start + np.zeros_like(np.asarray(constant, dtype=float))
+    theta = -constant
     for _ in range(_STEPS):
         slope = 1.0 - 2.0 * drop / (teeth * np.cos(theta) ** 2)
         step = (theta - 2.0 * drop / teeth * np.tan(theta) + constant) / slope

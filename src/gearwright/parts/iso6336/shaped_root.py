@@ -62,7 +62,7 @@ def shaped_fillet(tooth: ToothProportions, teeth: Value, pressure_angle: Value) 
     cutter = tooth.cutter
     assert cutter is not None
     tip, turn = _tip(tooth, cutter, teeth, pressure_angle), cutter.teeth / teeth
-    roll = np.zeros_like(np.asarray(turn * tip.centre, dtype=float))
+    roll: Value = 0.0
     for _ in range(_STEPS):
         lean, rate, _ = _normal(tip, roll)
         step = (lean - turn * roll - np.pi / teeth - _TANGENT) / (rate - turn)
@@ -118,7 +118,7 @@ def _involute(angle: Value) -> Value:
 
 def _involute_angle(value: Value, start: Value) -> Value:
     """Return the angle of an involute near the pressure angle [rad], by Newton's iteration."""
-    angle = start + np.zeros_like(np.asarray(value, dtype=float))
+    angle = start
     for _ in range(_STEPS):
         angle = angle - (_involute(angle) - value) / np.tan(angle) ** 2
     return angle

@@ -186,7 +186,7 @@ def path_places(pair: MeshGeometry) -> Floats:
 
     Source: ISO/TR 15144-1:2014, eqs 34 to 40.
     """
-    start, _, length = _path(pair)
+    start, length = _path(pair)
     pitch = float(pair.base_pitch)
     at_c = 0.5 * float(pair.base_diameters[0]) * float(np.tan(pair.working_angle)) - start
     double = length - pitch
@@ -204,7 +204,7 @@ def load_sharing(pair: MeshGeometry, grade: int, place: Floats) -> Floats:
     Source: ISO/TR 15144-1:2014, clauses 11.1, 11.3, 11.4, 11.6 and 11.8: spur (Q − 2)/15 and a third more on the way
         to single contact; ε_β ≤ 0.8 the same with X_but, ε_β ≥ 1.2 X_but/ε_α, straight between them.
     """
-    length = _path(pair)[2]
+    length = _path(pair)[1]
     pitch = float(pair.base_pitch)
     double = length - pitch
     base = (max(float(grade), 7.0) - 2.0) / 15.0
@@ -226,11 +226,11 @@ def _buttressing(pair: MeshGeometry, near: Floats) -> Floats:
     return np.asarray(1.0 + 0.3 * min(float(pair.overlap_ratio), 1.0) * np.clip(1.0 - near / reach, 0.0, 1.0))
 
 
-def _path(pair: MeshGeometry) -> tuple[float, float, float]:
-    """T_1A, T_1E and g_α [m]."""
+def _path(pair: MeshGeometry) -> tuple[float, float]:
+    """T_1A and g_α [m]."""
     ends = [0.5 * float(base * tangent) for base, tangent in zip(pair.base_diameters, pair.tip_tangents, strict=True)]
     start = float(pair.tangent_distance - pair.side * ends[1])
-    return start, ends[0], ends[0] - start
+    return start, ends[0] - start
 
 
 def _radii(pair: MeshGeometry, place: Floats) -> tuple[Floats, Floats]:

@@ -73,6 +73,7 @@ def test_every_clamp_of_iso_6336_is_named_at_its_value_and_nowhere_else():
         ("strength of flanks", "work hardening", 1.2, "greatest: 130 HB"),
         ("strength of flanks", "size", 1.0, "greatest"),
         ("strength of roots", "size", 1.0, "greatest"), ("strength of roots", "size", 0.8, "least"),
+        ("strength of roots", "size", 0.7, "least"),
         ("strength of roots", "size", 0.85, "least"), ("tooth root", "rim", 1.0, "least: thick rim"),
         ("tooth root", "deep tooth", 1.0, "greatest"), ("tooth root", "deep tooth", 0.7, "least"),
     ]  # fmt: skip

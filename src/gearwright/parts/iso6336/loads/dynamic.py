@@ -155,7 +155,7 @@ def _coefficients(overlap: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) ->
     """C_v2, C_v3, C_v4, C_v6, C_v7 over ε_γ."""
     high = np.maximum(overlap, 2.0)
     spur = overlap <= 2.0
-    middle = 0.125 * np.sin(np.pi * (overlap - 2.0)) + 0.875
+    middle = 0.125 * np.sin(np.pi * overlap) + 0.875  # ε_γ − 2 in the standard: a whole turn less
     return (
         np.where(spur, 0.34, 0.57 / (high - 0.3)),
         np.where(spur, 0.23, 0.096 / (high - 1.56)),

@@ -18,7 +18,7 @@ _FIXED: Mapping[tuple[str, str], tuple[tuple[float, str], ...]] = {
     ("pitting", "single contact"): ((1.0, "least: pitch point"),),
     ("strength of flanks", "work hardening"): ((1.0, "least"), (1.2, "greatest: 130 HB")),
     ("strength of flanks", "size"): ((1.0, "greatest"),),
-    ("strength of roots", "size"): ((1.0, "greatest"), (0.8, "least"), (0.85, "least")),
+    ("strength of roots", "size"): ((1.0, "greatest"), (0.7, "least"), (0.8, "least"), (0.85, "least")),
     ("tooth root", "rim"): ((1.0, "least: thick rim"),),
     ("tooth root", "deep tooth"): ((1.0, "greatest"), (0.7, "least")),
 }

@@ -1,0 +1,224 @@
+"""Pieces of ratings where they end: shifted centres, small pinions, rings and their cutters, cases that do not last."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from gearwright.parts.agma2001 import load_distribution_factor
+from gearwright.parts.gears import ToothShift, contact_angles
+from gearwright.parts.iso6336 import GearSteel, Treatment, knee_curve, shifted_mesh, static_work_hardening
+from gearwright.sizing.rating import Ask, stage_width_ratio, under_spectrum
+from gearwright.sizing.rating.context import Context
+from gearwright.sizing.rating.factors import steel_rows
+from gearwright.sizing.rating.iso6336.inputs import _lasting, steel_of
+from gearwright.sizing.rating.iso6336.ranges import beyond_ranges
+from gearwright.sizing.rating.iso6336.scuffing import oil_film
+from gearwright.sizing.rating.iso10300.inputs import bevel_surfaces
+from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
+from gearwright.sizing.rating.protocol import Load, LoadedMesh
+from gearwright.spec.design.rules.standards import RingCutter
+from rated_pieces import METHODS, loaded, near, rating
+
+
+def test_shifted_gears_press_at_their_working_circles_by_lewis_and_hertz():
+    """d_w = 2 a_w z/(z_1 + z_2), tan β_w = tan β d_w/d, cos α_wt = a cos α_t/a_w, tan α_wn = tan α_wt cos β_w."""
+    own = rating("lewis-hertz")
+    lean, cosine = own.helix_angle, math.cos(own.helix_angle)
+    reference = 41.0 / cosine
+    centre = reference + 0.6
+    own = replace(own, shifts=own.shifts._replace(centre=centre))
+    load = Load("x", 690.0, Ask(30.0, (23, 59), 10.0), 1.0)
+    rated = LewisHertz().rate(LoadedMesh(own, 4e-3, 40e-3, load, (load,), (0.0, 0.0)))
+    working = [2.0 * centre * 4e-3 * z / 82.0 for z in (23, 59)]
+    force = 1380.0 / working[0]
+    assert rated.bending_stress == near(force / (40e-3 * 4e-3 * rated.form_factor))
+    turned = math.atan(math.tan(lean) * centre / reference)
+    transverse = math.acos(reference / centre * math.cos(math.atan(math.tan(own.rules.pressure_angle) / cosine)))
+    normal = math.atan(math.tan(transverse) * math.cos(turned))
+    angles = contact_angles(normal, turned, transverse=own.rules.contact_angles == "transverse")
+    stress = 0.418 * math.sqrt(
+        force * own.material.elastic_modulus * (2.0 / working[0] + 2.0 / working[1]) * math.cos(angles.line)
+        / (40e-3 * math.cos(angles.pressure) * math.sin(angles.pressure))
+    )  # fmt: skip
+    assert rated.contact_stress == pytest.approx(stress, rel=2e-3)  # 0.418 is √(0.35/2) to three digits
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_shifted_mesh_has_its_lengths_in_modules(sign):
+    """ISO 21771: r = |z| m_n/(2 cos β), tips at r ± (1 + x + k) m_n, a_w as given or r_2 ± r_1."""
+    shifts = ToothShift(0.3, -0.05), ToothShift(-0.1, -0.02)
+    lean = math.radians(15.0)
+    given = {"pressure_angle": math.radians(20.0), "helix_angle": lean, "module": 3e-3, "face_width": 25e-3}
+    first, second = (z * 3e-3 / (2.0 * math.cos(lean)) for z in (20.0, 70.0))
+    free = shifted_mesh((20.0, sign * 70.0), shifts, None, **given)
+    held = shifted_mesh((20.0, sign * 70.0), shifts, 30.0, **given)
+    assert (free.centre_distance, held.centre_distance) == (near(second + sign * first), near(90e-3))
+    assert free.tip_radii == held.tip_radii == pytest.approx((first + 1.25 * 3e-3, second + sign * 0.88 * 3e-3))
+    assert [tooth.profile_shift for tooth in free.proportions] == [0.3, -0.1]
+    assert (free.face_width, free.module, free.helix_angle) == (25e-3, 3e-3, lean)
+
+
+def test_a_steel_keeps_its_own_lives_and_takes_those_that_the_rules_ask_for():
+    own = rating("iso6336")
+    asked = replace(
+        own, rules=own.rules.model_copy(
+            update={"iso6336": own.rules.iso6336.model_copy(update={"life_factor_1e10": 0.92})}
+        ),
+    )  # fmt: skip
+    plain = replace(steel_of(own), contact_life=None, bending_life=None)
+    found = _lasting(plain, asked)
+    assert (found.contact_life.factors[-1], found.bending_life.factors[-1]) == (0.92, 0.92)
+    curve = knee_curve(4e6, 9.0, greatest=1.5)
+    stated = _lasting(replace(plain, contact_life=curve, bending_life=curve), asked)
+    assert stated.contact_life == stated.bending_life == curve
+    assert _lasting(plain, own) == plain
+
+
+def test_cutters_with_as_many_teeth_as_the_ring_are_refused_and_of_wheels_nothing_is_asked():
+    own = rating("iso6336")
+
+    def told(cutter: int, teeth: int) -> list[str]:
+        tool = RingCutter(teeth=cutter, shift=0.1, tip_radius=0.2)
+        rules = own.rules.model_copy(update={"iso6336": own.rules.iso6336.model_copy(update={"ring_cutter": tool})})
+        straight = replace(own, rules=rules, helix_angle=0.0)
+        return [problem.path + ": " + problem.message for problem in METHODS["iso6336"].refuse(straight, (23, teeth))]
+
+    assert told(30, -90) == told(95, 90) == []
+    for cutter in (90, 95):
+        (line,) = told(cutter, -90)
+        assert (
+            line == f"gears.iso6336.ring_cutter.teeth: {cutter} given; a ring of 90 teeth is cut by fewer than it has"
+        )
+    (line,) = told(89, -90)
+    assert line.startswith("gears.iso6336.ring_cutter: ")
+
+
+def test_pinions_of_few_teeth_hold_their_width_by_their_diameter():
+    """b ≤ 20 m_n and b ≤ 0.8 d_1, d_1 = z_1 m_n/cos β of the smaller gear."""
+    own = rating("iso6336")
+    own = replace(own, rules=own.rules.model_copy(update={"face_width_ratio": None}))
+    most, part = own.proportions.widest_modules, own.proportions.widest_diameters
+    small, large = np.array([17, 60]), np.array([71, 90])
+    expected = [min(most, part * z / math.cos(own.helix_angle)) for z in (17, 60)]
+    assert expected[0] < most and expected[1] == most
+    assert stage_width_ratio(own, small, large) == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_case_that_comes_once_is_none_that_lasts():
+    mesh = SimpleNamespace(name="m")
+    flows = {name: SimpleNamespace(meshes={"m": SimpleNamespace(multiplier=value)})
+             for name, value in (("cruise", 3.0), ("brake", -4.0), ("climb", 5.0))}  # fmt: skip
+    cases = {name: SimpleNamespace(static=name == "brake") for name in flows}
+    context = Context(
+        SimpleNamespace(cases=cases), SimpleNamespace(meshes=[mesh]), {}, flows, {}, {},  # type: ignore[arg-type]
+    )  # fmt: skip
+    assert context.lasting == {"m": [3.0, 5.0]}
+
+
+def test_films_have_ranges_of_their_own():
+    """ISO/TS 6336-22: external pairs, 0 < u ≤ 1000/5, and 1 ≤ ε_α ≤ 2."""
+
+    def told(ratio: float, contact: float) -> list[str]:
+        mesh = SimpleNamespace(
+            transverse_contact_ratio=contact, helix_angle=0.1, module=3e-3, face_width=30e-3, teeth=(20.0, 71.0),
+            pitch_diameters=(0.06, 0.2), side=1.0, ratio=ratio, proportions=[SimpleNamespace(profile_shift=0.0)] * 2,
+        )  # fmt: skip
+        rated = SimpleNamespace(bending=[SimpleNamespace(section=SimpleNamespace(notch=2.0))] * 2)
+        assert beyond_ranges(mesh, rated) == ()  # type: ignore[arg-type]
+        return [entry.quantity for entry in beyond_ranges(mesh, rated, films=True)]  # type: ignore[arg-type]
+
+    for ratio, contact in ((0.001, 1.5), (200.0, 1.5), (3.0, 1.0), (3.0, 2.0)):
+        assert told(ratio, contact) == []
+    assert told(-0.001, 1.5) == told(200.1, 1.5) == ["u of the oil film"]
+    assert told(3.0, 2.001) == ["ε_α of the oil film"]
+
+
+@pytest.mark.parametrize("shift", [0.0, 1.05])
+def test_contact_on_one_side_of_the_pitch_point_has_no_integral_temperature(shift):
+    """x = 1.05 and −1.05: the wheel's tips end below its pitch circle, ε_2 < 0."""
+    own = rating("iso6336")
+    own = replace(own, shifts=own.shifts._replace(gears=(ToothShift(shift), ToothShift(-shift)), centre=None))
+    mesh = loaded("iso6336", own=own)
+    film = oil_film(mesh, METHODS["iso6336"].rate(mesh).factors)
+    assert (film.integral is None) == (shift > 1.0)
+    assert film.flash.safety > 0.0
+
+
+@pytest.mark.parametrize("method", list(METHODS))
+@pytest.mark.parametrize("mode", ["pitting_safety", "bending_safety"])
+def test_the_reserve_of_a_mesh_is_that_of_its_record(method, mode):
+    """By whichever asked safety decides, with one load and with three."""
+    own = rating(method)
+    if method != "lewis-hertz":
+        table = "iso6336" if method == "iso10300" else method
+        rules = getattr(own.rules, table).model_copy(update={mode: 9.0})
+        own = replace(own, rules=own.rules.model_copy(update={table: rules}))
+    for cases in (1, 3):
+        mesh = loaded(method, cases=cases, own=own)
+        known = METHODS[method]
+        rated = known.rate(mesh)
+        assert known.reserve_of(mesh) == near(known.reserve(rated))
+        assert known.reserve(rated) == near(min(rated.bending_margin, rated.contact_margin**2))
+
+
+def test_strengths_are_cited_by_the_steels_own_source_or_by_what_they_are():
+    steel = replace(steel_of(rating("iso6336")), source="a certificate")
+    assert {row.clause for row in steel_rows(steel)} == {"a certificate"}
+    assert {row.clause for row in steel_rows(replace(steel, source=""))} == {"as stated, or ISO 6336-5:2016, table 1"}
+
+
+def test_flanks_and_roots_of_bevels_have_their_own_roughness():
+    own = rating("iso10300")
+    rules = own.rules.iso6336.model_copy(update={"flank_roughness": 3e-6, "root_roughness": 17e-6})
+    found = bevel_surfaces(replace(own, rules=own.rules.model_copy(update={"iso6336": rules})))
+    assert (found.flank_roughness, found.root_roughness) == (3e-6, 17e-6)
+
+
+@pytest.mark.parametrize("treatment", list(Treatment))
+@pytest.mark.parametrize("mate", list(Treatment))
+def test_only_soft_steels_harden_under_hard_mates_in_static_strength(treatment, mate):
+    """ISO 6336-2:2006, clause 13: 1.05 − (HB − 130)/680, HB = 0.95 HV; cast irons and cases stay what they are."""
+    steel = GearSteel("one", treatment, "MQ", 150.0, 500e6, 200e6)
+    other = GearSteel("other", mate, "MQ", 600.0, 1500e6, 400e6)
+    works = treatment.value in ("St", "V") and mate.value in ("Eh", "IF", "NT", "NV", "NVc")
+    assert static_work_hardening(steel, other) == near(1.05 - (142.5 - 130.0) / 680.0 if works else 1.0)
+
+
+@pytest.mark.parametrize(
+    ("inches", "part"),
+    [(0.5, -0.025), (1.0, -0.025), (1.2, -0.0375 + 0.0125 * 1.2), (16.9, -0.0375 + 0.0125 * 16.9),
+     (17.2, -0.1109 + 0.0207 * 17.2 - 0.000228 * 17.2**2), (30.0, -0.1109 + 0.0207 * 30.0 - 0.000228 * 900.0)],
+)  # fmt: skip
+@pytest.mark.parametrize("slender", [0.3, 1.2])
+def test_proportions_count_by_three_pieces_of_c_pf(inches, part, slender):
+    """AGMA 2001-D04, eqs 38 to 40: F/(10 d), at least 0.05, and the piece; commercial units add C_ma."""
+    alignment = 0.127 + 0.0158 * inches - 1.093e-4 * inches**2
+    expected = 1.0 + 0.8 * ((max(slender / 10.0, 0.05) + part) * 1.1 + alignment * 0.8)
+    found = load_distribution_factor(
+        inches * 0.0254, inches * 0.0254 / slender, crowning=0.8, offset=1.1, adjustment=0.8
+    )
+    assert float(found) == near(expected)
+
+
+def test_corrections_of_a_module_end_where_rounding_cannot_tell_them_apart():
+    """Loads could grow by (m/m*)^p, and a correction leaves 1 − p/3 of the logarithm of the gap: none at p = 3."""
+    asked = []
+
+    def gap(power: float):
+        def known(module: float, width: float) -> float:
+            asked.append((module, width))
+            return (module / 3e-3) ** power
+
+        return known
+
+    assert under_spectrum(2e-3, 12.0, gap(3.0)) == near(3e-3)
+    assert [width for _, width in asked] == pytest.approx([12.0 * module for module, _ in asked])
+    exact = under_spectrum(2e-3, 12.0, gap(2.0))
+    assert exact == near(3e-3 * (2.0 / 3.0) ** (3.0**-6))
+    for coarse, most in ((lambda module: 5e-3, 2), (lambda module: round(module, 5), 6)):
+        asked.clear()
+        found = under_spectrum(2e-3, 12.0, gap(2.0), coarse)
+        assert coarse(found) == coarse(exact) and len(asked) <= most
