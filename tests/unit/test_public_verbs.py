@@ -46,6 +46,7 @@ from gearwright.shipped import (
 )
 from gearwright.sizing import named_results, pick
 from gearwright.spec import edited, edited_mission, read_mission, read_study
+from shipped_work import flown
 
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference" / "api.md"
 SHOWN_ELSEWHERE = (
@@ -170,7 +171,7 @@ def split():
 
 @functools.cache
 def flight():
-    return fly(sizing("in-line-h2"), read_mission("thesis"))
+    return flown()
 
 
 @functools.cache

@@ -55,38 +55,6 @@ def test_every_command_explains_itself(call):
         assert name in done.out
 
 
-def test_help_loads_nothing_heavy():
-    """Modules, not seconds: what is not imported costs no time."""
-    script = """
-import sys
-from gearwright.cli import main
-sys.argv = ["gearwright", "--help"]
-try:
-    main()
-except SystemExit:
-    pass
-print(sorted({"numpy", "numba", "matplotlib", "scipy", "h5py", "pydantic", "jinja2"} & set(sys.modules)))
-"""
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines()[-1] == "[]"
-
-
-def test_size_loads_no_dynamics_and_nothing_that_solves_or_compiles():
-    """A design without parallel paths; modules, not seconds."""
-    script = """
-import sys
-from gearwright.cli import main
-sys.argv = ["gearwright", "size", "in-line-h2"]
-try:
-    main()
-except SystemExit:
-    pass
-print(sorted({"numba", "matplotlib", "scipy", "h5py", "jinja2", "gearwright.dynamics"} & set(sys.modules)))
-"""
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines()[-1] == "[]"
-
-
 def test_help_lists_every_command_once_with_its_whole_first_sentence(call):
     listed = " ".join(call("--help").out.split())
     for command in app.registered_commands:

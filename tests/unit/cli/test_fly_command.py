@@ -10,6 +10,8 @@ from gearwright.cli.commands.mission import fly
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_mission
 
+THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
+REGIONAL = shipped_mission("regional-250nm").read_text(encoding="utf-8")
 APP = typer.Typer()
 APP.command()(fly)
 
@@ -84,16 +86,14 @@ def test_a_life_is_bought_with_mass():
 
 
 def test_one_command_writes_the_page_of_a_flight(tmp_path):
-    page = tmp_path / "flight.html"
-    result = run("in-line-h2", "thesis", "--report", str(page), "--window", "gust")
+    page, mission = tmp_path / "flight.html", tmp_path / "mission.toml"
+    window = '[windows.cut]\nphase = "cruise"\nevent = "motor-cut"\nevent_at_s = 0.1\nduration_s = 0.2\n'
+    mission.write_text(f"{THESIS}\n{window}", encoding="utf-8")
+    result = run("in-line-h2", str(mission), "--report", str(page), "--window", "cut")
     assert result.exit_code == 0
     told = page.read_text(encoding="utf-8")
     assert "First gear to fail: second.planet" in told
-    assert "Window gust" in told
-
-
-THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
-REGIONAL = shipped_mission("regional-250nm").read_text(encoding="utf-8")
+    assert "Window cut" in told
 
 
 REFUSED = {

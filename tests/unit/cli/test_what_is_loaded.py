@@ -13,9 +13,11 @@ COMPILED = {"numba", "llvmlite"}
 STATICS = HEAVY | COMPILED | {"scipy.linalg", "scipy.special"}
 """What the equilibrium of an elastic train does without."""
 MOTION = STATICS | {"gearwright.dynamics"}
+NOTHING = {"scipy", "h5py", "jinja2"}
+"""What a train without parallel paths does without, even in part."""
 UNUSED = {
-    "--help": MOTION | NUMBERS,
-    "size single-planetary": MOTION,
+    "--help": MOTION | NUMBERS | NOTHING,
+    "size single-planetary": MOTION | NOTHING,
     "size ec120b": MOTION,  # its bearings are chosen and loaded by contact
     "size off-set": STATICS,  # parallel paths, whose elastic shares need statics
     "size face-gear-split-torque": STATICS,

@@ -3,42 +3,45 @@
 import pytest
 
 from gearwright.mission import fly
-from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.spec import parse, parse_mission, read, read_mission
+from gearwright.spec import parse, parse_mission
+from shipped_work import flown
 
-HELICOPTER = read(shipped_design("ec120b"))
-SORTIE = read_mission(shipped_mission("ec120b-sortie"))
-FLIGHT = fly(size(HELICOPTER), SORTIE)
 ROUNDING = 1e-11
 """Of sums over some 400 intervals [-]."""
 
 
-def test_an_accessory_takes_its_own_power_in_every_phase():
+@pytest.fixture(scope="module")
+def sortie():
+    return flown("ec120b", "ec120b-sortie")
+
+
+def test_an_accessory_takes_its_own_power_in_every_phase(sortie):
     """The powers of the phases go from 60 to 315 kW; the pump's stays."""
-    pump, turbine = FLIGHT.machines["oil-pump"].power, FLIGHT.machines["arrius-2f"].power
+    pump, turbine = sortie.machines["oil-pump"].power, sortie.machines["arrius-2f"].power
     assert turbine.max() > 4.0 * turbine.min()
-    assert pump == pytest.approx(-HELICOPTER.accessories["oil-pump"].power, rel=ROUNDING)
+    assert pump == pytest.approx(-sortie.sizing.design.accessories["oil-pump"].power, rel=ROUNDING)
 
 
-def test_a_tail_rotor_takes_the_part_of_the_first_case():
+def test_a_tail_rotor_takes_the_part_of_the_first_case(sortie):
     """45 of 376 kW, of what the engine gives without bearings' friction and windage: 1 % of it at the most."""
-    ratio = -FLIGHT.machines["tail-drive"].power / FLIGHT.machines["arrius-2f"].power
+    ratio = -sortie.machines["tail-drive"].power / sortie.machines["arrius-2f"].power
     assert ratio == pytest.approx(45.0 / 376.0, rel=0.01)
 
 
-def test_energy_closes_with_consumers():
+def test_energy_closes_with_consumers(sortie):
     """Without what accessories and the tail rotor take, 2.7 % of the fuel's energy would be missing."""
-    balance = FLIGHT.balance
+    balance = sortie.balance
     assert balance.residual < ROUNDING
-    taken = sum(-(FLIGHT.machines[name].power * FLIGHT.history.duration).sum() for name in ("oil-pump", "tail-drive"))
+    taken = sum(-(sortie.machines[name].power * sortie.history.duration).sum() for name in ("oil-pump", "tail-drive"))
     assert balance.consumers == pytest.approx(taken, rel=ROUNDING)
     assert balance.consumers > 0.02 * balance.fuel
 
 
-def test_power_balances_in_every_interval_with_consumers():
-    history = FLIGHT.history
-    given = sum(machine.power for machine in FLIGHT.machines.values())
+def test_power_balances_in_every_interval_with_consumers(sortie):
+    history = sortie.history
+    given = sum(machine.power for machine in sortie.machines.values())
     out = history.propeller_power + history.gearbox_heat + history.spin_up
     assert given == pytest.approx(out, rel=ROUNDING)
 

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.mission import bearing_lives, durability, fly
+from gearwright.mission import bearing_lives, fly
 from gearwright.mission.lives import seat_duties
-from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.bearings import bearing_seats, seat_forces
-from gearwright.spec import parse, parse_mission, read, read_mission
+from gearwright.spec import parse, parse_mission, read
+from shipped_work import flown, lives, sized
 
 STEADY = """
 schema = 1
@@ -142,10 +143,10 @@ def test_bearings_of_the_design_live_in_steady_flight_as_their_sizing_says():
     rows = {row.seat: row for row in bearing_lives(flight).rows}
     assert {"nose", "tail"} <= rows.keys()
     assert "output.first" not in rows
-    for sized in sizing.bearings:
-        row = rows[sized.name]
-        assert row.bearing == sized.bearing
-        assert row.mean_load == pytest.approx(sized.equivalent_load, rel=0.02)
+    for bearing in sizing.bearings:
+        row = rows[bearing.name]
+        assert row.bearing == bearing.bearing
+        assert row.mean_load == pytest.approx(bearing.equivalent_load, rel=0.02)
 
 
 def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
@@ -164,11 +165,10 @@ def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
 
 def test_the_bearing_of_the_fast_planets_governs_the_thesiss_gearbox():
     """A planet on a carrier at 4500 rpm presses its pin with 28 kN of centrifugal force, four times its teeth's."""
-    sizing = size(read(shipped_design("in-line-h2")))
-    parts = durability(fly(sizing, read_mission(shipped_mission("thesis")))).parts
+    parts = lives().parts
     assert parts[0].name == "bearing of first.planet"
     assert next(part for part in parts if not part.is_bearing).name == "second.planet"
-    assert next(each for each in sizing.carriers if each.stage == "first").centrifugal_force > 25e3
+    assert next(each for each in sized().carriers if each.stage == "first").centrifugal_force > 25e3
 
 
 @pytest.mark.parametrize(
@@ -192,9 +192,8 @@ def test_a_bearing_that_does_not_sit_between_pin_and_rim_is_refused(given):
 
 def test_the_helicopters_mast_lives_on_tapers_that_take_the_rotors_thrust():
     """The upper taper takes 16.8 kN of thrust and what the bevel adds; every bearing of the design has its life."""
-    sizing = size(read(shipped_design("ec120b")))
-    flight = fly(sizing, read_mission(shipped_mission("ec120b-sortie")))
-    assert {row.seat for row in bearing_lives(flight).rows} == set(sizing.design.bearings)
+    flight = flown("ec120b", "ec120b-sortie")
+    assert {row.seat for row in bearing_lives(flight).rows} == set(flight.sizing.design.bearings)
     upper = next(duty for seat, duty in seat_duties(flight) if seat.name == "mast-upper")
     assert upper.axial.min() > 16.8e3
 
@@ -211,6 +210,6 @@ def test_a_bearing_falls_short_of_a_static_safety_as_of_a_life():
 @pytest.mark.parametrize("name", ["off-set", "mixed", "in-line", "star"])
 def test_a_chosen_bearing_lives_as_long_as_is_asked_or_is_said_not_to(name):
     """Under the flight's spectrum, not under the mean of its loads: no part of the life may be missing."""
-    lives = bearing_lives(fly(size(read(shipped_design(name))), read_mission(shipped_mission("regional-250nm"))))
+    lives = bearing_lives(flown(name, "regional-250nm"))
     assert all(row.life >= row.asked or row.falls_short for row in lives.rows)
     assert sum("comes nearest" in note for note in lives.notes) == sum(row.falls_short for row in lives.rows)

@@ -5,6 +5,7 @@ from functools import cache
 import pytest
 
 import gearwright as gw
+import shipped_work
 from gearwright.errors import DesignError
 from gearwright.spec import parse_mix
 
@@ -23,15 +24,9 @@ changes = { "phases.cruise.duration_min" = 20 }
 
 
 @cache
-def sizing():
-    """Return one gearbox."""
-    return gw.size(gw.read("in-line-h2"))
-
-
-@cache
 def flown(text):
     """Return the life of that gearbox over a mix."""
-    return gw.mix(sizing(), parse_mix(text))
+    return gw.mix(shipped_work.sized(), parse_mix(text))
 
 
 def sums(life):
@@ -41,7 +36,7 @@ def sums(life):
 
 def test_one_mission_with_all_flights_is_that_mission_alone():
     life = flown(ONE)
-    flight = gw.fly(sizing(), gw.read_mission("thesis"))
+    flight = shipped_work.flown()
     assert sums(life.life) == sums(gw.durability(flight))
     assert life.fuel == pytest.approx(100 * flight.fuel, rel=1e-12)
     assert life.battery == pytest.approx(100 * flight.balance.battery, rel=1e-12)
@@ -74,7 +69,7 @@ def test_counts_say_the_same_as_shares():
 
 
 def test_the_shipped_life_has_one_bearing_a_seat_that_lives_what_each_mission_leaves_it():
-    life = gw.mix(sizing(), gw.read_mix("regional-life"))
+    life = gw.mix(shipped_work.sized(), gw.read_mix("regional-life"))
     assert life.mix.flights == 30_000 and len(life.mix.missions) == 3
     for seat in {row.seat for lived in life.lives.values() for row in lived.bearings.rows}:
         rows = [row for lived in life.lives.values() for row in lived.bearings.rows if row.seat == seat]
@@ -89,9 +84,9 @@ def test_where_missions_choose_other_bearings_the_largest_is_taken_for_all():
     short = f'{HEAD}flights = 10\n{BEARINGS}[missions.a]\nmission = "thesis"\nshare = 0.5\n[missions.b]\n'
     short += 'mission = "strategies"\nshare = 0.5\n'
     mix = parse_mix(short)
-    alone = [gw.durability(gw.fly(sizing(), mission)).bearings.rows for mission in mix.missions.values()]
+    alone = [gw.durability(gw.fly(shipped_work.sized(), mission)).bearings.rows for mission in mix.missions.values()]
     assert len({row.bearing.designation for rows in alone for row in rows if row.seat == "second.planet"}) == 2
-    taken = {row.seat: row.bearing for row in gw.mix(sizing(), mix).lives["b"].bearings.rows}
+    taken = {row.seat: row.bearing for row in gw.mix(shipped_work.sized(), mix).lives["b"].bearings.rows}
     for rows in alone:
         for row in rows:
             assert taken[row.seat].dynamic_rating >= row.bearing.dynamic_rating
@@ -166,7 +161,7 @@ def test_a_mix_in_a_file_of_a_mix_is_refused(tmp_path):
 def test_a_mission_that_the_design_cannot_fly_is_named():
     text = _missions('easy]\nmission = "thesis"\nshare = 0.5', 'hard]\nmission = "regional-aircraft"\nshare = 0.5')
     with pytest.raises(DesignError, match=r"missions\.hard: phases\.take-off: at \d+ s, gas-turbine: needs"):
-        gw.mix(sizing(), parse_mix(text))
+        gw.mix(shipped_work.sized(), parse_mix(text))
 
 
 def test_a_mix_is_no_mission_and_who_flies_it_is_told_the_command():

@@ -27,9 +27,7 @@ from gearwright.render.answers.plain import plain
 from gearwright.render.words.flight import flight_text, verdict_text
 from gearwright.render.words.flight_data import flight_csv
 from gearwright.reviews import review_of
-from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.sizing import size
-from gearwright.spec import parse_mission, read, read_mission
+from gearwright.spec import parse_mission
 from gearwright.units import si_unit
 from shipped_work import flown as thesis
 from shipped_work import sized
@@ -338,7 +336,7 @@ def test_a_verdict_without_all_bearings_is_of_what_is_rated():
 
 def test_a_rotor_flies_by_its_schedules_and_its_face_gears_are_not_rated():
     """ISO 6336 covers cylindrical gears; those of the second stage are rated, and the first stage is named."""
-    flight = fly(size(read(shipped_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
+    flight = thesis("face-gear-split-torque", "rotor-schedule")
     assert flight.history.thrust is None
     assert flight.balance.residual < 1e-9
     found = durability(flight)

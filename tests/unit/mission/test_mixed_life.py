@@ -5,6 +5,7 @@ from functools import cache
 import pytest
 
 import gearwright as gw
+import shipped_work
 from gearwright.errors import DesignError
 from gearwright.mission import mixed_life
 
@@ -14,9 +15,8 @@ SHORT = {"phases.cruise.duration_min": 25.0}
 @cache
 def lives():
     """Return what a long and a short flight do to one gearbox."""
-    sizing, mission = gw.size(gw.read("in-line-h2")), gw.read_mission("thesis")
-    short = gw.edited_mission(mission, SHORT)
-    return {name: gw.durability(gw.fly(sizing, flown)) for name, flown in (("long", mission), ("short", short))}
+    short = gw.edited_mission(gw.read_mission("thesis"), SHORT)
+    return {"long": shipped_work.lives(), "short": gw.durability(gw.fly(shipped_work.sized(), short))}
 
 
 def test_a_mix_of_one_mission_is_its_life():

@@ -1,6 +1,5 @@
 """Strategies: what each rule makes of an interval, and the optimal share against brute force and a closed form."""
 
-import functools
 import itertools
 
 import numpy as np
@@ -11,14 +10,9 @@ from gearwright.machines import Battery, battery_step, current_of, stored_energy
 from gearwright.mission import fly
 from gearwright.mission.strategies import Demand, Stage, electric_share, optimal_plan
 from gearwright.spec import StrategyRules, parse_mission, read_mission
-from shipped_work import sized
+from shipped_work import flown, sized
 
 PACK = Battery(1e6, 800.0, 600.0, 0.05, 5.0, 0.1)
-
-
-@functools.cache
-def flown():
-    return fly(sized(), read_mission("strategies"))
 
 
 def part(flight, name, field):
@@ -48,7 +42,7 @@ def test_charging_ends_where_the_battery_is_full_enough():
 
 
 def test_the_shipped_mission_flies_by_its_rules():
-    flight = flown()
+    flight = flown(mission="strategies")
     assert flight.balance.residual < 1e-9
     assert part(flight, "taxi-out", "fuel_flow").max() == 0.0
     assert part(flight, "climb", "turbine_power") == pytest.approx(1e6, rel=1e-9)
@@ -114,7 +108,7 @@ def test_equal_intervals_share_alike_where_only_resistance_loses():
 
 
 def test_an_optimal_flight_burns_less_than_its_rules_at_the_same_charge():
-    rules = flown()
+    rules = flown(mission="strategies")
     end = float(part(rules, "approach", "state_of_charge")[-1])
     mission = read_mission("strategies")
     best = StrategyRules(rule="optimal", end_charge=end)

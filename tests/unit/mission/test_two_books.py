@@ -1,7 +1,6 @@
 """Fuel by mass and charge by state on one side, work, losses and states of gas on the other."""
 
 import dataclasses
-import functools
 
 import numpy as np
 import pytest
@@ -12,13 +11,9 @@ from gearwright.machines.power import Exhaust, exhaust_heat
 from gearwright.mission import fly
 from gearwright.sizing import size
 from gearwright.spec import edited_mission, parse_mission, read, read_mission
+from shipped_work import flown
 
 FLIGHTS = (("in-line-h2", "thesis"), ("in-line", "regional-250nm"), ("twin-engine-helicopter", "rotor-schedule"))
-
-
-@functools.cache
-def flown(design, mission):
-    return fly(size(read(design)), read_mission(mission))
 
 
 def gas_heat(flight, warmer=0.0):

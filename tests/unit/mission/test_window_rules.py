@@ -3,16 +3,15 @@
 import pytest
 
 from gearwright.errors import DesignError, SolveError
-from gearwright.mission import fly
 from gearwright.mission.windows import fly_window, window_rules
-from gearwright.shipped import find_design, shipped_mission
-from gearwright.sizing import size
-from gearwright.spec import WindowRules, parse_mission, read, read_mission
+from gearwright.shipped import shipped_mission
+from gearwright.spec import WindowRules, parse_mission
+from shipped_work import flown
 
 
 @pytest.fixture(scope="module")
 def flight():
-    return fly(size(read(find_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
+    return flown()
 
 
 def test_every_problem_of_the_windows_is_told_at_once():
@@ -62,7 +61,7 @@ def test_a_gust_beyond_the_map_is_refused_with_speed_and_pitch(flight):
 
 
 def test_a_mission_of_schedules_has_no_windows():
-    flight = fly(size(read(find_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
+    flight = flown("face-gear-split-torque", "rotor-schedule")
     first = next(iter(flight.mission.phases))
     with pytest.raises(DesignError, match="a window needs a propeller_map"):
         fly_window(flight, "any", WindowRules(phase=first))
@@ -105,7 +104,7 @@ def test_a_fault_of_a_machine_that_the_design_lacks_is_refused(flight):
 
 
 def test_a_fault_names_its_machine_where_there_are_several_and_needs_one():
-    flight = fly(size(read(find_design("twin-engine-sprag"))), read_mission(shipped_mission("regional-250nm")))
+    flight = flown("twin-engine-sprag", "regional-250nm")
     with pytest.raises(DesignError, match="turbine-1, turbine-2; name one"):
         fly_window(flight, "out", WindowRules(phase="climb", event="engine-out", lag=1.0))
     short = WindowRules(phase="climb", event="motor-short-circuit", back_emf_v=1.0, inductance_mh=1.0, pole_pairs=2)

@@ -11,7 +11,6 @@ from gearwright.render.figures.sankey import energies
 from gearwright.render.pages.flight import flight_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
 from shipped_work import flown, flown_review, lives
 
@@ -45,7 +44,7 @@ def test_every_id_is_there_once():
     ("design", "mission"), [("in-line", "regional-250nm"), ("face-gear-split-torque", "rotor-schedule")]
 )
 def test_flights_without_motor_or_without_propeller_map_have_a_page(design, mission):
-    flight = fly(size(read(shipped_design(design))), read_mission(shipped_mission(mission)))
+    flight = flown(design, mission)
     page = flight_page(flight, durability(flight), review_of(flight.sizing, flight))
     assert "exhaust of the turbines" in page
     assert "state of charge" not in page

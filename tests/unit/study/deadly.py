@@ -28,12 +28,12 @@ def dead_within_its_answer(study, design, case):
 
 
 def large_and_killed(study, design, case):
-    """Return a row of 80 MB; for every third case kill the worker at a random moment of its sending, once."""
+    """Return a row of 20 MB; for every third case kill the worker at a random moment of its sending, once."""
     place, _, seed = study.description.rpartition(" ")
     if case.number % 3 == 2 and _first_time(f"{place}{case.number}"):
-        wait = random.Random(f"{seed} {case.number}").uniform(0.0, 0.15)
+        wait = random.Random(f"{seed} {case.number}").uniform(0.0, 0.04)
         threading.Thread(target=_killed_after, args=(wait,)).start()
-    return Row(case.design, case.inputs, {}, "x" * 80_000_000)
+    return Row(case.design, case.inputs, {}, "x" * 20_000_000)
 
 
 def _row(study, case):

@@ -44,9 +44,14 @@ def journal(tmp_path: Path, whole: Path) -> Path:
 
 
 @pytest.fixture
-def former(tmp_path: Path, whole: Path, expected) -> Path:
+def former(tmp_path: Path, whole_former: Path) -> Path:
+    return Path(shutil.copy(whole_former, tmp_path / "former"))
+
+
+@pytest.fixture(scope="module")
+def whole_former(tmp_path_factory, whole: Path, expected) -> Path:
     """The same study in the former format: an entry for each row, as gearwright 0.1 wrote them."""
-    path = tmp_path / "former"
+    path = tmp_path_factory.mktemp("former") / "former"
     with edited(whole) as database:
         _, *said, _ = database.execute("SELECT * FROM study").fetchone()
     with edited(path) as database:
@@ -63,8 +68,10 @@ def former(tmp_path: Path, whole: Path, expected) -> Path:
             " seen REAL)"
         )
         database.execute("INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?, ?)", summed(4, *said))
-        for number, row in enumerate(expected.rows):
-            database.execute("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?)", summed(number, *former_entry(row)))
+        rows = [summed(number, *former_entry(row)) for number, row in enumerate(expected.rows)]
+        database.execute("BEGIN")
+        database.executemany("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?)", rows)
+        database.execute("COMMIT")
     return path
 
 

@@ -70,11 +70,11 @@ def test_a_worker_that_dies_within_its_answer_is_replaced(tmp_path: Path) -> Non
 
 
 def test_workers_are_killed_while_they_send_large_answers(tmp_path: Path, fault: int) -> None:
-    """80 MB a row take some 0.1 s to send; the kills come within that time."""
+    """20 MB a row take some 0.03 s to send; the kills come within that time."""
     study = study_of(9, description=f"{tmp_path / 'mark'} {fault}")
     with local(study, DESIGNS, 2, function=deadly.large_and_killed) as compute:
         found = {number: len(row.problem) for finished in compute(cases(study), 9) for number, row in finished}
-    assert found == dict.fromkeys(range(9), 80_000_000)
+    assert found == dict.fromkeys(range(9), 20_000_000)
 
 
 def test_a_second_runner_is_refused(tmp_path: Path) -> None:

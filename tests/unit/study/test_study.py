@@ -26,10 +26,10 @@ def study_of(tmp_path: Path, text: str) -> Study:
 
 @pytest.mark.parametrize("name", shipped_studies())
 def test_every_shipped_study_runs_without_a_failed_case(name: str) -> None:
-    """Of samples the first eight: the others are drawn from the same ranges."""
+    """Of samples the first two, of all axes at once: the others are drawn from the same ranges."""
     study = read_study(shipped_study(name))
     if study.sampling.count:
-        few = study.sampling.model_copy(update={"count": min(8, study.sampling.count)})
+        few = study.sampling.model_copy(update={"count": min(2, study.sampling.count)})
         study = study.model_copy(update={"sampling": few})
     table = run(study, {each: read(shipped_design(each)) for each in study.designs})
     assert len(table.rows) == case_count(study)

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from gearwright.mission import fly, phase_summaries
-from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import parse, parse_mission, read, read_mission
+from gearwright.spec import parse, parse_mission
 from shipped_work import flown
 
 
@@ -54,7 +53,7 @@ def test_two_planetary_stages_lose_about_half_a_percent_each_at_power():
 
 def test_the_regional_mission_covers_its_250_nautical_miles():
     """The distance of its name, through still air; 2 % as phases have round durations."""
-    flight = fly(size(read(shipped_design("in-line"))), read_mission(shipped_mission("regional-250nm")))
+    flight = flown("in-line", "regional-250nm")
     miles = (flight.history.true_airspeed * flight.history.duration).sum() / 1852.0
     assert miles == pytest.approx(250.0, rel=0.02)
     assert flight.balance.residual < 1e-6
@@ -63,8 +62,7 @@ def test_the_regional_mission_covers_its_250_nautical_miles():
 @pytest.mark.parametrize("design", ["in-line-h1", "mixed-h1", "off-set-h1"])
 def test_every_hybrid_of_the_thesis_flies_the_mission(design):
     """One mission, other trains: the energies close, and the meshes lose between 0.2 and 2 % of the work."""
-    sizing = size(read(shipped_design(design)))
-    flight = fly(sizing, read_mission(shipped_mission("thesis")))
+    flight = flown(design)
     assert flight.balance.residual < 1e-6
     assert 0.002 < flight.balance.mesh_loss / flight.balance.propeller < 0.02
 
@@ -75,7 +73,7 @@ def test_a_helicopter_like_train_keeps_97_to_99_per_cent_of_its_power():
     trains flown have two stages and a dry sump. Start-up at a sixth of the power is left out.
     """
     for design, mission in (("face-gear-split-torque", "rotor-schedule"), ("ec120b", "ec120b-sortie")):
-        rows = phase_summaries(fly(size(read(shipped_design(design))), read_mission(shipped_mission(mission))))
+        rows = phase_summaries(flown(design, mission))
         assert all(0.97 < row.efficiency < 0.99 for row in rows if row.name != "start-up")
 
 

@@ -1,7 +1,6 @@
 """Dynamic windows against the quasi-steady flight, against the rigid governed propeller, and against themselves."""
 
 import math
-from functools import cache
 
 import numpy as np
 import pytest
@@ -13,15 +12,10 @@ from gearwright.mission import fly, governed_window, trim_at
 from gearwright.mission.windows import fly_window, window_step
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import GovernorRules, WindowRules, parse_mission, read, read_mission
+from gearwright.spec import GovernorRules, WindowRules, parse_mission, read
+from shipped_work import flown
 
 STIFFNESSES = ("constant", "varying")
-
-
-@cache
-def thesis():
-    """Return the thesis's mission flown by its hybrid."""
-    return fly(size(read(find_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
 
 
 def interval(flight, time):
@@ -34,7 +28,7 @@ def interval(flight, time):
 def test_a_quiet_window_has_the_means_of_the_quasi_steady_flight(phase, at, stiffness):
     """Propeller torque: the same balance, 1e-4. Shafts and teeth: losses are lumped at the first shaft of each stage
     instead of at each mesh, half a per cent of the torque."""
-    flight = thesis()
+    flight = flown()
     window = fly_window(flight, "quiet", WindowRules(phase=phase, at=at, duration=1.0, stiffness=stiffness))
     k, trace = interval(flight, window.start), window.trace
     expected = flight.history.propeller_power[k] / flight.history.propeller_speed[k]
@@ -53,7 +47,7 @@ def test_a_quiet_window_has_the_means_of_the_quasi_steady_flight(phase, at, stif
 def test_in_green_taxi_the_teeth_of_stage_one_carry_nothing_on_average(stiffness):
     """Pulvirenti 2023, §4.2.1: stage-1 forces zero (constant) or of zero mean (varying), here over stage 2's."""
     rules = WindowRules(phase="taxi-out", at=105.0, duration=1.0, stiffness=stiffness)
-    trace = fly_window(thesis(), "taxi", rules).trace
+    trace = fly_window(flown(), "taxi", rules).trace
     second = np.mean(trace.force.of("second.sun-planet-1")["mean"])
     for line in trace.labels.lines:
         if line.startswith("first."):
@@ -63,7 +57,7 @@ def test_in_green_taxi_the_teeth_of_stage_one_carry_nothing_on_average(stiffness
 def test_a_motor_cut_moves_speed_and_pitch_as_on_a_rigid_train():
     """`governed_window` marches the rigid train with the same map and governor, its drive a source of torque. In the
     first milliseconds the elastic train rings by 4 % of the swing; once that is damped, 1 % is left."""
-    flight, rules = thesis(), GovernorRules()
+    flight, rules = flown(), GovernorRules()
     window = fly_window(
         flight, "cut",
         WindowRules(phase="cruise", at=605.0, duration=4.0, event="motor-cut", event_at=0.01, over=0.001,
@@ -85,7 +79,7 @@ def test_a_motor_cut_moves_speed_and_pitch_as_on_a_rigid_train():
 
 def test_the_speed_profile_does_not_change_the_motion_of_constant_stiffness():
     """It is only where coordinates are measured from; tolerance: the steps' error over the swing of the speed."""
-    flight = thesis()
+    flight = flown()
     rules = WindowRules(phase="cruise", at=605.0, duration=2.0, event="motor-cut", event_at=0.2, stiffness="constant")
     window = fly_window(flight, "cut", rules)
     fixed = with_profile(window.system, [(0.0, float(window.system.arrays.profile.factor[0]))])
@@ -96,7 +90,7 @@ def test_the_speed_profile_does_not_change_the_motion_of_constant_stiffness():
 
 def test_the_rigid_pass_is_followed_by_the_elastic_train():
     """Mesh phases run with the profile: the elastic speed leaves it by less than 1e-4."""
-    window = fly_window(thesis(), "gust", WindowRules(phase="climb", at=300.0, duration=3.0, event="gust", gust=5.0))
+    window = fly_window(flown(), "gust", WindowRules(phase="climb", at=300.0, duration=3.0, event="gust", gust=5.0))
     size_ = len(window.system.arrays.mass)
     assert len(window.system.arrays.profile.time) > 100
     assert np.abs(window.trace.samples.velocity[:, size_ - 1]).max() < 1e-4 * 126.9
@@ -110,8 +104,8 @@ FAULTS = ("short-circuit", "pitch-runaway", "power-slam", "propeller-strike")
 @pytest.mark.parametrize("name", ["taxi-to-hybrid", "hybrid-to-turbine", "pitch-step", "gust", *FAULTS])
 def test_energies_close_in_every_shipped_window(name):
     """Tolerance: what is left of the steps, 1e-5 of the work; forces as accurate as any run promises."""
-    rules = thesis().mission.windows[name].model_copy(update={"stiffness": "varying"})
-    window = fly_window(thesis(), name, rules.model_copy(update={"duration": 7.0 if name == "taxi-to-hybrid" else 2.0}))
+    rules = flown().mission.windows[name].model_copy(update={"stiffness": "varying"})
+    window = fly_window(flown(), name, rules.model_copy(update={"duration": 7.0 if name == "taxi-to-hybrid" else 2.0}))
     assert window.trace.work.imbalance < 1e-5
     assert window.trace.error <= 1e-2
     assert window.trace.rms_error <= 1e-3
@@ -119,13 +113,13 @@ def test_energies_close_in_every_shipped_window(name):
 
 def test_a_governor_that_limit_cycles_is_named_with_frequency_and_amplitude():
     """The gain of Pulvirenti 2023 on an actuator of second order; a stable governor is not named."""
-    rules = thesis().mission.windows["thesis-gain"].model_copy(update={"stiffness": "constant"})
-    found = fly_window(thesis(), "thesis-gain", rules).limit_cycle
+    rules = flown().mission.windows["thesis-gain"].model_copy(update={"stiffness": "constant"})
+    found = fly_window(flown(), "thesis-gain", rules).limit_cycle
     assert found is not None
     assert found.frequency == pytest.approx(2.0, abs=0.1)
     assert found.amplitude == pytest.approx(1.1, abs=0.1)
     calm = rules.model_copy(update={"governor": None, "duration": 5.0})
-    assert fly_window(thesis(), "calm", calm).limit_cycle is None
+    assert fly_window(flown(), "calm", calm).limit_cycle is None
 
 
 def test_a_late_engine_joins_through_its_overrunning_clutch():

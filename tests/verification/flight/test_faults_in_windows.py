@@ -5,33 +5,25 @@ from functools import cache
 import numpy as np
 import pytest
 
+import shipped_work
 from gearwright.machines import Winding, short_circuit_torque
-from gearwright.mission import fly
 from gearwright.mission.windows import fly_window
-from gearwright.shipped import find_design, shipped_mission
-from gearwright.sizing import size
-from gearwright.spec import GovernorRules, WindowRules, read, read_mission
+from gearwright.spec import GovernorRules, WindowRules
 
 SHORT = {"event": "motor-short-circuit", "back_emf_v": 250.0, "inductance_mh": 0.1, "pole_pairs": 6}
-
-
-@cache
-def thesis():
-    """Return the thesis's mission flown by its hybrid."""
-    return fly(size(read(find_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
 
 
 @cache
 def flown(**rules):
     """Return half a second of cruise, at constant stiffness, with an event after 0.05 s."""
     given = {"phase": "cruise", "at": 600.0, "duration": 0.5, "event_at": 0.05, "stiffness": "constant"}
-    return fly_window(thesis(), "fault", WindowRules(**given | rules))
+    return fly_window(shipped_work.flown(), "fault", WindowRules(**given | rules))
 
 
 def test_a_short_circuit_puts_the_torque_of_its_closed_form_on_the_rotor():
     """Straight lines between 32 points of a cycle, and the bins' extremes at steps: 1 %."""
     trace = flown(**SHORT, resistance_ohm=0.01).trace
-    rated = thesis().sizing.design.motors["electric"].speed
+    rated = shipped_work.flown().sizing.design.motors["electric"].speed
     torque = trace.drive.of("electric torque")
     speed, before = float(trace.samples.drive("electric speed")[0]), float(torque["mean"][0])
     expected = short_circuit_torque(
@@ -57,9 +49,9 @@ def test_a_short_circuit_without_flux_is_a_motor_cut():
 def test_a_window_names_the_peak_of_every_mesh_and_shaft_beside_what_they_are_sized_for():
     """The shaft of a machine carries what its statistics say; margins fall as torque rises."""
     window = flown(**SHORT)
-    assert {load.mesh for load in window.meshes} == {mesh.name for mesh in thesis().sizing.meshes}
+    assert {load.mesh for load in window.meshes} == {mesh.name for mesh in shipped_work.flown().sizing.meshes}
     shaft = next(load for load in window.shafts if load.shaft == "input")
-    history, sized = window.trace.force.of("input shaft"), thesis().sizing.shafts[0]
+    history, sized = window.trace.force.of("input shaft"), shipped_work.flown().sizing.shafts[0]
     assert shaft.peak_torque == max(history["maximum"].max(), -history["minimum"].min())
     assert shaft.margin == pytest.approx(sized.margin * sized.torque / shaft.peak_torque, rel=1e-12)
 
@@ -83,7 +75,7 @@ def test_the_torque_of_an_engine_that_fails_halves_within_its_lag_times_the_loga
 
 def test_an_engine_that_fails_leaves_its_load_to_the_other_and_its_freewheel_never_pulls():
     """Nothing comes back through an overrunning clutch; the energies of clutch and train close."""
-    flight = fly(size(read(find_design("twin-engine-sprag"))), read_mission(shipped_mission("regional-250nm")))
+    flight = shipped_work.flown("twin-engine-sprag", "regional-250nm")
     rules = WindowRules(
         phase="climb", at=180.0, duration=1.5, event="engine-out", event_at=0.2, lag=0.1, machine="turbine-2",
         stiffness="constant",
@@ -113,7 +105,7 @@ def test_a_pitch_that_runs_away_is_caught_by_the_overspeed_governor():
 
 def test_a_slam_to_the_power_that_is_there_changes_nothing():
     """What is staged anew at the same power are the torques of the flight; 1e-3: losses at the window's own speed."""
-    flight = thesis()
+    flight = shipped_work.flown()
     k = int(np.argmin(np.abs(flight.history.time - fly_start())))
     power = sum(float(machine.power[k]) for machine in flight.machines.values())
     trace = flown(event="power-slam", power=power, lag=0.1).trace

@@ -8,10 +8,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.machines import Governor
-from gearwright.mission import fly, governed_window, rotor_at, trim_at
-from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.sizing import size
-from gearwright.spec import read, read_mission
+from gearwright.mission import governed_window, rotor_at, trim_at
 from shipped_work import flown
 
 DEGREE = math.pi / 180.0
@@ -85,6 +82,6 @@ def test_a_window_that_leaves_the_map_says_so():
 
 
 def test_schedules_have_no_governor():
-    rotor = fly(size(read(shipped_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
+    rotor = flown("face-gear-split-torque", "rotor-schedule")
     with pytest.raises(DesignError, match="a governor needs a map"):
         trim_at(rotor, 10.0)

@@ -178,8 +178,8 @@ def _new(order: Order, seen: list[float]) -> Iterator[Order]:
 
 def _crossings(factor: Floats, frequency: Floats, orders: Sequence[Order]) -> Iterator[Crossing]:
     for order in orders:
-        for mode, column in enumerate(frequency.T):
-            gap = order.frequency * factor - column
-            for i in np.flatnonzero(gap[:-1] * gap[1:] < 0.0):
-                place = factor[i] + (factor[i + 1] - factor[i]) * gap[i] / (gap[i] - gap[i + 1])
-                yield Crossing(order, mode, float(place), order.frequency * float(place))
+        gap = order.frequency * factor - frequency.T
+        for mode, i in np.argwhere(gap[:, :-1] * gap[:, 1:] < 0.0).tolist():
+            before, after = gap[mode, i : i + 2].tolist()
+            place = float(factor[i] + (factor[i + 1] - factor[i]) * before / (before - after))
+            yield Crossing(order, mode, place, order.frequency * place)

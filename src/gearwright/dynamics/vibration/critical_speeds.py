@@ -235,7 +235,11 @@ class Shaker:
     def __init__(self, system: System, modes: dict[float, DampedModes]) -> None:
         self.system, self.matrix, self.modes = system, line_matrix(system.arrays), modes
         self.mean = statics(system, balance="accelerate").force
-        arrays = system.arrays
+        arrays, mean = system.arrays, np.abs(self.mean)
+        meshes = np.array([kind == "mesh" for kind in system.labels.line_kinds])
+        self.carrying = meshes & (mean > SAME * np.max(mean[meshes], initial=0.0))
+        self.load = mean[self.carrying]
+        self.pushes: dict[Order, Complexes] = {}
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
 
     def force(self, crossing: Crossing) -> float:
@@ -246,7 +250,9 @@ class Shaker:
 
         Source: see `critical_speeds`.
         """
-        exciting = self._push(crossing.order)
+        if crossing.order not in self.pushes:
+            self.pushes[crossing.order] = self._push(crossing.order)
+        exciting = self.pushes[crossing.order]
         if not np.any(exciting):
             return 0.0
         modes = self._modes(crossing.factor)
@@ -258,7 +264,8 @@ class Shaker:
         # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
         together = resonant.conj().T @ (self.system.arrays.mass[:, None] * resonant)
-        moved = resonant @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
+        shares = push / together[0] if len(push) == 1 else np.linalg.pinv(together) @ push
+        moved = resonant @ shares / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
         alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
         # The mode decides whether the order excites it at all; how large the force is, all modes say together.
         return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
@@ -291,10 +298,7 @@ class Shaker:
 
     def _worst(self, amplitude: Floats) -> float:
         """Return the largest amplitude over the mean force, of meshes that carry."""
-        meshes = np.array([kind == "mesh" for kind in self.system.labels.line_kinds])
-        mean = np.abs(self.mean)
-        carrying = meshes & (mean > SAME * np.max(mean[meshes], initial=0.0))
-        return float(np.max(amplitude[carrying] / mean[carrying], initial=0.0))
+        return float(np.max(amplitude[self.carrying] / self.load, initial=0.0))
 
 
 def _exciting(system: System, tone: Tone, force: Floats) -> Complexes:

@@ -16,6 +16,7 @@ from typing import Any, ParamSpec
 import matplotlib as mpl
 from cycler import cycler
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -166,7 +167,12 @@ def to_svg(figure: Figure, prefix: str = "") -> str:
     """
     buffer = io.StringIO()
     with mpl.rc_context(_FINISH):
-        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+        # Straight to its canvas: `savefig` draws everything twice, the first time for a layout that is solved already.
+        resolution = figure.dpi
+        FigureCanvasSVG(figure).print_svg(
+            buffer, metadata={"Date": None, "Creator": None, "Format": None, "Type": None}
+        )
+        figure.dpi = resolution
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>\s*", "", text, flags=re.DOTALL)
