@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.dynamics.vibration import run_up as runup
     from gearwright.errors import DesignError, Problem, SolveError
-    from gearwright.exchange import to_fmu, to_rexs
+    from gearwright.exchange import from_rexs, to_fmu, to_rexs
     from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
     from gearwright.mission import duty_spectrum as duty
     from gearwright.mission import fly_mix as mix
@@ -103,6 +103,7 @@ _VERBS = {
     "fly_many": "study",
     "for_engine": "study",
     "frequency_response": "dynamics",
+    "from_rexs": "exchange",
     "influences": "sizing",
     "load": "store",
     "loss_balance": "sizing.losses",
@@ -191,6 +192,7 @@ __all__ = [
     "fly_many",
     "for_engine",
     "frequency_response",
+    "from_rexs",
     "influences",
     "load",
     "loss_balance",

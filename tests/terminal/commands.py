@@ -44,6 +44,7 @@ COMMANDS = (
     Command("export pair.toml --to fmu"),
     Command("export pair.toml --to html --out turning.html --detail coarse"),
     Command("export pair.toml --to rexs"),
+    Command("import sew.rexs --out sew.toml --force"),
     Command("schema", machine=True),
     Command("campbell pair.toml"),
     Command("response hybrid.toml"),
@@ -86,7 +87,15 @@ mass = "minimum"
 BENCH = "time_s,torque_nm,speed_rpm,temperature_c\n" + "".join(
     f"{10 * k},{50 * (k % 9)},{600 + 30 * k},{40 + k}\n" for k in range(40)
 )
-FILES = {"bench.csv": BENCH, "pair.toml": PAIR, "hybrid.toml": HYBRID, "rated.toml": RATED, "small.toml": STUDY}
+SEW = Path(__file__).parents[1] / "rexs" / "examples" / "sew_3stage_1.0.rexs"
+FILES = {
+    "bench.csv": BENCH,
+    "sew.rexs": SEW.read_text(encoding="utf-8-sig"),
+    "pair.toml": PAIR,
+    "hybrid.toml": HYBRID,
+    "rated.toml": RATED,
+    "small.toml": STUDY,
+}
 JOURNAL = ["study", "small.toml", "--workers", "0", "--journal", "journal"]
 """What makes the journal of `status` and `resume`."""
 

@@ -15,7 +15,7 @@ import gearwright as gw
 
 ROOT = Path(__file__).parents[2]
 API = (ROOT / "docs" / "reference" / "api.md").read_text(encoding="utf-8")
-ERRANDS = {"check", "export", "new", "run", "status", "resume", "cluster"}
+ERRANDS = {"check", "export", "import", "new", "run", "status", "resume", "cluster"}
 """Commands that read or write files for people, and are no verb of their own."""
 
 

@@ -20,6 +20,7 @@ from gearwright.cli.commands.closure import close
 from gearwright.cli.commands.design import check, modes, report, simulate, size
 from gearwright.cli.commands.draw import draw
 from gearwright.cli.commands.dynamics import campbell, response, runup, validate
+from gearwright.cli.commands.exchange import import_
 from gearwright.cli.commands.export import export
 from gearwright.cli.commands.files import new, schema
 from gearwright.cli.commands.lives import duty, mix
@@ -41,7 +42,7 @@ from gearwright.version import __version__
 YOUNG = 100_000
 """Objects after which Python looks for cycles among them: modules that load make few, and each look takes a while."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
-    "Designs": (new, run, check, size, close, review, report, draw, export, schema),
+    "Designs": (new, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty),
     "Studies": (compare, study, status, resume, cluster),

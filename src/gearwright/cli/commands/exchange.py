@@ -1,0 +1,37 @@
+"""Command import: a gearbox of another tool as a design."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gearwright.cli.terminal.output import show, tell
+from gearwright.writing import write_text
+
+
+def import_(
+    file: Annotated[Path, typer.Argument(help="A file of REXS 1.0 to 1.7, as XML", metavar="FILE")],
+    out: Annotated[Path | None, typer.Option("--out", help="Design file; left out: NAME.toml here")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
+) -> None:
+    """Read a gearbox of another tool, in REXS, and write it as a design; say what was assumed and what was not read."""
+    from gearwright.errors import Problem, refuse
+    from gearwright.exchange import from_rexs
+    from gearwright.spec import design_text
+
+    read = from_rexs(file)
+    target = out or Path(f"{file.stem}.toml")
+    if target.exists() and not force:
+        refuse([Problem("--out", "the file is there already; name another, or replace it with --force")], str(target))
+    write_text(target, design_text(read.design))
+    show(f"wrote {target}: REXS {read.version} of {read.application}; next: gearwright check {target}")
+    for title, lines in (("assumed", read.assumed), ("not read", read.not_read)):
+        if lines:
+            tell(f"{title}:")
+        for line in lines:
+            tell(f"  {line}")
+
+
+import_.__name__ = "import"

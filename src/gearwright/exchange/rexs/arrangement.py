@@ -1,0 +1,132 @@
+"""Where shafts of a document stand and what sits where on them, and of what gears are made, as tables of a design."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.catalogue import materials
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.bodies import Bodies
+from gearwright.exchange.rexs.gearing import Gear, Gearing
+
+Table = dict[str, Any]
+
+
+def read_sections(asking: Asking) -> dict[int, tuple[float, float]]:
+    """Return shaft -> its length and the diameter of its thickest section [m]; count all sections as read.
+
+    Args:
+        asking: The document.
+    """
+    found: dict[int, tuple[float, float]] = {}
+    for shaft in asking.document.of_kind("shaft"):
+        asking.used.add(shaft.number)
+        asking.number(shaft, "mass_of_component")
+        ends, diameters = [0.0], [0.0]
+        for part in asking.document.related("assembly", "assembly", shaft.number, "part"):
+            section = asking.document.components[part]
+            if section.kind != "shaft_section":
+                continue
+            asking.used.add(part)
+            start = asking.number(section, "u_coordinate_on_shaft") or 0.0
+            ends.append(start + (asking.number(section, "length") or 0.0))
+            diameters += [asking.number(section, f"outer_diameter_{end}") or 0.0 for end in ("begin", "end")]
+        found[shaft.number] = (max(ends), max(diameters))
+    return found
+
+
+def read_layout(asking: Asking, bodies: Bodies, gearing: Gearing, gears: Mapping[int, Gear]) -> Table:
+    """Return the table of shafts whose axes and lengths a design can hold: those of trains of parallel pairs.
+
+    Args:
+        asking: The document.
+        bodies: What of it turns as one.
+        gearing: Its gears and stages.
+        gears: Gears by id.
+    """
+    sections = read_sections(asking)
+    if gearing.planetaries or any(pair.get("kind") == "bevel" for pair in gearing.pairs.values()):
+        asking.notes.append("lengths and places of shafts are not read in a train with planetary or bevel stages")
+        return {}
+    shafts = {name: [number for number in sections if bodies.name_of(number) == name] for name in gearing.shafts}
+    layout: Table = {}
+    for name, numbers in shafts.items():
+        if len(numbers) == 1 and sections[numbers[0]][0] > 0.0:
+            layout[name] = {"length_m": sections[numbers[0]][0]}
+    for shaft, angle in _angles(asking, gearing, shafts, gears).items():
+        layout.setdefault(shaft, {})["angle_rad"] = angle
+    if layout:
+        asking.notes.append("diameters of shafts are not read: gearwright sizes shafts of one diameter")
+    return layout
+
+
+def _angles(
+    asking: Asking, gearing: Gearing, shafts: Mapping[str, Sequence[int]], gears: Mapping[int, Gear]
+) -> dict[str, float]:
+    """Return shaft -> direction of its axis from the one that it meshes with, of those that stand along +u [rad]."""
+    places = {name: _axis(asking, numbers) for name, numbers in shafts.items()}
+    seen, angles = set(gearing.shafts[:1]), dict[str, float]()
+    for pair in gearing.pairs.values():
+        ends = [gearing.shaft(pair[role]) for role in ("pinion", "wheel")]
+        ends.sort(key=lambda shaft: shaft not in seen)
+        first, second = (places.get(end) for end in ends)
+        if first is not None and second is not None and ends[1] not in seen:
+            way = second - first
+            if math.hypot(way[1], way[2]) > 0.0:
+                angles[ends[1]] = math.atan2(way[2], way[1])
+        seen |= set(ends)
+    return angles
+
+
+def _axis(asking: Asking, numbers: Sequence[int]) -> Floats | None:
+    """Return a place on the axis of a shaft [m], shape (3,); None where it does not stand along +u."""
+    for number in numbers:
+        shaft = asking.document.components[number]
+        origin, along = asking.vector(shaft, "support_vector"), asking.vector(shaft, "u_axis_vector")
+        if origin and along and len(origin) == len(along) == 3 and along[0] > 0.999e-3 * math.hypot(*along) / 1e-3:
+            return np.asarray(origin)
+    return None
+
+
+def read_materials(asking: Asking, gearing: Gearing, gears: Mapping[int, Gear]) -> Table:
+    """Return the rules of gears that follow from their materials.
+
+    Args:
+        asking: The document.
+        gearing: Its stages.
+        gears: Gears by id.
+    """
+    document = asking.document
+    rings = {gear.number for gear in gears.values() if gear.component.kind == "ring_gear"}
+    wheels = rings | gearing.wheels
+    names: dict[str, set[str]] = {"first": set(), "wheel": set()}
+    for gear in gears.values():
+        for number in document.related("reference", "origin", gear.number, "referenced"):
+            component = document.components[number]
+            if component.kind == "material":
+                asking.used.add(number)
+                side = "wheel" if gear.number in wheels else "first"
+                names[side].add(asking.text(component, "material_designation") or component.name)
+    first, wheel = (sorted(names[key]) for key in ("first", "wheel"))
+    if len(first) != 1 or len(wheel) > 1 or not {*first, *wheel} <= materials().keys():
+        listed = ", ".join(sorted({*first, *wheel}))
+        said = f"materials {listed} of the gears are not those" if listed else "gears have no material: they are not"
+        asking.notes.append(f"{said} of the catalogue that one design can hold; nitriding-steel-785 stands for them")
+        return {}
+    asking.notes.append(f"materials {', '.join(sorted({*first, *wheel}))} are those of the catalogue, by their names")
+    rules: Table = {"material": first[0]}
+    steel = materials()[first[0]].steel
+    if steel is None or (wheel and materials()[wheel[0]].steel is None):
+        return rules
+    rules["rating"] = "iso6336"
+    if wheel and wheel != first:
+        other = materials()[wheel[0]]
+        rules["iso6336"] = {"wheel": {"steel": other.steel, "grade": other.grade or "MQ"}}
+        if other.hardness is not None:
+            rules["iso6336"]["wheel"]["hardness_hv"] = other.hardness
+    return rules

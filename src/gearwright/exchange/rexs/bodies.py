@@ -1,0 +1,133 @@
+"""Which components of a document turn as one: shafts, carriers and plates that couplings join, and the housing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from gearwright.errors import Problem
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.document import Component
+from gearwright.spec import GROUND, LONGEST_NAME
+
+RIGID = ("coupling", "feather_key_connection", "cylindrical_interference_fit", "tapered_interference_fit")
+"""Components that let their sides turn as one."""
+
+
+@dataclass
+class Bodies:
+    """Components that turn as one, and what bodies are called."""
+
+    asking: Asking
+    joined: dict[int, int] = field(default_factory=dict)
+    """Component -> another of its body, or itself."""
+    names: dict[int, str] = field(default_factory=dict)
+    """First component of a body -> its name in the design."""
+    taken: set[str] = field(default_factory=lambda: {GROUND})
+    """Names of the design so far."""
+
+    def of(self, number: int) -> int:
+        """Return the component that speaks for a body.
+
+        Args:
+            number: One of its components.
+        """
+        while (following := self.joined.get(number, number)) != number:
+            number = following
+        return number
+
+    def join(self, first: int, second: int) -> None:
+        """Make one body of two; the first speaks for it.
+
+        Args:
+            first: A component.
+            second: Another one.
+        """
+        if self.of(first) != self.of(second):
+            self.joined[self.of(second)] = self.of(first)
+
+    def name(self, number: int) -> str:
+        """Return what the design calls the body of a component.
+
+        Args:
+            number: Of the component.
+        """
+        body = self.of(number)
+        if body not in self.names:
+            self.names[body] = self.new_name(self.asking.document.components[number])
+        return self.names[body]
+
+    def name_of(self, number: int) -> str | None:
+        """Return what the design calls the body of a component; None of one that nothing asked the name of.
+
+        Args:
+            number: Of the component.
+        """
+        return self.names.get(self.of(number))
+
+    def new_name(self, component: Component) -> str:
+        """Return a name for a component that nothing else has.
+
+        Args:
+            component: To be called so.
+        """
+        plain = "".join(mark if mark.isalnum() else " " for mark in component.name or component.kind)
+        stem = "-".join(plain.split())[: LONGEST_NAME - 4].strip("-") or component.kind
+        name = next(name for name in _numbered(stem) if name not in self.taken)
+        self.taken.add(name)
+        return name
+
+
+def _numbered(stem: str) -> Iterator[str]:
+    yield stem
+    yield from (f"{stem}-{k}" for k in range(2, 10_000))
+
+
+def bodies_of(asking: Asking) -> Bodies:
+    """Return what of a document turns as one.
+
+    Args:
+        asking: The document.
+    """
+    document = asking.document
+    bodies = Bodies(asking)
+    for casing in document.of_kind("gear_casing"):
+        bodies.join(document.of_kind("gear_casing")[0].number, casing.number)
+    for carrier in document.of_kind("planet_carrier"):
+        for part in document.related("assembly", "assembly", carrier.number, "part"):
+            bodies.join(carrier.number, part)
+    for coupling in document.of_kind(*RIGID, "switchable_coupling"):
+        if coupling.kind in RIGID or all(holds(asking, coupling)):
+            _couple(bodies, coupling)
+    for casing in document.of_kind("gear_casing"):
+        bodies.names[bodies.of(casing.number)] = GROUND
+    return bodies
+
+
+def holds(asking: Asking, coupling: Component) -> tuple[bool, ...]:
+    """Return whether a switchable coupling is engaged, load case by load case.
+
+    Args:
+        asking: The document.
+        coupling: Of it.
+    """
+    cases = asking.document.cases or ({},)
+    always = asking.text(coupling, "is_engaged")
+    said = [asking.text(case[coupling.number], "is_engaged") if coupling.number in case else "" for case in cases]
+    return tuple((text or always) == "true" for text in said)
+
+
+def _couple(bodies: Bodies, coupling: Component) -> None:
+    """Join both sides of a coupling."""
+    relations = [relation for relation in bodies.asking.document.relations
+                 if relation.kind == "side" and relation.roles.get("assembly") == coupling.number]  # fmt: skip
+    bodies.asking.used.add(coupling.number)
+    for relation in relations:
+        ends = [relation.roles.get(role) for role in ("inner_part", "outer_part")]
+        if None in ends:
+            said = f"joins {len(relation.roles) - 1} part; give an inner_part and an outer_part"
+            bodies.asking.problems.append(Problem("relations.side", said, relation.line))
+            continue
+        inner, outer = (end for end in ends if end is not None)
+        kind = bodies.asking.document.components[outer].kind
+        bodies.join(*((outer, inner) if kind == "gear_casing" else (inner, outer)))

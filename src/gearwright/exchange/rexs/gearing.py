@@ -1,0 +1,171 @@
+"""Gears and stages of a document as tables of a design: pairs, bevel pairs, planetary sets."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.document import Component
+
+Table = dict[str, Any]
+GEARS = ("cylindrical_gear", "ring_gear", "bevel_gear")
+FLANKS = ("cylindrical_gear_flank", "flank_geometry", "bevel_gear_flank")
+_SQUARE = math.radians(20.0)
+NEAR = 5e-4
+"""Profile shifts that differ by no more are the same, as printed in files [-]."""
+
+
+@dataclass(frozen=True)
+class Gear:
+    """A gear of a document."""
+
+    component: Component
+    shaft: int
+    teeth: int
+    """[-]"""
+    module: float
+    """Normal module; of a bevel gear the outer transverse one [m]."""
+    width: float
+    """[m]"""
+    helix: float
+    """Positive for right-hand teeth [rad]."""
+    shift: float | None
+    """[-]"""
+    pressure_angle: float
+    """[rad]"""
+
+    @property
+    def number(self) -> int:
+        """Id of its component."""
+        return self.component.number
+
+
+@dataclass
+class Gearing:
+    """What was read of gears and stages."""
+
+    pairs: dict[str, Table] = field(default_factory=dict)
+    planetaries: dict[str, Table] = field(default_factory=dict)
+    shafts: list[str] = field(default_factory=list)
+    """Shafts of the design, in order."""
+    owners: dict[int, str] = field(default_factory=dict)
+    """Gear -> the pair that has it, and what it is there: ``first.wheel``."""
+    wheels: set[int] = field(default_factory=set)
+    """Gears that are wheels of pairs."""
+    stages: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    """Stage of the design -> ids of its stages in the document."""
+    clutches: dict[str, Table] = field(default_factory=dict)
+    engaged: dict[str, tuple[bool, ...]] = field(default_factory=dict)
+    """Clutch -> whether it holds, load case by load case."""
+
+    def add_shaft(self, name: str) -> str:
+        """Note a shaft of the design, and return its name.
+
+        Args:
+            name: Of the shaft, or ground.
+        """
+        if name != "ground" and name not in self.shafts:
+            self.shafts.append(name)
+        return name
+
+    def shaft(self, named: str) -> str:
+        """Return the shaft that a side of a pair names, directly or by a gear of another pair.
+
+        Args:
+            named: As in the design, such as ``fast`` or ``first.wheel``.
+        """
+        for name, pair in self.pairs.items():
+            for role in ("pinion", "wheel"):
+                if f"{name}.{role}" == named:
+                    return self.shaft(pair[role])
+        return named
+
+
+def gears_of(asking: Asking) -> dict[int, Gear]:
+    """Return every gear of a document by its id.
+
+    Args:
+        asking: The document.
+    """
+    return {component.number: _gear(asking, component) for component in asking.document.of_kind(*GEARS)}
+
+
+def _gear(asking: Asking, component: Component) -> Gear:
+    document, number = asking.document, component.number
+    asking.used.add(number)
+    shafts = document.related("assembly", "part", number, "assembly")
+    if not shafts:
+        asking.refuse(component, "stands on no shaft; give it an assembly relation with one")
+    teeth = round(abs(asking.needed(component, "number_of_teeth")))
+    flanks = [document.components[flank] for role in ("left", "right")
+              for flank in document.related("flank", "gear", number, role)]  # fmt: skip
+    asking.used.update(flank.number for flank in flanks)
+    if component.kind == "bevel_gear":
+        module = asking.needed(component, "outer_pitch_diameter") / max(teeth, 1)
+        helix, shift = (
+            asking.number(component, "mean_spiral_angle"),
+            _of_any(asking, [component], "profile_shift_coefficient"),
+        )
+    else:
+        module, helix = (
+            asking.needed(component, "normal_module"),
+            asking.number(component, "helix_angle_reference_diameter"),
+        )
+        shift = _of_any(asking, [*flanks, component], "addendum_modification_coefficient")
+    angle = _of_any(asking, flanks, "normal_pressure_angle")
+    width = asking.needed(component, "face_width")
+    asking.number(component, "mass_of_component")
+    return Gear(component, shafts[0] if shafts else -1, teeth, module, width, helix or 0.0, shift, angle or _SQUARE)
+
+
+def _of_any(asking: Asking, components: Iterable[Component], name: str) -> float | None:
+    """Return the first number of a name that some components have, and read all of them."""
+    values = [value for component in components if (value := asking.number(component, name)) is not None]
+    return values[0] if values else None
+
+
+def _alike(one: Gear, other: Gear) -> tuple[tuple[str, float, float], ...]:
+    """Return what gears in mesh must have in common, of both."""
+    return (
+        ("module", one.module, other.module),
+        ("helix angle", abs(one.helix), abs(other.helix)),
+        ("pressure angle", one.pressure_angle, other.pressure_angle),
+    )
+
+
+def stage_table(asking: Asking, stage: Component, gears: Sequence[Gear]) -> Table:
+    """Return what all gears of a stage share: module, width, centre distance, angles.
+
+    Args:
+        asking: The document.
+        stage: One stage of them.
+        gears: All of them.
+    """
+    first = gears[0]
+    for gear in gears[1:]:
+        for said, one, other in _alike(first, gear):
+            if not math.isclose(one, other, rel_tol=1e-6, abs_tol=1e-9):
+                message = f"meshes with {first.component.path}, which has another {said}; they must be equal"
+                asking.refuse(gear.component, message)
+    widths = {gear.width for gear in gears}
+    if len(widths) > 1:
+        listed = ", ".join(f"{1e3 * width:g}" for width in sorted(widths, reverse=True))
+        asking.notes.append(f"line {stage.line}: {stage.path}: of face widths {listed} mm the smallest stands for all")
+    table: Table = {"face_width_m": min(widths)}
+    rules: Table = {}
+    if not math.isclose(first.pressure_angle, _SQUARE, rel_tol=1e-9):
+        rules["pressure_angle_rad"] = first.pressure_angle
+    if first.component.kind == "bevel_gear":
+        table |= {"outer_module_m": first.module, "spiral_angle_rad": abs(first.helix)}
+    else:
+        table["module_m"] = first.module
+        distance = asking.number(stage, "center_distance")
+        if distance is not None:
+            table["centre_distance_m"] = distance
+        if first.helix:
+            rules["helix_angle_rad"] = abs(first.helix)
+    asking.number(stage, "common_face_width")
+    return table | ({"gears": rules} if rules else {})

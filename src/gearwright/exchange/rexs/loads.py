@@ -1,0 +1,261 @@
+"""Loads, load cases and oil of a document as machines, cases and rules of a design."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gearwright.errors import Problem
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.bodies import Bodies, holds
+from gearwright.exchange.rexs.document import Component
+from gearwright.exchange.rexs.gearing import Gearing
+from gearwright.exchange.rexs.speeds import led_on
+from gearwright.spec import GROUND
+
+Table = dict[str, Any]
+_SLOW = 1e-6
+"""Speed below which a shaft stands still [rad/s]."""
+
+
+@dataclass(frozen=True)
+class Said:
+    """What one load case says."""
+
+    share: float | None
+    """Of the life [-]."""
+    torques: Mapping[int, float]
+    """Load -> torque [N m]."""
+    speeds: Mapping[str, float]
+    """Shaft -> speed, of all shafts [rad/s]."""
+
+    def power(self, load: int, shaft: str) -> float:
+        """Return what a load gives [W].
+
+        Args:
+            load: Its id.
+            shaft: On which it is.
+        """
+        return self.torques[load] * self.speeds.get(shaft, 0.0)
+
+
+def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
+    """Return the tables of machines and cases.
+
+    Args:
+        asking: The document.
+        bodies: What of it turns as one.
+        gearing: Its gears.
+    """
+    loads = _loads(asking, bodies, gearing)
+    if asking.problems:
+        return {}
+    cases = [_said(asking, bodies, gearing, loads, case) for case in asking.document.cases or ({},)]
+    known = _known(asking, loads, cases)
+    for load in [load for load in known if not any(said.torques[load] for said in cases)]:
+        known.remove(load)
+        component = asking.document.components[load]
+        asking.notes.append(f"line {component.line}: {component.path} has a torque of 0 in every case; it is left out")
+        del loads[load]
+    names = {load: bodies.new_name(asking.document.components[load]) for load in loads}
+    others = [load for load in loads if load not in known]
+    if not _is_enough(asking, loads, known, others, cases):
+        return {}
+    tables: Table = {"motors": {}, "loads": {}}
+    said_once = "what drives is read as a motor, what is driven as a load: REXS does not say which machines they are"
+    asking.notes.append(said_once)
+    for load in known:
+        _machine(tables, names[load], loads[load], [said.power(load, loads[load]) for said in cases],
+                 [said.speeds[loads[load]] for said in cases])  # fmt: skip
+    for load in others:
+        powers = [-sum(said.power(one, loads[one]) for one in known) for said in cases]
+        speeds = [said.speeds[loads[load]] for said in cases]
+        if max(powers, key=abs) > 0.0:
+            _machine(tables, names[load], loads[load], powers, speeds)
+            tables["motors"][names[load]]["balances"] = True
+        else:
+            tables["loads"][names[load]] = {"shaft": loads[load]}
+    tables.pop("sense", None)
+    _free_speeds(tables, gearing, cases[0])
+    return tables | _cases(asking, cases, {names[load]: load for load in known}, loads, gearing.engaged)
+
+
+def _known(asking: Asking, loads: Mapping[int, str], cases: list[Said]) -> list[int]:
+    """Return the loads whose torques are given: not those of which a file says that they follow, and never all."""
+    stated = [load for load in loads if all(load in said.torques for said in cases)]
+    given = [load for load in stated
+             if asking.text(asking.document.components[load], "defines_torque") != "false"] or stated  # fmt: skip
+    if len(given) == len(loads) and len(given) > 1:
+        most = min(given, key=lambda load: cases[0].power(load, loads[load]))
+        asking.notes.append(f"the torque of {asking.document.components[most].path} follows from all others")
+        given.remove(most)
+    return given
+
+
+def _loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> dict[int, str]:
+    """Return load -> its shaft, of all that transmit torque."""
+    loads: dict[int, str] = {}
+    for load in asking.document.of_kind("external_load"):
+        said = asking.text(load, "transmits_torque")
+        asking.text(load, "defines_torque")
+        if said == "false":
+            continue
+        shafts = asking.document.related("assembly", "part", load.number, "assembly")
+        asking.used.add(load.number)
+        asking.number(load, "u_coordinate_on_shaft")
+        if not shafts:
+            asking.refuse(load, "acts on no shaft; give it an assembly relation with one")
+            continue
+        loads[load.number] = bodies.name(shafts[0])
+        if loads[load.number] not in gearing.shafts:
+            asking.refuse(
+                load, f"acts on {loads[load.number]}, which has no gear and no carrier; put it on a shaft that has"
+            )
+    return loads
+
+
+def _said(
+    asking: Asking, bodies: Bodies, gearing: Gearing, loads: Mapping[int, str], case: Mapping[int, Component]
+) -> Said:
+    document = asking.document
+    speeds: dict[str, float] = {}
+    for shaft in document.of_kind("shaft"):
+        name = bodies.name_of(shaft.number)
+        spoken = [said for said in (case.get(shaft.number), shaft) if said is not None]
+        values = [value for said in spoken if (value := asking.number(said, "rotational_speed")) is not None]
+        if values and name in gearing.shafts:
+            speeds.setdefault(str(name), values[0])
+    owners = {gear: gearing.shaft(gear) for gear in gearing.owners.values()}
+    torques = {}
+    for load in loads:
+        for said in (case.get(load), document.components[load]):
+            torque = None if said is None else asking.number(said, "torque_around_u_axis")
+            if torque is not None and load not in torques:
+                torques[load] = torque
+    unit = next((said for said in case.values() if said.kind == "gear_unit"), None)
+    share = None if unit is None else asking.number(unit, "operating_time_fraction")
+    return Said(share, torques, led_on(gearing.pairs, gearing.planetaries, speeds, owners))
+
+
+def _is_enough(
+    asking: Asking, loads: Mapping[int, str], known: list[int], others: list[int], cases: list[Said]
+) -> bool:
+    """Tell whether torques and speeds are enough for a design, and refuse what is missing."""
+    said = ""
+    if not loads:
+        said = "there is no external_load that transmits torque; give one on the driving and one on the driven shaft"
+    elif not known:
+        said = "no external_load has a torque_around_u_axis; give that of the driving machine"
+    elif len(others) > 1:
+        said = f"{len(others)} loads have no torque_around_u_axis; it follows for one of them, give that of the others"
+    elif not others and len(known) == 1:
+        said = "one external_load alone transmits torque; give one on the driven shaft, too"
+    elif any(loads[load] not in case.speeds for load in loads for case in cases):
+        said = "the speeds of the loads do not follow from any rotational_speed; give that of the driving shaft"
+    if said:
+        asking.problems.append(Problem("components.external_load", said))
+    return not said
+
+
+def _machine(tables: Table, name: str, shaft: str, powers: list[float], speeds: list[float]) -> None:
+    """Add what drives as a motor, and what is driven as a load."""
+    most = max(range(len(powers)), key=lambda place: abs(powers[place]))
+    if powers[most] > 0.0:
+        machine: Table = {"shaft": shaft, "power_w": max(powers), "speed_rad_s": abs(speeds[most])}
+        leads = next(iter(tables["motors"].values()), None)
+        if leads is not None and speeds[most] * tables.get("sense", 1.0) < 0.0:
+            machine["reverse"] = True
+        tables.setdefault("sense", 1.0 if speeds[most] >= 0.0 else -1.0)
+        tables["motors"][name] = machine
+    else:
+        tables["loads"][name] = {"shaft": shaft, "power_w": -powers[most]}
+
+
+def _free_speeds(tables: Table, gearing: Gearing, said: Said) -> None:
+    """Give driven machines their speeds where those do not follow from the speeds of what drives."""
+    owners = {gear: gearing.shaft(gear) for gear in gearing.owners.values()}
+    known = {machine["shaft"]: said.speeds[machine["shaft"]] for machine in tables["motors"].values()}
+    for machine in tables["loads"].values():
+        shaft = machine["shaft"]
+        if shaft not in led_on(gearing.pairs, gearing.planetaries, known, owners) and not gearing.clutches:
+            known[shaft] = said.speeds[shaft]
+            machine["speed_rad_s"] = abs(said.speeds[shaft])
+
+
+def _cases(
+    asking: Asking, cases: list[Said], names: Mapping[str, int], loads: Mapping[int, str],
+    engaged: Mapping[str, tuple[bool, ...]],
+) -> Table:  # fmt: skip
+    """Return the table of cases where there are several."""
+    if len(cases) < 2:
+        return {}
+    shares = [said.share for said in cases]
+    if None in shares:
+        asking.notes.append("load cases without a share of the time last equally long")
+    whole = sum(share or 0.0 for share in shares) if None not in shares else 0.0
+    if None not in shares and whole and abs(whole - 1.0) > 1e-9:
+        asking.notes.append(
+            f"the shares of the load cases add up to {100.0 * whole:g} %, which counts as all of the life"
+        )
+    tables: Table = {}
+    for place, said in enumerate(cases, start=1):
+        share = (said.share or 0.0) / whole if whole else 1.0 / len(cases)
+        table: Table = {"share": share}
+        if engaged:
+            table["engaged"] = [clutch for clutch, held in engaged.items() if held[place - 1]]
+        for name, load in names.items():
+            speed, power = said.speeds[loads[load]], said.power(load, loads[load])
+            table[name] = {"power_w": power} if abs(speed) > _SLOW else {"torque_nm": said.torques[load]}
+            if power > 0.0 and abs(speed) > _SLOW:
+                table[name]["speed_rad_s"] = abs(speed)
+        if said.share == 0.0:
+            table = {"static": True} | {key: value for key, value in table.items() if key != "share"}
+            asking.notes.append(f"load case {place} has no share of the time; it is read as static")
+        tables[f"case-{place}"] = table
+    return {"cases": tables}
+
+
+def read_clutches(asking: Asking, bodies: Bodies, gearing: Gearing) -> None:
+    """Add couplings that hold in some load cases, or in none.
+
+    Args:
+        asking: The document.
+        bodies: What of it turns as one.
+        gearing: To which they are added.
+    """
+    for coupling in asking.document.of_kind("switchable_coupling"):
+        asking.used.add(coupling.number)
+        held = holds(asking, coupling)
+        parts = [part for role in ("inner_part", "outer_part")
+                 for part in asking.document.related("side", "assembly", coupling.number, role)]  # fmt: skip
+        if all(held) or len(parts) != 2:
+            continue
+        ends = [gearing.add_shaft(bodies.name(part)) for part in parts]
+        driving, driven = sorted(ends, key=lambda end: end == GROUND)
+        name = bodies.new_name(coupling)
+        gearing.clutches[name] = {"driving": driving, "driven": driven, "kind": "open"}
+        gearing.engaged[name] = held
+
+
+def read_oil(asking: Asking) -> Table:
+    """Return the table of the oil.
+
+    Args:
+        asking: The document.
+    """
+    table: Table = {}
+    for lubricant in asking.document.of_kind("lubricant")[:1]:
+        asking.used.add(lubricant.number)
+        for name, key in (("viscosity_at_40_degree_celsius", "viscosity_40"),
+                          ("viscosity_at_100_degree_celsius", "viscosity_100")):  # fmt: skip
+            value = asking.number(lubricant, name)
+            if value is not None:
+                table[key] = value
+    for casing in asking.document.of_kind("gear_casing"):
+        asking.used.add(casing.number)
+        spoken = [casing, *(case[casing.number] for case in asking.document.cases if casing.number in case)]
+        warmth = [value for said in spoken if (value := asking.number(said, "temperature_lubricant")) is not None]
+        if warmth:
+            table["temperature"] = max(warmth)
+    return table

@@ -1,0 +1,110 @@
+"""The verb: a REXS file as a design."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from gearwright.errors import DesignError, Problem, refuse
+from gearwright.exchange.rexs.arrangement import read_layout, read_materials
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.bodies import bodies_of
+from gearwright.exchange.rexs.gearing import gears_of
+from gearwright.exchange.rexs.loads import read_clutches, read_loads, read_oil
+from gearwright.exchange.rexs.own import own_design
+from gearwright.exchange.rexs.parsing import document_of
+from gearwright.exchange.rexs.sound import unsound
+from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
+from gearwright.reading import text_of
+from gearwright.spec import Design, build, design_text, parse
+from gearwright.verbs import verb
+
+LARGEST = 20_000_000
+"""Largest REXS file that is read [bytes]; a wind turbine's gearbox has 0.1 MB."""
+
+
+@dataclass(frozen=True)
+class ImportedRexs:
+    """A design that was read from a REXS file, and what became of the rest of the file."""
+
+    design: Design
+    version: str
+    """Of REXS."""
+    application: str
+    """What wrote the file."""
+    assumed: tuple[str, ...]
+    """What the file does not say, and what was taken instead."""
+    not_read: tuple[str, ...]
+    """Every kind of component and attribute that was not read: the line and path of the first, and how many more."""
+
+
+@verb
+def from_rexs(path: str | Path) -> ImportedRexs:
+    """Return the design that a REXS file describes: parallel and bevel pairs, planetary sets, loads and load cases.
+
+    A file that `to_rexs` wrote gives its own design again, with the teeth, modules, widths, shifts and centre distances
+    that another tool has changed since.
+
+    Args:
+        path: Of a file of REXS 1.0 to 1.7, as XML.
+
+    Raises:
+        DesignError: With every problem of the file: its line, path, what was given, what is allowed and the fix.
+
+    Source: REXS 1.0 to 1.7, FVA GmbH, rexs.info.
+    """
+    source = str(path)
+    document = document_of(text_of(path, largest=LARGEST), source)
+    refuse(unsound(document), source)
+    asking = Asking(document)
+    design = own_design(asking, source) or _design(asking, source)
+    notes = tuple(dict.fromkeys(asking.notes))
+    return ImportedRexs(design, document.version, document.application, notes, asking.unread())
+
+
+def _design(asking: Asking, source: str) -> Design:
+    """Return a design of what REXS itself says."""
+    document = asking.document
+    bodies, gears = bodies_of(asking), gears_of(asking)
+    gearing = read_stages(asking, bodies, gears)
+    refuse_nothing(asking, gearing)
+    _refuse(asking, source)
+    read_clutches(asking, bodies, gearing)
+    loads = read_loads(asking, bodies, gearing)
+    _refuse(asking, source)
+    units = document.of_kind("gear_unit")
+    asking.used |= {unit.number for unit in units}
+    life = next((value for unit in units if (value := asking.number(unit, "operating_time"))), None)
+    name = next((asking.text(unit, "model_name") or unit.name for unit in units), "") or "gearbox"
+    table: dict[str, Any] = {
+        "schema": 1, "name": name, "description": f"Read from {Path(source).name}: REXS {document.version}"
+        f" of {document.application or 'an unnamed tool'}",
+        "shafts": gearing.shafts, "pairs": gearing.pairs, "planetaries": gearing.planetaries,
+        "clutches": gearing.clutches,
+        "gears": read_materials(asking, gearing, gears), "layout": read_layout(asking, bodies, gearing, gears),
+        "oil": read_oil(asking), "service": {} if life is None else {"life_s": life},
+    }  # fmt: skip
+    _refuse(asking, source)
+    return _made({key: value for key, value in (table | loads).items() if value}, source)
+
+
+def _refuse(asking: Asking, source: str) -> None:
+    """Raise for every problem so far, in the order of the file."""
+    refuse(sorted(dict.fromkeys(asking.problems), key=lambda problem: (problem.line or 0, problem.path)), source)
+
+
+def _made(table: Mapping[str, Any], source: str) -> Design:
+    record, written = build(Design, table)
+    if record is None or written.problems:
+        raise DesignError([_of_design(problem) for problem in written.problems], source)
+    try:
+        return parse(design_text(cast(Design, record)), source=source)
+    except DesignError as error:
+        raise DesignError([_of_design(problem) for problem in error.problems], source) from None
+
+
+def _of_design(problem: Problem) -> Problem:
+    """Return a problem of the design that was read; lines of its text are no lines of the file."""
+    return Problem(problem.path, f"{problem.message} (in the design that was read)")

@@ -1,0 +1,123 @@
+"""Stages of a document, one by one: which belong to planetary sets, and which are pairs."""
+
+from __future__ import annotations
+
+import math
+
+from gearwright.errors import Problem
+from gearwright.exchange.rexs.asking import Asking
+from gearwright.exchange.rexs.bodies import Bodies
+from gearwright.exchange.rexs.document import Component
+from gearwright.exchange.rexs.gearing import Gear, Gearing, Table, stage_table
+from gearwright.exchange.rexs.sets import read_set
+
+SHARED = ("module_m", "outer_module_m", "centre_distance_m")
+"""What a pair has from the one whose gear it shares."""
+
+
+def read_stages(asking: Asking, bodies: Bodies, gears: dict[int, Gear]) -> Gearing:
+    """Return pairs and planetary sets.
+
+    Args:
+        asking: The document.
+        bodies: What of it turns as one.
+        gears: Gears by id.
+    """
+    gearing, document = Gearing(), asking.document
+    ends = _ends(asking, gears)
+    taken: set[int] = set()
+    for whole in document.of_kind("planetary_stage"):
+        own = [number for number in document.related("assembly", "assembly", whole.number, "part") if number in ends]
+        taken |= set(own)
+        asking.used.add(whole.number)
+        read_set(asking, bodies, gearing, whole, {number: ends[number] for number in own})
+    for number, pair in ends.items():
+        if number in taken:
+            continue
+        other = next((k for k in ends if k > number and k not in taken and _are_halves(pair, ends[k], bodies)), None)
+        taken |= {number, other or number}
+        _pair(asking, bodies, gearing, (document.components[number], pair), () if other is None else ends[other])
+    return gearing
+
+
+def _are_halves(one: tuple[Gear, Gear], other: tuple[Gear, Gear], bodies: Bodies) -> bool:
+    """Tell whether two stages are halves of a double-helical pair: equal gears of opposite hand on the same shafts."""
+    return one[0].helix != 0.0 and all(
+        bodies.of(first.shaft) == bodies.of(second.shaft) and first.teeth == second.teeth
+        and first.module == second.module and first.width == second.width and first.helix == -second.helix
+        for first, second in zip(one, other, strict=True)
+    )  # fmt: skip
+
+
+def _ends(asking: Asking, gears: dict[int, Gear]) -> dict[int, tuple[Gear, Gear]]:
+    """Return stage -> its two gears."""
+    ends: dict[int, tuple[Gear, Gear]] = {}
+    for relation in asking.document.relations:
+        roles = relation.roles
+        if relation.kind != "stage" or roles.get("stage") not in asking.document.components:
+            continue
+        pair = [gears.get(roles.get(role, -1)) for role in ("gear_1", "gear_2")]
+        if pair[0] is None or pair[1] is None:
+            continue  # a worm stage, or a spline: its component is listed as not read
+        ends[roles["stage"]] = (pair[0], pair[1])
+        asking.used.add(roles["stage"])
+    for stage in asking.document.of_kind("cylindrical_stage", "bevel_stage"):
+        if stage.number not in ends:
+            asking.refuse(stage, "has no two gears; give it a stage relation with gear_1 and gear_2")
+    return ends
+
+
+def _pair(
+    asking: Asking, bodies: Bodies, gearing: Gearing, read: tuple[Component, tuple[Gear, Gear]],
+    other_half: tuple[Gear, ...],
+) -> None:  # fmt: skip
+    """Add a pair; gears that stand in a former one are its."""
+    stage, ends = read
+    pinion, wheel = sorted(ends, key=lambda gear: (gear.component.kind == "ring_gear", gear.teeth))
+    name = bodies.new_name(stage)
+    table = stage_table(asking, stage, (pinion, wheel))
+    if other_half:
+        table["halves"] = 2
+    if {pinion.number, wheel.number} & gearing.owners.keys():  # module and distance follow from the gear that it shares
+        table = {key: value for key, value in table.items() if key not in SHARED}
+    for role, gear in (("pinion", pinion), ("wheel", wheel)):
+        shaft = gearing.add_shaft(bodies.name(gear.shaft))
+        table[role] = gearing.owners.get(gear.number, shaft)
+        table[f"{role}_teeth"] = gear.teeth
+        if gear.shift is not None and gear.number not in gearing.owners and gear.component.kind != "bevel_gear":
+            table[f"{role}_shift"] = gear.shift
+        same = [half.number for half in other_half if half.shaft == gear.shaft]
+        for number in (gear.number, *same):
+            gearing.owners.setdefault(number, f"{name}.{role}")
+        if role == "wheel":
+            gearing.wheels.add(gear.number)
+    table |= _kind(asking, stage, pinion, wheel)
+    if pinion.shift is not None and pinion.component.kind == "bevel_gear":
+        table["pinion_shift"] = pinion.shift
+    gearing.pairs[name] = table
+    gearing.stages[name] = (stage.number,)
+
+
+def _kind(asking: Asking, stage: Component, pinion: Gear, wheel: Gear) -> Table:
+    """Return what tells internal and bevel pairs."""
+    if pinion.component.kind != "bevel_gear":
+        return {"internal": True} if wheel.component.kind == "ring_gear" else {}
+    if asking.number(stage, "hypoid_offset"):
+        asking.refuse(stage, "is hypoid: its hypoid_offset is not 0; only axes that meet are read")
+    return {"kind": "bevel", "axis_angle_rad": asking.number(stage, "shaft_angle") or math.pi / 2.0}
+
+
+def refuse_nothing(asking: Asking, gearing: Gearing) -> None:
+    """Refuse a document without a stage that can be read.
+
+    Args:
+        asking: The document.
+        gearing: What was read of it.
+    """
+    if gearing.pairs or gearing.planetaries or asking.problems:
+        return
+    kinds = sorted({component.kind for component in asking.document.components.values()})
+    said = (
+        f"there is no cylindrical, bevel or planetary stage among {', '.join(kinds) or 'them'}; export the gears, too"
+    )
+    asking.problems.append(Problem("components", said))
