@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing, bearings
@@ -15,6 +15,8 @@ from gearwright.parts.bearings import (
     FOUR_POINT_STATIC,
     BearingGeometry,
     BearingKind,
+    LoadFactors,
+    StaticFactors,
     ball_static_factor,
     basic_life,
     deep_groove_factors,
@@ -83,10 +85,20 @@ class BearingSpectrum:
     limit_factor: Ratio = 1.0
     """Limit over stated load, for the static safety [-]."""
 
-    @property
+    @cached_property
+    def turns(self) -> tuple[Speed, ...]:
+        """Part of the mean speed that every case makes [rad/s]."""
+        return tuple([abs(speed) * share for speed, share in zip(self.speed, self.share, strict=True)])
+
+    @cached_property
     def mean_speed(self) -> Speed:
         """Over the life [rad/s]."""
-        return sum(abs(speed) * share for speed, share in zip(self.speed, self.share, strict=True))
+        return sum(self.turns)
+
+    @cached_property
+    def forces(self) -> tuple[tuple[Force, Force], ...]:
+        """F_r and F_a of every case [N]."""
+        return tuple(zip(self.radial, self.axial, strict=True))
 
 
 Duty = BearingDuty | BearingSpectrum
@@ -121,11 +133,10 @@ def check_bearing(bearing: Bearing, duty: Duty) -> BearingCheck:
         DesignError: If the bearing cannot bear the kind of load.
     """
     spectrum = duty if isinstance(duty, BearingSpectrum) else _steady(duty)
-    forces = list(zip(spectrum.radial, spectrum.axial, strict=True))  # of a case and of its levels, often the same
-    known = {force: equivalent_loads(bearing, *force) for force in dict.fromkeys(forces)}
-    loads = [known[force] for force in forces]
+    known = {force: equivalent_loads(bearing, *force) for force in dict.fromkeys(spectrum.forces)}  # of a case and of
+    loads = [known[force] for force in spectrum.forces]  # its levels, often the same
     load = spectrum.mean_factor * _mean(bearing, [dynamic for dynamic, _ in loads], spectrum)
-    static = spectrum.limit_factor * max(at_rest for _, at_rest in loads)
+    static = spectrum.limit_factor * max([at_rest for _, at_rest in loads])
     life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), spectrum.mean_speed) if load else math.inf
     safety = static_safety(bearing.static_rating, static) if static else math.inf
     return BearingCheck(bearing, load, life, safety, life / spectrum.life, safety / spectrum.static_safety)
@@ -145,11 +156,10 @@ def _steady(duty: BearingDuty) -> BearingSpectrum:
 
 def _mean(bearing: Bearing, loads: list[float], spectrum: BearingSpectrum) -> float:
     """Return the load that tires a bearing as all cases do; none where it does not turn."""
-    turns = [abs(speed) * share for speed, share in zip(spectrum.speed, spectrum.share, strict=True)]
-    turning = [load for load, turn in zip(loads, turns, strict=True) if turn > 0.0]
+    turning = [load for load, turn in zip(loads, spectrum.turns, strict=True) if turn > 0.0]
     if len(turning) == 1:
         return turning[0]
-    return mean_load(loads, turns, life_exponent(bearing.kind)) if any(turns) else 0.0
+    return mean_load(loads, spectrum.turns, life_exponent(bearing.kind)) if any(spectrum.turns) else 0.0
 
 
 def equivalent_loads(bearing: Bearing, radial: float, axial: float) -> tuple[float, float]:
@@ -164,18 +174,18 @@ def equivalent_loads(bearing: Bearing, radial: float, axial: float) -> tuple[flo
         DesignError: If the bearing cannot bear the kind of load.
     """
     axial, inside = abs(axial), bearing.geometry
-    if bearing.kind is BearingKind.CYLINDRICAL:
+    if inside.kind is BearingKind.CYLINDRICAL:
         if axial:
             message = f"{axial:.4g} N along the shaft; an NU bearing bears none: give it to a ball or taper bearing"
             raise DesignError([Problem(bearing.designation, message)])
         return radial, radial
-    if bearing.kind is BearingKind.DEEP_GROOVE:
+    if inside.kind is BearingKind.DEEP_GROOVE:
         factors = deep_groove_factors(_static_factor(inside) * axial / bearing.static_rating)
         static = DEEP_GROOVE_STATIC
-    elif bearing.kind is BearingKind.FOUR_POINT:
+    elif inside.kind is BearingKind.FOUR_POINT:
         factors, static = FOUR_POINT, FOUR_POINT_STATIC
     else:
-        factors, static = taper_factors(inside.contact_angle), taper_static_factors(inside.contact_angle)
+        factors, static = _taper(inside.contact_angle)
     return equivalent_load(radial, axial, factors), static_equivalent_load(radial, axial, static)
 
 
@@ -183,6 +193,12 @@ def equivalent_loads(bearing: Bearing, radial: float, axial: float) -> tuple[flo
 def _static_factor(inside: BearingGeometry) -> float:
     """Return f_0 of a bearing of the catalogue, once."""
     return ball_static_factor(inside)
+
+
+@cache
+def _taper(contact_angle: float) -> tuple[LoadFactors, StaticFactors]:
+    """Return the factors of taper bearings of the catalogue, once for each contact angle."""
+    return taper_factors(contact_angle), taper_static_factors(contact_angle)
 
 
 def fitting_bearings(

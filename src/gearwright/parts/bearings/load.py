@@ -8,6 +8,7 @@ keep their last value.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -82,8 +83,16 @@ def deep_groove_factors(relative_load: float, table: FactorTable = ISO281_2007) 
     >>> round(deep_groove_factors(0.355, ISO_R281_1962).limit, 4)  # as the Colibri report reads it
     0.3994
     """
-    limit = float(np.interp(relative_load, table.relative_load, table.limit))
-    return LoadFactors(limit, 0.56, float(np.interp(relative_load, table.relative_load, table.axial)))
+    loads = table.relative_load
+    if not loads[0] < relative_load < loads[-1]:
+        end = -1 if relative_load >= loads[-1] else 0
+        return LoadFactors(table.limit[end], 0.56, table.axial[end])
+    right = bisect_right(loads, relative_load)
+    beyond, step = relative_load - loads[right - 1], loads[right] - loads[right - 1]
+    limit, axial = (
+        (column[right] - column[right - 1]) / step * beyond + column[right - 1] for column in (table.limit, table.axial)
+    )
+    return LoadFactors(limit, 0.56, axial)
 
 
 def taper_factors(contact_angle: float) -> LoadFactors:
@@ -168,9 +177,10 @@ def mean_load(loads: Sequence[float], turns: Sequence[float], exponent: float = 
         DesignError: If the spectrum does not turn.
     """
     weights = np.asarray(turns, dtype=float)
-    if weights.min(initial=0.0) < 0.0 or weights.sum() <= 0.0:
+    total = weights.sum()
+    if weights.min(initial=0.0) < 0.0 or total <= 0.0:
         raise DesignError([Problem("turns", f"{list(turns)} given; none is below 0, and some are above")])
-    return float((np.asarray(loads, dtype=float) ** exponent @ weights / weights.sum()) ** (1.0 / exponent))
+    return float((np.asarray(loads, dtype=float) ** exponent @ weights / total) ** (1.0 / exponent))
 
 
 def taper_pair_thrusts(

@@ -30,6 +30,7 @@ from gearwright.parts.shafts.fatigue import (
     gerber_safety,
     goodman_safety,
     section_stress,
+    section_stresses,
     soderberg_safety,
     yield_safety,
 )
@@ -92,6 +93,7 @@ __all__ = [
     "press_fit_factor",
     "section_factor",
     "section_stress",
+    "section_stresses",
     "shaft_diameter",
     "shaft_diameter_around",
     "shaft_inertia",

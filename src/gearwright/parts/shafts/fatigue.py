@@ -7,7 +7,7 @@ amplitude, and a steady torque stays a mean.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -111,16 +111,33 @@ def section_stress(
     Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eqs (7-5), (7-6), (7-15):
         σ′ = √((32 K_f M/π d³)² + 3 (16 K_fs T/π d³)²).
     """
+    return section_stresses((load,), diameter, notch, bore=bore)[0]
+
+
+def section_stresses(
+    loads: Sequence[SectionLoad], diameter: float, notch: Concentration = NO_NOTCH, *, bore: float = 0.0
+) -> list[SectionStress]:
+    """Return the equivalent stresses of a section under several loads, as `section_stress` gives each.
+
+    Args:
+        loads: Bending and torsion [N m].
+        diameter: d [m].
+        notch: K_f and K_fs [-].
+        bore: Inner diameter [m].
+
+    Source: as `section_stress`.
+    """
     hollow = 1.0 - (bore / diameter) ** 4
     bending = 32.0 * notch.bending / (math.pi * diameter**3 * hollow)
     torsion = math.sqrt(3.0) * 16.0 * notch.torsion / (math.pi * diameter**3 * hollow)
-    return SectionStress(
-        math.hypot(bending * load.bending_amplitude, torsion * load.torque_amplitude),
-        math.hypot(bending * load.bending_mean, torsion * load.torque_mean),
-        math.hypot(
-            bending * (load.bending_amplitude + load.bending_mean), torsion * (load.torque_amplitude + load.torque_mean)
-        ),
-    )
+    return [
+        SectionStress(
+            math.hypot(bending * amplitude, torsion * torque_amplitude),
+            math.hypot(bending * mean, torsion * torque_mean),
+            math.hypot(bending * (amplitude + mean), torsion * (torque_amplitude + torque_mean)),
+        )
+        for amplitude, mean, torque_amplitude, torque_mean in loads
+    ]
 
 
 def goodman_safety(stress: SectionStress, strength: FatigueStrength) -> float:

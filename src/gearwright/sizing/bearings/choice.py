@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,8 +38,17 @@ TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 MAKER = "maker's rating, given by the user"
 
 
-Checked = dict[tuple[BearingSpectrum, Bearing], BearingCheck]
-"""Duty and size -> how it bears it, as far as that was asked."""
+class Tried(NamedTuple):
+    """What is known of the sizes of a bearing under one duty."""
+
+    checks: dict[str, BearingCheck]
+    """Size -> how it bears the duty, as far as that was asked."""
+    weak: set[str]
+    """Sizes that do not."""
+
+
+Checked = dict[tuple[str, BearingSpectrum], Tried]
+"""Bearing of a shaft and its duty -> what is known of its sizes."""
 
 
 @dataclass(frozen=True)
@@ -57,12 +67,8 @@ class Seating:
     """Bearing -> the sizes that may be taken, in order of preference."""
     design: Design
     """With its oil, and the life that it asks."""
-    rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
-    """Bearing and size -> how it bears its duty, as far as that was asked."""
-    weak: dict[str, set[str]] = field(default_factory=dict)
-    """Bearing -> sizes that are known not to bear its duty."""
-    known: Checked = field(default_factory=dict)
-    """The same by duty, of every seating of the shaft."""
+    tried: Mapping[str, Tried]
+    """Bearing -> what is known of its sizes, also from other seatings of the shaft with the same duty."""
 
     def check(self, name: str, size: Bearing) -> BearingCheck:
         """Return how a size bears the duty of a bearing.
@@ -71,14 +77,12 @@ class Seating:
             name: Of the bearing.
             size: From the catalogue.
         """
-        key = (name, size.designation)
-        if key not in self.rated:
-            duty = (self.duties[name], size)
-            if duty not in self.known:
-                self.known[duty] = check_bearing(size, self.duties[name])
-            plain = self.known[duty]
-            self.rated[key] = self._oiled(name, plain) if self.design.bearing_rules.life == "modified" else plain
-        return self.rated[key]
+        checks = self.tried[name].checks
+        if size.designation not in checks:
+            plain = check_bearing(size, self.duties[name])
+            modified = self.design.bearing_rules.life == "modified"
+            checks[size.designation] = self._oiled(name, plain) if modified else plain
+        return checks[size.designation]
 
     def _oiled(self, name: str, plain: BearingCheck) -> BearingCheck:
         """Return a check by the modified life, where there is one."""
@@ -102,7 +106,7 @@ class Seating:
             return sizes[0]
         if seat.bore is not None:
             smallest = largest = sizes[0].bore
-        low, high, weak = smallest - 1e-9, largest + 1e-9, self.weak.setdefault(name, set())
+        low, high, weak = smallest - 1e-9, largest + 1e-9, self.tried[name].weak
         for size in sizes:
             if low <= size.bore <= high and size.designation not in weak:
                 if _bears(self.check(name, size)):
@@ -124,7 +128,7 @@ def seating(
         forces: What acts on it.
         chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
         slim: Prefer small bores to light bearings.
-        known: What other seatings of the shaft have checked.
+        known: What other seatings of the shaft have tried.
 
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
@@ -142,7 +146,8 @@ def seating(
     speeds = [flow.speeds[shaft] for flow in context.flows.values()]
     duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
-    return Seating(seats, radial, axial, duties, sizes, context.design, known=known)
+    tried = {name: known.setdefault((name, duty), Tried({}, set())) for name, duty in duties.items()}
+    return Seating(seats, radial, axial, duties, sizes, context.design, tried)
 
 
 def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:

@@ -67,8 +67,8 @@ class ShaftForces(NamedTuple):
         """
         parts = [part.drawn for part in self.apart] or [self.drawn]
         beside, count = np.concatenate([positions - _BESIDE, positions + _BESIDE]), len(positions)
-        sides = np.sum([_at(part, beside) for part in parts], axis=0)
-        bending, torque = np.maximum(sides[..., :count], sides[..., count:])
+        sides = [sum(both) for both in zip(*(_at(part, beside) for part in parts), strict=True)]
+        bending, torque = (np.maximum(values[:, :count], values[:, count:]) for values in sides)
         return _cleaned(bending), _cleaned(torque)
 
     def bearing_loads(self, case: int) -> tuple[BearingLoad, ...]:
@@ -102,12 +102,14 @@ def _cleaned(values: Floats) -> Floats:
 
 def _at(drawn: Diagram, positions: Floats) -> tuple[Floats, Floats]:
     """Return bending moment of both planes together, and torque, at places between the stations."""
-    right = np.clip(np.searchsorted(drawn.position, positions), 1, len(drawn.position) - 1)
-    left, inside = right - 1, (positions >= drawn.position[0]) & (positions <= drawn.position[-1])
-    steps = drawn.position[right] - drawn.position[left]
-    weight = np.divide(positions - drawn.position[left], steps, out=np.zeros_like(positions), where=steps > 0.0)
-    bending = drawn.bending[..., left] * (1.0 - weight) + drawn.bending[..., right] * weight
-    return np.hypot(bending[:, 0], bending[:, 1]) * inside, np.abs(drawn.torsion[:, left]) * inside
+    places = drawn.position
+    right = np.minimum(np.maximum(places.searchsorted(positions), 1), len(places) - 1)
+    left, inside = right - 1, (positions >= places[0]) & (positions <= places[-1])
+    start = places[left]
+    steps = places[right] - start
+    weight = (positions - start) / np.where(steps > 0.0, steps, np.inf)
+    bending = drawn.bending.take(left, axis=-1) * (1.0 - weight) + drawn.bending.take(right, axis=-1) * weight
+    return np.hypot(bending[:, 0], bending[:, 1]) * inside, np.abs(drawn.torsion.take(left, axis=-1)) * inside
 
 
 def shaft_forces(

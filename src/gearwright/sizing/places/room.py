@@ -206,11 +206,11 @@ def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
 
 def _coaxial(one: Body, other: Body) -> bool:
     """Tell whether two bodies share an axis."""
-    between = [b - a for a, b in zip(one.origin, other.origin, strict=True)]
-    along = sum(way * axis for way, axis in zip(between, one.direction, strict=True))
-    off = sum((way - along * axis) ** 2 for way, axis in zip(between, one.direction, strict=True))
-    turned = 1.0 - abs(sum(a * b for a, b in zip(one.direction, other.direction, strict=True)))
-    return off < _CLOSE and turned < _CLOSE
+    (x, y, z), (a, b, c), (d, e, f) = other.origin, one.direction, other.direction
+    x, y, z = x - one.origin[0], y - one.origin[1], z - one.origin[2]
+    along = x * a + y * b + z * c
+    off = (x - along * a) ** 2 + (y - along * b) ** 2 + (z - along * c) ** 2
+    return off < _CLOSE and 1.0 - abs(a * d + b * e + c * f) < _CLOSE
 
 
 def _sphere(body: Body) -> tuple[list[float], float]:

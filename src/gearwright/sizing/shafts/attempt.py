@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
+
 from gearwright.catalogue import Bearing
 from gearwright.parts import Material
 from gearwright.sizing.arrangement import root_diameter
@@ -56,6 +58,12 @@ class Task:
         return {part: _seat(self, part) for part in self.joints}
 
     @cached_property
+    def stations(self) -> list[float]:
+        """Where anything acts on the shaft, each place once, in order [m]."""
+        places: list[float] = np.unique(self.forces.drawn.position).tolist()
+        return places
+
+    @cached_property
     def judge(self) -> Strength:
         """What its sections are judged by."""
         return Strength(self.name, self.context.design, self.material, tuple(self.context.flows))
@@ -97,7 +105,8 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
         for joint in joints
         if joint.kind in ("key", "spline", "press-fit")
     }
-    sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.context.design.shafting.fillet_ratio)
+    fillet_ratio = task.context.design.shafting.fillet_ratio
+    sections = sections_of(stretches, task.forces, hubs, roots, stations=task.stations, fillet_ratio=fillet_ratio)
     return Attempt(stretches, chosen, bore, sections, borne(sections, task.forces, task.judge, bore=bore), joints)
 
 
@@ -154,7 +163,7 @@ def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) ->
 
 def _loaded(task: Task, items: tuple[Item, ...]) -> tuple[str, ...]:
     """Return the stretches beyond the outermost items that carry a load, and every hub."""
-    stations = task.forces.drawn.position
+    stations = task.stations
     hubs = tuple(item.name for item in items if item.kind == "hub")
     first = ("after",) if stations[0] < items[0].start else ()
     last = (f"after {items[-1].name}",) if stations[-1] > items[-1].end else ()

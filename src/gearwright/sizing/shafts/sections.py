@@ -34,7 +34,7 @@ from gearwright.parts.shafts import (
     keyway_factor,
     notch_sensitivity,
     press_fit_factor,
-    section_stress,
+    section_stresses,
     spline_factor,
     stress_concentration,
     yield_safety,
@@ -55,8 +55,7 @@ _BESIDE = 1e-6
 HubNotch = Literal["", "key", "spline", "press-fit"]
 
 
-@dataclass(frozen=True)
-class Section:
+class Section(NamedTuple):
     """A place where a shaft may break."""
 
     place: str
@@ -105,6 +104,7 @@ def sections_of(
     hubs: Mapping[str, HubNotch],
     roots: Mapping[str, float],
     *,
+    stations: Sequence[float],
     fillet_ratio: float,
 ) -> tuple[Section, ...]:
     """Return every section of a shaft that may break, in order along it.
@@ -114,18 +114,19 @@ def sections_of(
         forces: What acts on the shaft.
         hubs: Hub -> how it notches the shaft.
         roots: Hub -> diameter that is left under it, of a spline [m].
+        stations: Where anything acts, each once, in order [m].
         fillet_ratio: Fillet over the thinner diameter where no bearing asks for less [-].
     """
     blank = max(stretch.diameter for stretch in stretches)
     sections = list(_shoulders(stretches, fillet_ratio, blank))
     for hub in (stretch for stretch in stretches if hubs.get(stretch.name)):
         root, kind = roots.get(hub.name, hub.diameter), hubs[hub.name]
-        inside = (at for at in forces.drawn.position.tolist() if hub.start < at < hub.end)
+        inside = (at for at in stations if hub.start < at < hub.end)
         sections += [
             Section(f"{kind} at {hub.name}", hub.name, at, root, blank, hub=kind)
             for at in _unlike((hub.start, (hub.start + hub.end) / 2.0, hub.end, *inside))
         ]
-    for at in np.unique(forces.drawn.position).tolist():
+    for at in stations:
         on = next((stretch for stretch in stretches if stretch.start <= at <= stretch.end), stretches[-1])
         if on.kind != "integral" and not hubs.get(on.name):
             sections.append(Section(_words(on, at, forces), on.name, at, on.diameter, blank))
@@ -199,9 +200,10 @@ def _looked_up(
     section: Section, moments: tuple[float, ...], torques: tuple[float, ...], judge: Strength, *, bore: float
 ) -> Borne:
     key = (section, moments, torques, inside := _inside(section, bore))
-    if key not in judge.known:
-        judge.known[key] = _borne(section, moments, torques, judge, bore=inside)
-    return judge.known[key]
+    known = judge.known.get(key)
+    if known is None:
+        known = judge.known[key] = _borne(section, moments, torques, judge, bore=inside)
+    return known
 
 
 def _borne(
@@ -216,7 +218,7 @@ def _borne(
         SectionLoad(moment, 0.0, service.torque_swing * torque, torque)
         for moment, torque in zip(moments, torques, strict=True)
     )
-    stresses = [section_stress(load, section.diameter, notch, bore=bore) for load in loads]
+    stresses = section_stresses(loads, section.diameter, notch, bore=bore)
     greatest = min(yield_safety(stress, strength) for stress in stresses) / service.application_factor
     return Borne(loads, notch, tuple(criterion(stress, strength) for stress in stresses), greatest)
 

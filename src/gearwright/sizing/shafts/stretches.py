@@ -35,8 +35,7 @@ Choose = Callable[[str, float, float], Bearing]
 """Bearing, smallest and largest bore -> the one that is taken."""
 
 
-@dataclass(frozen=True)
-class Item:
+class Item(NamedTuple):
     """What sits on a shaft and has a width."""
 
     name: str
@@ -80,6 +79,14 @@ class Stretch(NamedTuple):
     def length(self) -> float:
         """[m]"""
         return self.end - self.start
+
+    def of(self, diameter: float) -> Stretch:
+        """Return the stretch with a diameter.
+
+        Args:
+            diameter: [m].
+        """
+        return Stretch(self.name, self.kind, self.start, self.end, diameter, self.shoulder, self.fillet)
 
 
 @dataclass(frozen=True)
@@ -164,9 +171,9 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
         if stretch.kind == "bearing":
             laid = _seated(stretch, choose(stretch.name, needed, limit))
         elif stretch.kind == "hub":
-            laid = stretch._replace(diameter=wanted.fixed.get(stretch.name, _whole(needed)))
+            laid = stretch.of(wanted.fixed.get(stretch.name, _whole(needed)))
         else:
-            laid = stretch._replace(diameter=_whole(needed) if needed > reached else reached)
+            laid = stretch.of(_whole(needed) if needed > reached else reached)
         if laid.diameter < reached - _SAME:
             message = (
                 f"{stretch.name} has a seat of {1e3 * laid.diameter:.4g} mm on {shaft!r} and must be slid over"
@@ -203,7 +210,7 @@ def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
         return side
     wanted = side[-2].shoulder
     if side[-1].diameter < wanted <= inner.diameter + _SAME:
-        return [*side[:-1], side[-1]._replace(diameter=wanted)]
+        return [*side[:-1], side[-1].of(wanted)]
     return side
 
 
@@ -224,7 +231,7 @@ def _core(
             f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
         )
         raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
-    return [only._replace(diameter=_whole(needed) if diameter is None else diameter)]
+    return [only.of(_whole(needed) if diameter is None else diameter)]
 
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
@@ -237,7 +244,7 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
             raise DesignError([Problem(_path(stretch), message)])
         needed = max(beside, wanted.needed.get(stretch.name, 0.0))
         body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
-        laid.append(stretch._replace(diameter=_whole(needed) if stretch.kind == "between" else body))
+        laid.append(stretch.of(_whole(needed) if stretch.kind == "between" else body))
         if stretch.kind == "integral" and needed > limits[stretch.name] + _SAME:
             message = (
                 f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
@@ -258,13 +265,13 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     at = max(sides, key=lambda k: stretches[k].length)
     beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
     collar = _whole(max(COLLAR * stretches[low].diameter, *beyond))
-    return [stretch._replace(diameter=collar) if k == at else stretch for k, stretch in enumerate(stretches)]
+    return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
 def _ends(stretches: list[Stretch]) -> list[Stretch]:
     """Return the stretches that have a length; an end that carries nothing is as thick as what sits beside it."""
     if stretches[0].diameter == 0.0:
-        stretches = [stretches[0]._replace(diameter=stretches[1].diameter), *stretches[1:]]
+        stretches = [stretches[0].of(stretches[1].diameter), *stretches[1:]]
     if stretches[-1].diameter == 0.0:
-        stretches = [*stretches[:-1], stretches[-1]._replace(diameter=stretches[-2].diameter)]
+        stretches = [*stretches[:-1], stretches[-1].of(stretches[-2].diameter)]
     return [stretch for stretch in stretches if stretch.length > _SAME]
