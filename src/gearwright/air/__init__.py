@@ -2,7 +2,7 @@
 
 from gearwright.air.airspeed import calibrated_of_true, stagnation_ratios, true_of_calibrated
 from gearwright.air.along import air_along, stagnation_along, true_along
-from gearwright.air.atmosphere import Air, air_at
+from gearwright.air.atmosphere import Air, air_at, height
 from gearwright.air.polar import Polar, drag_force, dynamic_force, stall_speed
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "calibrated_of_true",
     "drag_force",
     "dynamic_force",
+    "height",
     "stagnation_along",
     "stagnation_ratios",
     "stall_speed",

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
-from gearwright.units import GRAVITY
+from gearwright.units import FOOT, GRAVITY
 
 SEA_LEVEL_TEMPERATURE = 288.15
 """T_0 [K]; ISO 2533:1975."""
@@ -122,3 +122,15 @@ def standard_pressure(altitude: float) -> float:
     pressure = SEA_LEVEL_PRESSURE * math.pow(temperature / SEA_LEVEL_TEMPERATURE, _EXPONENT)
     above = max(altitude - TROPOPAUSE, 0.0)
     return pressure * math.exp(-GRAVITY * above / (GAS_CONSTANT * _STRATOSPHERE_TEMPERATURE))
+
+
+def height(altitude: float) -> str:
+    """Return an altitude as pilots and as engineers write it.
+
+    Args:
+        altitude: [m].
+
+    >>> height(3048.0)
+    '10000 ft (3048 m)'
+    """
+    return f"{altitude / FOOT:.0f} ft ({altitude:.0f} m)"

@@ -26,7 +26,7 @@ from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.tail import with_tail
-from gearwright.mission.thrust import Blades, performed, wanted_of
+from gearwright.mission.thrust import Blades, performed, wanted_of, windmilling
 from gearwright.mission.together import Reached, flights_together, log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
@@ -208,7 +208,11 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     gearbox = flown.gearbox
     point, friction, dragged, powers = loaded(flown, moment, asked, before.point)
     rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
-    drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.pack, before.warmths, rating, phase.mode))
+    terms = Terms(before.pack, before.warmths, rating, phase.mode)
+    try:
+        drawn = supply.drive(gearbox, moment, Given(point, powers), terms)
+    except DesignError as error:
+        raise windmilling(error, blades, moment, wanted) from None
     performance = performed(blades, moment, point.work, pitch=wanted.pitch)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     share = sum(asked.parts.get(name, 0.0) for name in supply.motors)

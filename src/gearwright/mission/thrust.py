@@ -163,6 +163,26 @@ def _too_steep(error: DesignError, moment: Moment, phase: Phase, thrust: float) 
     return DesignError([Problem("descent", message)])
 
 
+def windmilling(error: DesignError, blades: Blades, moment: Moment, wanted: Wanted) -> DesignError:
+    """Return why machines cannot take what the air puts into a propeller that has to brake an aircraft.
+
+    Args:
+        error: What is wrong with the machines.
+        blades: The propeller.
+        moment: Where it is flown.
+        wanted: Of the propeller.
+    """
+    if wanted.power is None or wanted.power >= 0.0 or wanted.pitch is None or moment.climb >= 0.0:
+        return error
+    _, thrust = thrust_at(blades, moment, wanted.pitch)
+    message = (
+        f"sinking {-moment.climb:.3g} m/s at {moment.true_airspeed:.4g} m/s, drag holds the aircraft by less than it"
+        f" weighs down the path: each propeller brakes by {-thrust / 1e3:.3g} kN and the air drives it with"
+        f" {-wanted.power / 1e3:.4g} kW; sink or slow down more gently, or set flaps"
+    )
+    return DesignError([Problem("descent", message), *error.problems])
+
+
 def _refuse_empty(aircraft: Aircraft, burnt: float) -> None:
     """Refuse fuel that is not on board."""
     if aircraft.fuel is not None and burnt > aircraft.fuel:

@@ -124,7 +124,12 @@ def _require(model: type[Record], keys: Keys, result: dict[str, object],
             if info.annotation is float:
                 result[name] = _stand_in_of(info)
             start = f"{prefix}.{name}" if prefix else name
-            if not any(problem.path.lower().startswith(start.lower()) for problem in written.problems):
+            misspelt = tuple(f"did you mean {option}?" for option in options)
+            if not any(
+                problem.path.lower().startswith(start.lower())
+                or (problem.path.startswith(prefix) and problem.message.endswith(misspelt))
+                for problem in written.problems
+            ):
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
 
 

@@ -43,8 +43,13 @@ EVENTS: Mapping[str, tuple[str, ...]] = {
     "pitch-runaway": ("overspeed",),
     "power-slam": ("power", "lag"),
     "propeller-strike": ("lasts",),
+    "sudden-stop": (),
 }
 """Event -> what a window must say about it."""
+
+
+SHORTEST_STOP = 0.01
+"""Stop that is sudden for a train whose lowest torsional mode is some tens of Hz [s]."""
 
 
 class WindowRules(Record):
@@ -56,6 +61,7 @@ class WindowRules(Record):
     event: Literal[
         "none", "motor-cut", "turbine-cut", "mode-change", "pitch-step", "speed-step", "gust", "clutch-engagement",
         "motor-short-circuit", "engine-out", "pitch-runaway", "power-slam", "propeller-strike",
+        "sudden-stop",
     ] = Field("none", description="What happens in it")  # fmt: skip
     event_at: Time = Field(1.0, ge=0, le=1e4, description="When, from the window's start")
     over: Time = Field(0.1, gt=0, le=1e3, description="Time that the change takes; a phase's change of power, too")
@@ -73,7 +79,10 @@ class WindowRules(Record):
     capacity: Torque | None = Field(
         None, gt=0, le=1e9, description="Torque at which a friction clutch slips once engaged"
     )
-    machine: str | None = Field(None, description="Motor or turbine that fails; left out: the only one of its kind")
+    machine: str | None = Field(
+        None,
+        description="Motor or turbine that fails, left out: the only one; or what a sudden stop holds: the propeller",
+    )
     back_emf_v: float | None = Field(
         None, ge=0, le=1e5, description="E of the motor: rms voltage of a phase, without load at the rated speed, V"
     )
@@ -84,13 +93,19 @@ class WindowRules(Record):
         None, ge=0, le=1e3, description="R of a phase; left out: estimated from the motor's copper loss"
     )
     pole_pairs: int | None = Field(None, ge=1, le=200, description="p of the motor")
-    lag: Time | None = Field(None, gt=0, le=100, description="Time constant of a turbine that fails or speeds up")
+    lag: Time | None = Field(
+        None,
+        gt=0,
+        le=100,
+        description="Time constant of a turbine that fails or speeds up; in a sudden stop of all, left out: they go on",
+    )
     overspeed: Ratio | None = Field(
         None, gt=1, le=2, description="Speed that the overspeed governor holds, over the set speed"
     )
     strike_torque: Torque | None = Field(None, gt=0, le=1e9, description="That stops the propeller when it strikes")
+    brake_torque: Torque | None = Field(None, gt=0, le=1e9, description="That holds the shaft in a sudden stop")
     stop_time: Time | None = Field(
-        None, gt=0, le=1e6, description="In place of it: in which such a torque would stop everything that turns"
+        None, gt=0, le=1e6, description="In place of one: in which such a torque would stop everything that turns"
     )
     lasts: Time | None = Field(None, gt=0, le=1e4, description="How long the propeller strikes")
     stiffness: Literal["constant", "varying"] | None = Field(
@@ -121,6 +136,8 @@ def window_problems(windows: Mapping[str, WindowRules], phases: Collection[str])
             yield Problem(at, "hybrid without electric_share; give the motors' part of the power, such as 0.3")
         if window.event == "propeller-strike":
             yield from _strike(at, window)
+        if window.event == "sudden-stop":
+            yield from _stop(at, window)
         if window.event != "none" and window.event_at >= window.duration:
             yield Problem(
                 f"{at}.event_at", f"{window.event_at:g} s, but the window ends at {window.duration:g} s; start earlier"
@@ -134,6 +151,18 @@ def _strike(at: str, window: WindowRules) -> Iterator[Problem]:
     if window.stop_time is not None and window.lasts is not None and window.lasts >= window.stop_time:
         yield Problem(
             f"{at}.lasts",
-            f"{window.lasts:g} s, but everything stands still after stop_time, {window.stop_time:g} s; a window needs a"
-            " propeller that turns, give less",
+            f"{window.lasts:g} s, but everything stands still after stop_time, {window.stop_time:g} s; give less, or"
+            ' event = "sudden-stop"',
+        )
+
+
+def _stop(at: str, window: WindowRules) -> Iterator[Problem]:
+    """Yield what is wrong with a stop to rest."""
+    if (window.brake_torque is None) == (window.stop_time is None):
+        yield Problem(at, "sudden-stop takes either brake_torque or stop_time; give one of them")
+    if window.stop_time is not None and window.stop_time < SHORTEST_STOP:
+        yield Problem(
+            f"{at}.stop_time",
+            f"{window.stop_time:g} s is less than {SHORTEST_STOP:g} s, in which shafts hardly begin to twist: what is"
+            " shorter loads them no more; give that",
         )

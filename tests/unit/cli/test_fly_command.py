@@ -111,7 +111,7 @@ REFUSED = {
     ),
     "a gap between phases": (
         ("in-line-h2", THESIS, "rate_of_climb_ft_min = 1500", "rate_of_climb_ft_min = 1500\nfrom_altitude_ft = 3000"),
-        "phases.climb: it starts at 914 m, but the phase before ended at 457 m; make them equal",
+        "phases.climb: it starts at 3000 ft .914 m., but the phase before ended at 1500 ft .457 m.; make them equal",
     ),
     "a map that is not there": (
         ("in-line-h2", THESIS, '"6-blades-af115"', '"nowhere.csv"'),
@@ -137,11 +137,11 @@ def test_what_cannot_be_flown_is_named_with_line_value_and_fix(tmp_path, change,
 def test_the_forces_of_an_aircraft_are_part_of_the_json():
     """Thrust is what drag, path and what is left over come to: a sum, to rounding."""
     told = json.loads(run("in-line", "regional-aircraft", "--json").stdout)["result"]["forces"]
-    assert [row["name"] for row in told][:3] == ["taxi-out", "run-up", "take-off"]
+    assert [row["name"] for row in told][:3] == ["taxi-out", "stop", "run-up"]
     for row in told:
         assert row["thrust_n"] == pytest.approx(row["drag_n"] + row["path_n"] + row["left_over_n"])
         assert row["implied_m_s2"] == pytest.approx(row["left_over_n"] / row["mass_kg"])
-    assert told[2]["roll_m"] == pytest.approx(903.0, abs=1.0)  # as the how-to page shows it
+    assert told[3]["roll_m"] == pytest.approx(903.0, abs=1.0)  # as the how-to page shows it
 
 
 def test_a_mission_without_an_aircraft_has_no_forces():

@@ -79,7 +79,7 @@ def refused(text, head=HEAD, sizing=PLAIN):
         (CRUISE.replace("duration_min = 2", "distance_nmi = 0"), "distance_nmi"),
         (CLIMB + "power_kw = 1500\n", "rate_of_climb and power given; a climb needs one of"),
         (CLIMB.replace("= 900", "= -900"), "turn its sign"),
-        (CLIMB.replace("altitude_ft = 10000", "altitude_ft = 0"), "a climb leads up, and this one from 0 m to 0 m"),
+        (CLIMB.replace("altitude_ft = 10000", "altitude_ft = 0"), "up, and this one from 0 ft (0 m) to 0 ft (0 m)"),
         (CLIMB + "tas_kt = 200\n", "cas and tas given; give one of cas, tas, mach"),
         (TAKE_OFF.replace("power_kw = 1850", ""), "a take-off needs one of power, pitch"),
         (TAKE_OFF + "end_power_kw = 900\n", "end_power in a phase that an aircraft flies"),
@@ -137,10 +137,39 @@ def test_a_descent_steeper_than_drag_allows_says_so():
     assert "sink or slow down more gently" in message
 
 
+def test_a_descent_that_only_a_windmill_would_hold_says_so_before_it_speaks_of_the_turbine():
+    shipped = read_mission(shipped_mission("regional-aircraft"))
+    mission = edited_mission(shipped, {"phases.descent.rate_of_climb_ft_min": -6000.0})
+    with pytest.raises(DesignError) as error:
+        fly(PLAIN, mission)
+    first, second = error.value.problems
+    assert "drag holds the aircraft by less than it weighs down the path: each propeller brakes by" in first.message
+    assert "a turbine only gives" in second.message
+
+
+def test_a_power_that_never_climbs_is_not_told_to_stop_lower():
+    message = refused(CLIMB.replace("rate_of_climb_ft_min = 900", "power_kw = 500"))
+    assert "does not climb at 0 ft (0 m) with this power" in message
+    assert "stop lower" not in message
+
+
+def test_a_key_that_is_misspelt_is_told_once_with_the_one_that_is_meant():
+    """It was told twice: as unknown, and the one that is meant as missing."""
+    with pytest.raises(DesignError) as error:
+        parse_mission(HEAD.replace("wing_area_m2", "wing_aera_m2") + CRUISE)
+    (problem,) = error.value.problems
+    assert problem.message == "no such field; did you mean wing_area_m2?"
+
+
+def test_a_ceiling_in_metres_that_was_meant_in_feet_is_told_with_its_range():
+    with pytest.raises(DesignError, match=r"ceiling_m: 25000 m is not allowed; give a value from .* to 20000 m"):
+        parse_mission(HEAD.replace("highest_lift = 1.4", "highest_lift = 1.4\nceiling_m = 25000") + CRUISE)
+
+
 def test_an_altitude_above_the_ceiling_is_refused_as_stated():
     ceiling = HEAD.replace("highest_lift = 1.4", "highest_lift = 1.4\nceiling_ft = 9000")
     message = refused(CRUISE, ceiling)
-    assert "3048 m is above the ceiling of 2743 m; fly lower" in message
+    assert "10000 ft (3048 m) is above the ceiling of 9000 ft (2743 m); fly lower" in message
 
 
 def test_an_altitude_above_the_ceiling_of_a_power_is_refused_where_the_climb_ends():

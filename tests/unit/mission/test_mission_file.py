@@ -35,7 +35,9 @@ def test_a_phase_without_speed_is_refused():
 
 def test_a_phase_that_starts_where_the_last_did_not_end_is_refused():
     second = "[phases.b]\nfrom_altitude_m = 1000\n" + PHASE.replace("altitude_m = 0", "altitude_m = 2000")
-    assert "starts at 1000 m, but the phase before ended at 0 m" in message("[phases.a]\n" + PHASE + second)
+    assert "starts at 3281 ft (1000 m), but the phase before ended at 0 ft (0 m)" in message(
+        "[phases.a]\n" + PHASE + second
+    )
 
 
 def test_a_climb_that_goes_down_is_refused():

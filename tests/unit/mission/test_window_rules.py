@@ -75,6 +75,8 @@ def test_a_fault_without_its_numbers_is_told_for_every_number():
         '[windows.d]\nphase = "cruise"\nevent = "power-slam"\nlag_s = 1\n'
         '[windows.e]\nphase = "cruise"\nevent = "propeller-strike"\nlasts_s = 1\n'
         '[windows.f]\nphase = "cruise"\nevent = "propeller-strike"\nlasts_s = 1\nstop_time_s = 0.5\n'
+        '[windows.g]\nphase = "cruise"\nevent = "sudden-stop"\nstop_time_s = 0.5\nbrake_torque_nm = 100\n'
+        '[windows.h]\nphase = "cruise"\nevent = "sudden-stop"\nstop_time_s = 0.001\n'
     )
     with pytest.raises(DesignError) as caught:
         parse_mission(text)
@@ -88,6 +90,8 @@ def test_a_fault_without_its_numbers_is_told_for_every_number():
         "power-slam without power",
         "either strike_torque or stop_time",
         "stands still after stop_time, 0.5 s",
+        "either brake_torque or stop_time",
+        "0.001 s is less than 0.01 s",
     ):
         assert part in words
 
@@ -98,6 +102,9 @@ def test_a_fault_of_a_machine_that_the_design_lacks_is_refused(flight):
     )
     with pytest.raises(DesignError, match="no such motor: electrik; did you mean electric"):
         fly_window(flight, "short", short)
+    stop = WindowRules(phase="cruise", event="sudden-stop", stop_time=1.0, machine="propelle")
+    with pytest.raises(DesignError, match="no such machine: propelle; did you mean propeller"):
+        fly_window(flight, "stop", stop)
     out = WindowRules(phase="cruise", event="engine-out", lag=1.0, machine="electric")
     with pytest.raises(DesignError, match="no such turbine: electric"):
         fly_window(flight, "out", out)

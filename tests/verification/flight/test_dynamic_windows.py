@@ -98,7 +98,7 @@ def test_the_rigid_pass_is_followed_by_the_elastic_train():
     assert again.arrays.profile.factor[0] == window.system.arrays.profile.factor[0]
 
 
-FAULTS = ("short-circuit", "pitch-runaway", "power-slam", "propeller-strike")
+FAULTS = ("short-circuit", "pitch-runaway", "power-slam", "propeller-strike", "sudden-stop")
 
 
 @pytest.mark.parametrize("name", ["taxi-to-hybrid", "hybrid-to-turbine", "pitch-step", "gust", *FAULTS])

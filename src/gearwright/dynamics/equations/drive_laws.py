@@ -11,7 +11,7 @@ from numba import njit
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
-from gearwright.dynamics.model import HEADER, MACHINE, OUTPUTS, PROPELLER
+from gearwright.dynamics.model import HEADER, MACHINE, OUTPUTS, PROPELLER, STANDSTILL
 from gearwright.machines import Governor, GovernorState, governor_rates
 
 _governor_rates = njit(error_model="numpy")(governor_rates)
@@ -40,12 +40,16 @@ def _cell(table: Floats, first: int, count: int, value: float) -> int:
 
 @njit(error_model="numpy")
 def _power(table: Floats, at: int, ratio: float, angle: float) -> tuple[float, float]:
-    """Return C_P and flag of a map; replaces `propeller_map.look_up`."""
+    """Return C_P and flag of a map, carried on with J² where the drive says so; replaces `propeller_map.look_up`."""
     rows, columns = int(table[at + 9]), int(table[at + 10])
     a = at + 11 + rows
     b = a + columns
     first = b + 2 * rows * columns
     last = first + rows
+    past = 1.0
+    if table[last + rows] != 0.0 and ratio > table[a - 1]:
+        past = ratio / table[a - 1]
+        ratio = table[a - 1]
     i = _cell(table, at + 11, rows, ratio)
     low = int(max(table[first + i], table[first + i + 1]))
     high = int(min(table[last + i], table[last + i + 1]))
@@ -57,7 +61,7 @@ def _power(table: Floats, at: int, ratio: float, angle: float) -> tuple[float, f
     c = b + i * columns + k
     d = c + columns
     power = (1.0 - u) * ((1.0 - v) * table[c] + v * table[c + 1]) + u * ((1.0 - v) * table[d] + v * table[d + 1])
-    return power, 0.0 if inside else 1.0
+    return power * past * past, 0.0 if inside else 1.0
 
 
 @njit(error_model="numpy")
@@ -103,7 +107,7 @@ def apply_drives(
         x, read, at = int(table[place + 6]), int(table[place + 7]), place + HEADER
         speed = table[place + 3] * factor + velocity[dof]
         if kind == PROPELLER:
-            diameter, turns = table[at], abs(speed) / (2.0 * np.pi)
+            diameter, turns = table[at], max(abs(speed) / (2.0 * np.pi), STANDSTILL)
             power, flag = _power(table, at, inputs[read + 1] / (turns * diameter), state[x])
             value = power * inputs[read] * turns * turns * diameter**5 / (2.0 * np.pi)
             value = -value if speed < 0.0 else value

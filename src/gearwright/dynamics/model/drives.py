@@ -27,6 +27,8 @@ PROPELLER, MACHINE, CLUTCH = 0, 1, 2
 """Kinds of records."""
 OUTPUTS = 3
 """Numbers that each drive reports: torque, speed, flag."""
+STANDSTILL = 1e-9
+"""Revolutions per second at least, so that an advance ratio is a number [1/s]."""
 
 
 class PropellerDrive(NamedTuple):
@@ -54,6 +56,8 @@ class PropellerDrive(NamedTuple):
     """Speed that the governor holds [rad/s]."""
     pitch_command: Curve = 0.0
     """Added to the governor's reference [rad]."""
+    beyond: bool = False
+    """True: beyond the largest advance ratio C_P grows with J², as of blades that hardly turn in a stream."""
 
 
 class MachineDrive(NamedTuple):
@@ -144,7 +148,7 @@ def _numbers_of(drive: Drive, sense: float) -> list[float]:
             chart = drive.chart
             sizes = [float(len(chart.advance_ratio)), float(len(chart.blade_angle))]
             grids = np.concatenate([np.ravel(grid).astype(float) for grid in chart])
-            return [drive.diameter, *drive.governor, *sizes, *(float(value) for value in grids)]
+            return [drive.diameter, *drive.governor, *sizes, *(float(value) for value in grids), float(drive.beyond)]
         case MachineDrive():
             return [sense, drive.speed, drive.slope, drive.highest_torque, drive.highest_power]
         case ClutchDrive():
@@ -274,15 +278,17 @@ def _propeller(numbers: Floats, read: Floats, speed: float, state: GovernorState
     diameter, governor = float(numbers[0]), Governor(*numbers[1:9])
     rows, columns = int(numbers[9]), int(numbers[10])
     sizes = (rows, columns, rows * columns, rows * columns, rows, rows)
-    parts = np.split(numbers[11:], np.cumsum(sizes)[:-1])
+    parts, beyond = np.split(numbers[11:-1], np.cumsum(sizes)[:-1]), bool(numbers[-1])
     power, thrust = (grid.reshape(rows, columns) for grid in parts[2:4])
     chart = PropellerMap(parts[0], parts[1], power, thrust, parts[4].astype(int), parts[5].astype(int))
     density, airspeed, wanted, command = (float(value) for value in read[:4])
-    turns = abs(speed) / (2.0 * math.pi)
-    blade = look_up(chart, airspeed / (turns * diameter), state.pitch)
-    torque = blade.power * density * turns**2 * diameter**5 / (2.0 * math.pi)
+    turns = max(abs(speed) / (2.0 * math.pi), STANDSTILL)
+    ratio, last = airspeed / (turns * diameter), float(chart.advance_ratio[-1])
+    past = max(ratio / last, 1.0) if beyond else 1.0
+    blade = look_up(chart, ratio / past, state.pitch)
+    torque = blade.power * past**2 * density * turns**2 * diameter**5 / (2.0 * math.pi)
     governor = governor._replace(reference=governor.reference + command)
-    return -math.copysign(torque, speed), float(blade.status), governor_rates(governor, state, wanted - abs(speed))
+    return torque if speed < 0.0 else -torque, float(blade.status), governor_rates(governor, state, wanted - abs(speed))
 
 
 def _machine(numbers: Floats, command: float, speed: float) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.air import air_at
+from gearwright.air import air_at, height
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.aircraft.march import Rates, State, books, march
 from gearwright.mission.forces import Attitude, lowest_speed, resistance
@@ -248,13 +248,12 @@ def _risen(powered: Powered, start: State, speed: Callable[[float], float]) -> l
     for at in _between(start.altitude, end):
         slower = rates(start._replace(altitude=at)).time
         if slower * (end - start.altitude) <= 0.0:
-            way = "climb" if end > start.altitude else "sink"
-            message = (
-                f"does not {way} at {at:.0f} m with this power ({1.0 / slower:.3g} m/s); that is its ceiling: stop"
-                " lower, be lighter, or give more power"
-                if end > start.altitude
-                else f"does not {way} at {at:.0f} m with this power ({1.0 / slower:.3g} m/s); give less power, or flaps"
-            )
+            way, rate = ("climb" if end > start.altitude else "sink"), 1.0 / slower
+            fix = "give less power, or flaps"
+            if end > start.altitude:
+                lower = "that is its ceiling: stop lower, " if at > start.altitude else ""
+                fix = f"{lower}be lighter, or give more power"
+            message = f"does not {way} at {height(at)} with this power ({rate:.3g} m/s); {fix}"
             raise DesignError([Problem("power", message)])
     states = stretch(powered, rates, start, end - start.altitude)
     return [state._replace(speed=speed(state.altitude)) for state in states]  # across a corner of the schedule, too

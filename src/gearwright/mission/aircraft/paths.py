@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from gearwright.air import air_at, stagnation_ratios, true_of_calibrated
+from gearwright.air import air_at, height, stagnation_ratios, true_of_calibrated
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import fuel_flow
 from gearwright.mission.aircraft.given import Powered, Push, path_by_power
@@ -106,7 +106,7 @@ def _start_speed(mission: Mission, phase: Phase, before: _Before) -> float:
 def _refuse_high(mission: Mission, phase: Phase) -> None:
     ceiling = mission.aircraft.ceiling if mission.aircraft else None
     if ceiling is not None and phase.altitude > ceiling:
-        message = f"{phase.altitude:.0f} m is above the ceiling of {ceiling:.0f} m; fly lower"
+        message = f"{height(phase.altitude)} is above the ceiling of {height(ceiling)}; fly lower"
         raise DesignError([Problem("altitude", message)])
 
 

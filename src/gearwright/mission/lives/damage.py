@@ -13,7 +13,7 @@ from gearwright.identity import PartId, Role
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import CLASSES, classed
 from gearwright.ranking import largest_first
-from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, row_ask
+from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, reverse_parts, row_ask
 from gearwright.spec import Design
 from gearwright.spec.mission import GearLifeRules
 from gearwright.train import Gear, Mesh
@@ -182,7 +182,9 @@ def _alike(
     for k, flight in enumerate(flights):
         if not loaded[k]:
             continue
-        ask, steel = row_ask(flight.sizing.train, flight.sizing.teeth, mesh, loads[k]), flight.mission.gears
+        train, steel = flight.sizing.train, flight.mission.gears
+        ask = row_ask(train, flight.sizing.teeth, mesh, loads[k])
+        ask = ask._replace(reverse=reverse_parts(train, mesh, loads[k]))
         members = next((found for same, made, found in groups if same == ask and made == steel), None)
         if members is None:
             groups.append((ask, steel, [k]))

@@ -42,6 +42,21 @@ class Stage(NamedTuple):
     """Shaft -> torque that mesh losses take from it [N m]."""
 
 
+class Brake(NamedTuple):
+    """What holds a shaft until it stands, and then holds it."""
+
+    machine: str
+    """On whose shaft it acts."""
+    torque: float
+    """At most [N m]."""
+    curve: Curve
+    """Torque at the speed of the start, if nothing limited it [N m]."""
+    speed: float
+    """Of that shaft at the start [rad/s]."""
+    creep: float
+    """Part of it below which the torque falls with the speed [-]."""
+
+
 @dataclass(frozen=True)
 class Background:
     """What goes on in a window without its event."""
@@ -73,6 +88,8 @@ class Background:
     """What the propeller's governor holds in place of the set speed [rad/s]."""
     strike: Curve | None = None
     """Torque that stops the propeller, negative [N m]."""
+    brake: Brake | None = None
+    """What brings everything to rest."""
 
 
 def background(flight: Flight, rules: WindowRules) -> Background:

@@ -11,6 +11,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.mission.windows.background import Background, Curve, staged, turning_at
 from gearwright.mission.windows.curves import blended, stepped, value_at
 from gearwright.mission.windows.faults import engine_out, runaway, short_circuited, slammed, struck
+from gearwright.mission.windows.stop import stopped
 from gearwright.spec import WindowRules
 
 GUST_POINTS = 48
@@ -52,6 +53,8 @@ def changed(back: Background, rules: WindowRules) -> Background:
             return slammed(back, rules)
         case "propeller-strike":
             return struck(back, rules)
+        case "sudden-stop":
+            return stopped(back, rules)
         case _:
             return back
 

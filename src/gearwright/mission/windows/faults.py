@@ -15,22 +15,18 @@ from gearwright.dynamics import System
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Winding, short_circuit_torque
 from gearwright.mission.supply import Supply
-from gearwright.mission.windows.background import Background, Curve, flown_phase, staged, turning_at
-from gearwright.mission.windows.curves import blended, value_at
+from gearwright.mission.windows.background import Background, flown_phase, staged, turning_at
+from gearwright.mission.windows.curves import LAGS, blended, lagged, until, value_at
 from gearwright.spec import WindowRules
 
 POINTS_PER_CYCLE = 32
 """Points of a short circuit's torque in one electric cycle: straight lines between them are off by 5e-3 of it."""
 MOST_POINTS = 20_000
 """Of a short circuit's torque [-]."""
-LAGS = 8.0
-"""Time constants after which what decays is gone: 3e-4 is left [-]."""
 BEYOND = 3.2
 """Pitch command that is finer than every stop [rad]."""
 SOON = 1e-3
 """Time in which the overspeed governor takes over [s]."""
-LAG_POINTS = 80
-"""Points of a decay: straight lines between them are off by 1e-3 of it."""
 
 
 def failing(supply: Supply, rules: WindowRules, at: str) -> str:
@@ -114,24 +110,8 @@ def short_circuited(back: Background, rules: WindowRules) -> Background:
     count = min(max(2, math.ceil(min(rings, left) / cycle * POINTS_PER_CYCLE)), MOST_POINTS)
     time = np.linspace(0.0, min(rings, left), count + 1)
     torque = short_circuit_torque(winding, speed, before=before, time=time)
-    curve = [*_until(back.torques[name], rules), *zip((rules.event_at + time).tolist(), torque.tolist(), strict=True)]
+    curve = [*until(back.torques[name], rules), *zip((rules.event_at + time).tolist(), torque.tolist(), strict=True)]
     return replace(back, torques={**back.torques, name: curve}, limits=False)
-
-
-def _until(curve: Curve, rules: WindowRules) -> Curve:
-    """Return what a curve does before the event."""
-    first = [(time, value) for time, value in curve if time < rules.event_at]
-    return [*first, (rules.event_at - 1e-9, value_at(curve, rules.event_at))]
-
-
-def _lagged(before: Curve, after: float, rules: WindowRules) -> Curve:
-    """Return a curve that goes to a value with the event's time constant."""
-    lag = rules.lag or 1.0
-    late = np.linspace(0.0, LAGS * lag, LAG_POINTS + 1)
-    old = value_at(before, rules.event_at)
-    values = after + (old - after) * np.exp(-late / lag)
-    values[-1] = after
-    return [*_until(before, rules), *zip((rules.event_at + late).tolist(), values.tolist(), strict=True)]
 
 
 def engine_out(back: Background, rules: WindowRules) -> Background:
@@ -142,7 +122,7 @@ def engine_out(back: Background, rules: WindowRules) -> Background:
         rules: What happens.
     """
     name = failing(back.supply, rules, "windows")
-    return replace(back, torques={**back.torques, name: _lagged(back.torques[name], 0.0, rules)})
+    return replace(back, torques={**back.torques, name: lagged(back.torques[name], 0.0, rules)})
 
 
 def slammed(back: Background, rules: WindowRules) -> Background:
@@ -159,7 +139,7 @@ def slammed(back: Background, rules: WindowRules) -> Background:
     return replace(
         back,
         torques={
-            name: _lagged(curve, after.torques[name], rules)
+            name: lagged(curve, after.torques[name], rules)
             if name in back.supply.engines
             else blended(curve, [(0.0, after.torques[name])], rules)
             for name, curve in back.torques.items()

@@ -18,14 +18,17 @@ from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_near, blade_angles, governs, limit_cycle
+from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.curves import value_at
 from gearwright.mission.windows.events import changed
 from gearwright.mission.windows.faults import caught, failing, freewheels
+from gearwright.mission.windows.stop import brake_drive, rest_time, seized, stream_map
 from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
+from gearwright.units import Time
 from gearwright.verbs import verb
 
 STEPS_PER_CYCLE = 1.6
@@ -64,6 +67,8 @@ class DynamicWindow(Shown):
     """Peak of every mesh row beside what it is sized for, the worst first."""
     shafts: tuple[ShaftLoad, ...] = ()
     """Peak of every shaft beside what it is sized for, the worst first."""
+    rest: Time | None = None
+    """When a sudden stop has come to rest, from the window's start [s]; None where it has not."""
 
 
 class _Blade(NamedTuple):
@@ -119,7 +124,8 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
         system = followed(_system(governed, rules), rules.duration)
     trace = simulate(system, rules.duration, start=state, outputs=window_outputs(system, rules))
     loads = dynamic_loads(flight.sizing, trace), shaft_loads(flight.sizing, trace)
-    return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace), *loads)
+    cycle = None if back.brake else _cycle(back, trace)
+    return DynamicWindow(name, rules, back.start, system, trace, cycle, *loads, _rest(back, trace))
 
 
 def _check(flight: Flight, name: str, rules: WindowRules) -> None:
@@ -132,6 +138,8 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
             f"{rules.at:g} s, but {rules.phase} ends after {phase_duration:g} s; start earlier, or in the next phase"
         )
         raise DesignError([Problem(f"{at}.at", message)])
+    if rules.event == "sudden-stop":
+        seized(rules, flown_airscrew(flight.sizing), flight.machines)
     if rules.event in MACHINE_EVENTS:
         failing(supply_of(flight.sizing, flight.mission), rules, at)
     joints = {joint.name for joint in flight.sizing.train.joints}
@@ -158,7 +166,8 @@ def window_outputs(system: System, rules: WindowRules) -> Outputs:
         rules: Of the window.
     """
     turning = np.abs(system.arrays.tone_rate[system.arrays.tone_rate != 0.0])
-    slowest = float(np.min(turning)) * float(system.arrays.profile.factor[-1]) if len(turning) else 0.0
+    last = 0 if rules.event == "sudden-stop" else -1  # a train at rest has no cycles
+    slowest = float(np.min(turning)) * float(system.arrays.profile.factor[last]) if len(turning) else 0.0
     close = min(2.0 * math.pi * CLOSE_CYCLES / slowest, rules.duration) if slowest else min(0.02, rules.duration)
     return Outputs(bins=BINS, windows=((rules.duration - close, rules.duration),))
 
@@ -168,6 +177,8 @@ def _system(back: Background, rules: WindowRules) -> System:
     machines = [_machine(back, rules, name) for name in back.gearbox.machines]
     if back.strike is not None:
         machines.append(MachineDrive("strike", back.gearbox.propeller, back.strike, value_at(back.speed, 0.0)))
+    if back.brake is not None:
+        machines.append(brake_drive(back.brake))
     carried = freewheels(back, rules)
     held: dict[str, float | Curve] = dict.fromkeys(carried, NEVER_SLIPS)
     if rules.clutch is not None:
@@ -218,8 +229,9 @@ def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
 
 
 def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
-    chart = back.flight.propeller_map
+    chart, stops = back.flight.propeller_map, back.brake is not None
     assert chart is not None  # `_check` refuses a flight without one
+    chart = stream_map(back.flight.mission.propeller_map, chart) if stops else chart
     name = back.gearbox.propeller
     diameter = back.flight.sizing.design.airscrews[name].diameter
     speed, density, airspeed = (value_at(curve, 0.0) for curve in (back.speed, back.density, back.airspeed))
@@ -229,13 +241,14 @@ def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
     assert flown is not None  # there is a map
     taken = _taken(back, rules) / (density * turns**3 * diameter**5)
     pitch = angle_near(chart, ratio, taken, float(flown[back.interval]))
-    blade = _Blade(*blade_angles(chart, ratio)) if governs(chart, ratio, pitch) else _Blade(pitch, pitch)
+    free = governs(chart, ratio, pitch) and not stops
+    blade = _Blade(*blade_angles(chart, ratio)) if free else _Blade(pitch, pitch)
     governor = _governor(rules.governor or back.flight.mission.governor, pitch, back, blade)
     settled = (governor.reference - pitch) / governor.integral if governor.integral else 0.0
     start = GovernorState(pitch, 0.0, settled)
     return PropellerDrive(
         name, name, chart, diameter, governor, start, back.density, back.airspeed, back.held_speed or back.speed,
-        back.pitch,
+        back.pitch, stops,
     )  # fmt: skip
 
 
@@ -302,6 +315,15 @@ def _joined(system: System, first: int) -> Floats:
         if np.array_equal(grown, joined):
             return joined
         joined = grown
+
+
+def _rest(back: Background, trace: Trace) -> float | None:
+    """Return when a brake has brought its shaft to rest [s]."""
+    if back.brake is None:
+        return None
+    assert trace.drive is not None  # every window has drives
+    edges = trace.drive.edges
+    return rest_time(0.5 * (edges[1:] + edges[:-1]), trace.drive.of("brake speed")["mean"], back.brake.creep)
 
 
 def _cycle(back: Background, trace: Trace) -> LimitCycle | None:

@@ -274,6 +274,8 @@ class WindowAnswer:
     energy_imbalance: Ratio
     limit_cycle: GovernorCycle | None
     """Null where the governor comes to rest."""
+    rest: Time | None
+    """When a sudden stop has come to rest, from the window's start; null where it has not, and for other events."""
     ranges: tuple[Range, ...]
     """What speeds, torques, pitch and line forces did, in the unit of each."""
     meshes: tuple[DynamicLoad, ...]
@@ -302,6 +304,7 @@ def window_answer(window: DynamicWindow) -> WindowAnswer:
         rms_error=trace.rms_error,
         energy_imbalance=trace.work.imbalance,
         limit_cycle=None if cycle is None else GovernorCycle(cycle.frequency, cycle.amplitude),
+        rest=window.rest,
         ranges=ranges(window),
         meshes=window.meshes,
         shafts=window.shafts,

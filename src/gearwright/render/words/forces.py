@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from gearwright.mission import Flight, PhaseForces, phase_forces, phase_summaries
-from gearwright.units import NAUTICAL_MILE
+from gearwright.spec import Phase
+from gearwright.units import GRAVITY, NAUTICAL_MILE
 
 TELLING = 0.05
 """Part of the thrust that may be left over before it is told [-]."""
@@ -61,7 +62,23 @@ def _told(flight: Flight, rows: Sequence[PhaseForces]) -> Iterator[str]:
                 f" phase before ended: {row.jump_acceleration:.2f} m/s² within a step of {flight.mission.step:g} s"
             )
         left, implied = row.left_over, row.implied
-        stated = flight.mission.phases[row.name].kind is None
-        if stated and left is not None and implied is not None and abs(left) > TELLING * abs(row.thrust or 0.0):
-            unexplained = f"{left / 1e3:.1f} kN of thrust are not explained by drag and path"
-            yield f"Note: {row.name}, {unexplained}: {implied:.2f} m/s²"
+        phase = flight.mission.phases[row.name]
+        if phase.kind is not None or left is None or implied is None or abs(left) <= TELLING * abs(row.thrust or 0.0):
+            continue
+        friction, most = (
+            _braking(phase, row),
+            flight.mission.aircraft.braking_friction if flight.mission.aircraft else 0.0,
+        )
+        if friction is not None and 0.0 < friction <= most:
+            yield f"{row.name}: brakes hold {left / 1e3:.1f} kN, {friction:.2f} of the weight"
+            continue
+        unexplained = f"{left / 1e3:.1f} kN of thrust are not explained by drag and path"
+        more = f", and brakes hold {most:g} of the weight" if friction else ""
+        yield f"Note: {row.name}, {unexplained}: {implied:.2f} m/s²{more}"
+
+
+def _braking(phase: Phase, row: PhaseForces) -> float | None:
+    """Return the friction with which wheels hold what is left over [-]; None where a phase does not end at a stand."""
+    if row.left_over is None or 0.0 not in (phase.tas, phase.cas, phase.mach):
+        return None
+    return row.left_over / (row.mass * GRAVITY)

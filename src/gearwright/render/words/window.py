@@ -113,6 +113,18 @@ def _line(row: Range) -> str:
     return f"{row.name:28} {numbers} {unit(row.dimension)}"
 
 
+def _stopped(window: DynamicWindow) -> str:
+    """Return whether a sudden stop comes to rest."""
+    assert window.trace.drive is not None  # every window has drives
+    if window.rest is not None:
+        return f"At rest {window.rest - window.rules.event_at:.3g} s after the event"
+    speed = abs(float(window.trace.drive.of("brake speed")["mean"][-1])) * 30.0 / math.pi
+    return (
+        f"Not at rest: what is held still turns at {speed:.4g} rpm; give a longer window, more torque, or lag_s for"
+        " machines that fail"
+    )
+
+
 def window_verdict(window: DynamicWindow) -> str:
     """Return whether the governor comes to rest in a window.
 
@@ -120,6 +132,8 @@ def window_verdict(window: DynamicWindow) -> str:
         window: As flown.
     """
     cycle = window.limit_cycle
+    if window.rules.event == "sudden-stop":
+        return _stopped(window)
     if cycle is None:
         return "The governor does not limit-cycle"
     return (

@@ -8,6 +8,7 @@ from gearwright.sizing.rating.context import (
     Demand,
     context_of,
     demands_of,
+    reverse_parts,
     row_ask,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows
@@ -85,6 +86,7 @@ __all__ = [
     "push_angle",
     "rate_row",
     "rating_of",
+    "reverse_parts",
     "rim_below_roots",
     "row_ask",
     "row_reserve",

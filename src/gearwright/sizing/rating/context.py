@@ -178,6 +178,25 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[s
     )
 
 
+def reverse_parts(train: Train, mesh: Mesh, loads: Mapping[str, Sequence[float]]) -> tuple[float, float]:
+    """Return how much less the other flank of both gears of a mesh is loaded [-]; 1 for planets and idlers.
+
+    Args:
+        train: The graph.
+        mesh: A row of it.
+        loads: Mesh row -> least and greatest torque on its first gear [N m].
+    """
+    return _reverse_part(train, mesh.gears[0], loads), _reverse_part(train, mesh.gears[1], loads)
+
+
+def _reverse_part(train: Train, gear: str, loads: Mapping[str, Sequence[float]]) -> float:
+    own = [mesh for mesh in train.meshes if gear in mesh.gears]
+    if len(own) > 1 or not bends_both_ways(train, gear, loads):
+        return 1.0
+    least, greatest = sorted(map(abs, loads[own[0].name]))
+    return least / greatest
+
+
 def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]]) -> bool:
     """Tell whether the teeth of a gear are loaded on both flanks: by one mate and on to another, or in two cases.
 

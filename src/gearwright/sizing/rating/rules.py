@@ -165,3 +165,5 @@ class Ask(NamedTuple):
     """Mates that a tooth of each gear meets in a turn [-]; Lewis and Hertz do not ask for it."""
     roles: tuple[Role, Role] = (Role.PINION, Role.WHEEL)
     """What both gears are in their stage: wheels and rings may be of a steel of their own, and have rims."""
+    reverse: tuple[float, float] = (1.0, 1.0)
+    """Load of the less loaded flank over that of the other, of gears that are loaded on both [-]."""

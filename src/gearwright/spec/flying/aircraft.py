@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gearwright.air import height
 from gearwright.errors import Problem
 from gearwright.spec.aircraft import GROUND_KINDS
 from gearwright.spec.mission import NO_MAP, Mission, Phase
@@ -112,14 +113,15 @@ def _heights(phase: Phase, start: float) -> Iterator[str]:
     """Yield what is wrong with the altitudes of a phase."""
     rise, kind = phase.altitude - start, phase.kind
     ways = {"climb": 1.0, "take-off": 1.0, "descent": -1.0, "approach": -1.0}
+    way = f"from {height(start)} to {height(phase.altitude)}"
     if kind in ways and kind != "take-off" and rise * ways[kind] <= 0.0:
         word = "up" if ways[kind] > 0.0 else "down"
-        yield f"a {kind} leads {word}, and this one from {start:.0f} m to {phase.altitude:.0f} m; change its altitude"
+        yield f"a {kind} leads {word}, and this one {way}; change its altitude"
     elif kind == "take-off" and rise < 0.0:
-        yield f"a take-off leads up, and this one from {start:.0f} m to {phase.altitude:.0f} m; change its altitude"
+        yield f"a take-off leads up, and this one {way}; change its altitude"
     elif kind not in ways and abs(rise) > 0.1:
         word = "stays on the ground" if kind in GROUND_KINDS else "is level"
-        yield f"a {kind} {word}, and this one leads from {start:.0f} m to {phase.altitude:.0f} m; make them equal"
+        yield f"a {kind} {word}, and this one leads {way}; make them equal"
     for key in ("rate_of_climb", "path_angle"):
         value = getattr(phase, key)
         if kind in ways and value is not None and not value * ways[kind] > 0.0:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from gearwright.air import height
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.checks import STEEL_KEYS
@@ -162,7 +163,7 @@ def _first_altitude(phase: Phase, last: float | None) -> float:
 def _start(phase: Phase, last: float | None) -> Iterator[str]:
     start = _first_altitude(phase, last)
     if last is not None and abs(start - last) > _SAME_ALTITUDE:
-        yield f"it starts at {start:.0f} m, but the phase before ended at {last:.0f} m; make them equal"
+        yield f"it starts at {height(start)}, but the phase before ended at {height(last)}; make them equal"
 
 
 def _speed(phase: Phase) -> Iterator[str]:
@@ -205,6 +206,6 @@ def _altitude(phase: Phase, last: float | None) -> Iterator[str]:
         yield "give one of duration and rate_of_climb"
     elif phase.rate_of_climb is not None and not phase.rate_of_climb * climb > 0.0:
         yield (
-            f"a rate of climb of {phase.rate_of_climb:.3g} m/s never leads from {start:.0f} m to"
-            f" {phase.altitude:.0f} m; turn its sign, or give a duration"
+            f"a rate of climb of {phase.rate_of_climb:.3g} m/s never leads from {height(start)} to"
+            f" {height(phase.altitude)}; turn its sign, or give a duration"
         )

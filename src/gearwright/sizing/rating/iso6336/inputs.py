@@ -31,7 +31,7 @@ from gearwright.parts.iso6336 import (
 from gearwright.sizing.rating.rules import Rating
 
 IDLER_MEAN_STRESS = 0.7
-"""Y_M of gears that are loaded on both flanks [-] (ISO 6336-3:2019, annex B)."""
+"""Y_M of gears that are loaded on both flanks alike, R = -1 [-] (ISO 6336-3:2019, annex B)."""
 SQUARE_MM = 1e-6
 _PARTS = tuple((f"ISO 6336-{part}", f"DIN 3990-{part}:1987") for part in (1, 2, 3))
 EDITIONS = {"iso6336": Edition.ISO2019, "iso6336-2006": Edition.ISO2006, "din3990": Edition.DIN1987}
@@ -120,10 +120,26 @@ def clause_of(source: str, edition: Edition) -> str:
     return source
 
 
+def mean_stress_factor(reverse: float) -> float:
+    """Return Y_M of a gear that is loaded on both flanks [-].
+
+    Args:
+        reverse: Load of the less loaded flank over that of the other, 0 to 1: -R, R the stress ratio [-].
+
+    Source: ISO 6336-3:2019, annex B, 1/Y_M = 1 - R (1 - M)/(1 + M) with an M that makes it 0.7 at R = -1, as the norm's
+        table has it for idlers; the equation from memory.
+
+    >>> round(mean_stress_factor(0.5), 3)  # 7/(7 + 3/2)
+    0.824
+    """
+    return IDLER_MEAN_STRESS / (IDLER_MEAN_STRESS + (1.0 - IDLER_MEAN_STRESS) * reverse)
+
+
 def quality_of(
     rating: Rating,
     *,
     idlers: tuple[bool, bool],
+    reverse: tuple[float, float] = (1.0, 1.0),
     shaft: PinionShaft = CENTRED,
     rims: tuple[float, float] = (1.0, 1.0),
 ) -> MeshQuality:
@@ -132,11 +148,12 @@ def quality_of(
     Args:
         rating: Resolved rules.
         idlers: Which of the two gears is loaded on both flanks.
+        reverse: Load of the less loaded flank over that of the other, of gears that are [-].
         shaft: Where the pinion sits on its shaft.
         rims: Y_B of both gears [-].
     """
     rules = rating.rules.iso6336
-    means = [IDLER_MEAN_STRESS if idler else 1.0 for idler in idlers]
+    means = [mean_stress_factor(part) if idler else 1.0 for idler, part in zip(idlers, reverse, strict=True)]
     return MeshQuality(
         grade=rules.tolerance_class,
         flank_roughness=rules.flank_roughness,

@@ -233,7 +233,7 @@ class Iso6336:
 def _quality(rating: Rating, ask: Ask) -> MeshQuality:
     """How the flanks and bodies of a mesh are made."""
     rims = rim_factors(rating, ask.roles, internal=ask.internal)
-    return quality_of(rating, idlers=ask.idlers, rims=rims)
+    return quality_of(rating, idlers=ask.idlers, reverse=ask.reverse, rims=rims)
 
 
 def life_slope(rating: Rating, mode: str) -> float:
