@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import io
 import shutil
+import subprocess
 import zipfile
 from itertools import pairwise
 from pathlib import Path
@@ -112,7 +113,12 @@ class Instance:
         self.code.fmi2FreeInstance(self.handle)
 
 
-COMPILES = pytest.mark.skipif(
-    not any(map(shutil.which, COMPILERS)), reason=f"there is no C compiler ({', '.join(COMPILERS)})"
-)
+COMPILER = next(filter(None, map(shutil.which, COMPILERS)), None)
+COMPILES = pytest.mark.skipif(COMPILER is None, reason=f"there is no C compiler ({', '.join(COMPILERS)})")
 """Mark of tests that compile."""
+
+
+def compile_in(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """Compile in a folder; return what the compiler said."""
+    command = [COMPILER, "-std=c99", *words, "-lm"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)

@@ -3,7 +3,6 @@
 import ctypes
 import io
 import math
-import shutil
 import subprocess
 import zipfile
 from itertools import pairwise
@@ -13,13 +12,12 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from fmu_host import COMPILES, ERROR, OK, Instance, Unpacked
+from fmu_host import COMPILER, COMPILES, ERROR, OK, Instance, Unpacked, compile_in
 from gearwright.dynamics import Model
 from gearwright.errors import DesignError, SolveError
 from gearwright.exchange import fmu_of_system, to_fmu
-from gearwright.exchange.fmu import COMPILERS, MachinePort, compiling
+from gearwright.exchange.fmu import MachinePort, compiling
 
-COMPILER = next(filter(None, map(shutil.which, COMPILERS)), None)
 OUTPUTS = ["first.sun.speed", "first.sun-planet-1.force", "propeller.acting_torque"]
 
 
@@ -184,18 +182,11 @@ int main(void) {
 """A host in C, for what looks into memory."""
 
 
-def built(folder, *words):
-    """Compile in a folder; return what the compiler said."""
-    return subprocess.run(
-        [COMPILER, "-std=c99", *words, "-lm"], cwd=folder, capture_output=True, text=True, check=False
-    )
-
-
 @COMPILES
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 def test_the_sources_compile_without_a_warning(sizing, version, tmp_path):
     folder = Unpacked(to_fmu(sizing, version=version, binary=False).content, tmp_path).folder / "sources"
-    said = built(folder, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", f"fmi{version[0]}.c")
+    said = compile_in(folder, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", f"fmi{version[0]}.c")
     assert said.returncode == 0, said.stderr
 
 
@@ -204,10 +195,10 @@ def test_sanitizers_find_nothing_in_memory_and_no_undefined_step(fmu, tmp_path):
     (tmp_path / "host.c").write_text(HOST % "fmi2.c", encoding="utf-8")
     found = "-fsanitize=address,undefined", "-fno-sanitize-recover=all"
     (tmp_path / "try.c").write_text("int main(void) { return 0; }", encoding="utf-8")
-    tried = built(tmp_path, *found, "try.c", "-o", "try")
+    tried = compile_in(tmp_path, *found, "try.c", "-o", "try")
     if tried.returncode or subprocess.run([tmp_path / "try"], check=False).returncode:
         pytest.skip(f"{COMPILER} has no sanitizers here: {tried.stderr[:200]}")
-    said = built(tmp_path, *found, "-g", f"-I{fmu.folder / 'sources'}", "host.c", "-o", "host")
+    said = compile_in(tmp_path, *found, "-g", f"-I{fmu.folder / 'sources'}", "host.c", "-o", "host")
     assert said.returncode == 0, said.stderr
     run = subprocess.run([tmp_path / "host"], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr

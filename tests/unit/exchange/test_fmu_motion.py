@@ -206,6 +206,19 @@ def test_a_machine_of_given_speed_keeps_it_and_says_the_torque_that_it_takes(tmp
     one.free()
 
 
+def test_two_machines_of_one_body_are_not_both_given_a_speed(tmp_path):
+    machines = [MachinePort("motor", "first", 1.0), MachinePort("brake", "first", -1.0)]
+    fmu = Unpacked(fmu_of_system(two_bodies().build(), machines, step=1e-3).content, tmp_path)
+    one = Instance(fmu)
+    assert one.put({"motor.speed_is_given": True, "brake.speed_is_given": True}) == OK
+    assert one.call("EnterInitializationMode") == OK
+    assert one.call("ExitInitializationMode") == ERROR
+    assert "two machines of one body" in one.said[-1]
+    assert one.put({"brake.speed_is_given": False}) == OK
+    assert one.call("ExitInitializationMode") == OK
+    one.free()
+
+
 def test_the_speed_factor_sets_speeds_at_the_start_and_leaves_them_later(tmp_path):
     """Later it is a change of the frame that positions are measured from: nothing that can be seen jumps."""
     model = two_bodies()
