@@ -45,7 +45,8 @@ def drag_force(polar: Polar, reference: float, lift: float) -> float:
     >>> round(drag_force(Polar(27.308, 0.022, 0.0464), 100e3, 40e3))  # 100 kN · (0.022 + 0.0464 · 0.4²)
     2942
     """
-    return reference * polar.zero_lift + (polar.induced * lift**2 / reference if reference else 0.0)
+    lifts = reference != 0.0  # no branch, so that arrays pass
+    return reference * polar.zero_lift + polar.induced * (lifts * lift) ** 2 / (reference + (1.0 - lifts))
 
 
 def stall_speed(polar: Polar, air: Air, weight: float, highest: float) -> float:

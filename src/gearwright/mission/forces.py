@@ -100,13 +100,28 @@ def stated_thrust(aircraft: Aircraft, phase: Phase, moment: Moment, mass: float)
         moment: Where it is flown.
         mass: Of the aircraft now [kg].
 
+    Source: `path_thrust`.
+    """
+    slope = moment.climb / moment.true_airspeed if moment.true_airspeed else 0.0
+    at = Attitude(moment.air, moment.true_airspeed, slope, 1.0 if phase.kind == "taxi" else 0.0)
+    refuse_stall(aircraft, phase, mass * GRAVITY, at)
+    return path_thrust(aircraft, phase, mass, at, moment.acceleration)
+
+
+def path_thrust(aircraft: Aircraft, phase: Phase, mass: float, at: Attitude, acceleration: float) -> float:
+    """Return the thrust of all propellers that holds an aircraft on a path [N].
+
+    Args:
+        aircraft: Of the mission.
+        phase: With its kind.
+        mass: Of the aircraft now [kg].
+        at: Where it is.
+        acceleration: dV/dt [m/s²].
+
     Source: T = D + μ (m g − L) + m g sin γ + m dV/dt.
     """
     weight = mass * GRAVITY
-    slope = moment.climb / moment.true_airspeed if moment.true_airspeed else 0.0
-    at = Attitude(moment.air, moment.true_airspeed, slope, 1.0 if phase.kind == "taxi" else 0.0)
-    refuse_stall(aircraft, phase, weight, at)
-    return resistance(aircraft, phase, weight, at) + weight * slope + mass * moment.acceleration
+    return resistance(aircraft, phase, weight, at) + weight * at.slope + mass * acceleration
 
 
 def refuse_stall(aircraft: Aircraft, phase: Phase, weight: float, at: Attitude) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.mission import flight_series
+from gearwright.mission import flight_series, fly_each
 from gearwright.mission.collect import Log
 from gearwright.mission.together import log_at_once
 
@@ -58,6 +58,9 @@ def apart(one, other):
         ("in-line-h1", "thesis"),
         ("off-set-h2", "equal-power"),
         ("mixed-h2", "equal-power"),
+        ("in-line", "regional-250nm"),
+        ("in-line", "regional-aircraft"),
+        ("in-line-h2", "hybrid-reserves"),
     ],
 )
 def test_intervals_at_once_are_those_one_by_one(design, mission, monkeypatch):
@@ -74,9 +77,8 @@ def test_the_energies_close(monkeypatch):
     assert together.balance.residual < 1e-12  # sums of 533 intervals
 
 
-@pytest.mark.parametrize(("design", "mission"), [("in-line", "regional-250nm"), ("in-line-h2", "strategies")])
-def test_what_leads_from_interval_to_interval_is_flown_one_by_one(design, mission, monkeypatch):
-    assert not both(design, mission, monkeypatch)[2]
+def test_what_leads_from_interval_to_interval_is_flown_one_by_one(monkeypatch):
+    assert not both("in-line-h2", "strategies", monkeypatch)[2]
 
 
 def test_cells_follow_from_interval_to_interval(monkeypatch):
@@ -94,6 +96,35 @@ def test_another_friction_of_teeth_and_gears_that_dip(monkeypatch):
     together, alone, at_once = both("in-line-h2", mission, monkeypatch)
     assert at_once and together.history.churning_loss.max() > 0.0
     assert apart(together, alone)[0] < CLOSE
+
+
+@pytest.mark.parametrize(
+    ("mission", "changes"),
+    [
+        ("regional-250nm", {"aircraft.fuel_kg": 300.0}),
+        ("regional-250nm", {"aircraft.mass_kg": 60000.0}),
+        ("regional-aircraft", {"aircraft.highest_lift": 1.3, "aircraft.landing.highest_lift": 1.4}),
+        ("regional-aircraft", {"phases.descent.rate_of_climb_ft_min": -4000.0}),
+    ],
+)
+def test_aircraft_that_cannot_fly_are_refused_in_the_same_words(mission, changes, monkeypatch):
+    mission = gw.edited_mission(gw.read_mission(mission), changes)
+    with pytest.raises(DesignError) as together:
+        gw.fly(sized("in-line"), mission)
+    monkeypatch.setattr(flying, "log_at_once", lambda flown: None)
+    with pytest.raises(DesignError) as alone:
+        gw.fly(sized("in-line"), mission)
+    assert str(together.value) == str(alone.value)
+
+
+def test_aircraft_that_differ_have_the_bits_that_each_has_alone():
+    mission = gw.read_mission("regional-aircraft")
+    scattered = [gw.edited_mission(mission, {"aircraft.mass_kg": 20000.0 + 700.0 * k}) for k in range(3)]
+    for flight, alone in zip(fly_each(sized("in-line"), scattered), scattered, strict=True):
+        flown = gw.fly(sized("in-line"), alone)
+        assert all(
+            np.array_equal(a.values, b.values) for a, b in zip(flight_series(flight), flight_series(flown), strict=True)
+        )
 
 
 @pytest.mark.parametrize(

@@ -60,11 +60,29 @@ class Powered:
             slope: sin γ [-].
             rolls: Part of the load that the wheels bear [-].
         """
+        return self.pushed(state), self.held(state, slope, rolls)
+
+    def pushed(self, state: State) -> Push:
+        """Return what pushes in a state, however steep.
+
+        Args:
+            state: Of the aircraft.
+        """
         if state.speed < 0.0 or state.mass <= 0.0:
             message = "slows to a stand" if state.mass > 0.0 else "burns more fuel than it weighs"
             raise DesignError([Problem("power", f"the aircraft {message}; give more power, or fly shorter")])
+        return self.push(state)
+
+    def held(self, state: State, slope: float, rolls: float) -> float:
+        """Return what holds in a state [N].
+
+        Args:
+            state: Of the aircraft.
+            slope: sin γ [-].
+            rolls: Part of the load that the wheels bear [-].
+        """
         at = Attitude(air_at(state.altitude, self.isa_offset), state.speed, slope, rolls)
-        return self.push(state), resistance(self.aircraft, self.phase, state.mass * GRAVITY, at)
+        return resistance(self.aircraft, self.phase, state.mass * GRAVITY, at)
 
 
 def _rates(time: float, altitude: float, speed: float, state: State, forces: tuple[Push, float]) -> State:
@@ -110,12 +128,12 @@ def _over_height(powered: Powered, speed: Callable[[float], float]) -> Rates:
         change = (speed(state.altitude + _SMALL) - speed(max(state.altitude - _SMALL, 0.0))) / (
             _SMALL + min(_SMALL, state.altitude)
         )
-        weight, slope = state.mass * GRAVITY, 0.0
+        weight, slope, push = state.mass * GRAVITY, 0.0, powered.pushed(state)
         for _ in range(ROUNDS):
-            forces = powered.force(state, slope, 0.0)
-            slope = (forces[0].thrust - forces[1]) / (weight * (1.0 + state.speed / GRAVITY * change))
+            held = powered.held(state, slope, 0.0)
+            slope = (push.thrust - held) / (weight * (1.0 + state.speed / GRAVITY * change))
             slope = min(max(slope, -1.0), 1.0)
-        return _rates(1.0 / (state.speed * slope), 1.0, change, state, forces)
+        return _rates(1.0 / (state.speed * slope), 1.0, change, state, (push, held))
 
     return rates
 

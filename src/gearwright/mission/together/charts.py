@@ -11,6 +11,7 @@ from gearwright.catalogue.propellers import ALL_STATES, MAPS, hamilton_standard_
 from gearwright.lanes import rebound
 from gearwright.machines import Blades, Charts, PropellerMap, chart_reading
 from gearwright.machines.chart_reading import STATIC_FADE, Look
+from gearwright.machines.propeller_map import _SAME_ANGLE
 
 _READING = rebound(chart_reading)
 _SLACK = 1e-9
@@ -102,6 +103,21 @@ def angle_along(chart: PropellerMap, ratio: Floats, wanted: Floats, table: Float
         slope = (angles[after] - angles[k]) / (value(after) - low)
     outside = cell.outside | ~((value(start) <= wanted) & (wanted <= value(end))) | (end <= start)
     return Read(np.where(outside, angles[start], slope * (wanted - low) + angles[k]), outside)
+
+
+def governs_along(chart: PropellerMap, ratio: Floats, angle: Floats) -> Bools:
+    """Tell where a coarser pitch takes more power.
+
+    Args:
+        chart: The map.
+        ratio: Advance ratios J, shape (n,) [-].
+        angle: Blade angles, shape (n,) [rad].
+
+    Source: `governs`.
+    """
+    start, end = _rises(chart, chart.power, _cell(chart, ratio))
+    least, most = chart.blade_angle[start], chart.blade_angle[end]
+    return np.asarray((least - _SAME_ANGLE <= angle) & (angle <= most + _SAME_ANGLE))
 
 
 def _rises(chart: PropellerMap, table: Floats, cell: _Cell) -> tuple[Ints, Ints]:

@@ -10,9 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
+from gearwright.mission.collect import Flown
 from gearwright.mission.course import Course
 from gearwright.mission.profile import laid_out, stretches_of
-from gearwright.mission.supply import Supply
+from gearwright.mission.together.craft import Craft, craft_of
 from gearwright.spec import Mission, Phase, engine_out
 
 
@@ -31,6 +32,10 @@ class Deck(NamedTuple):
     """That is held; NaN: none [rad]."""
     rating: Floats
     """Of the turbines over the usual one [-]."""
+    engines: Floats
+    """Of the aircraft that run [-]."""
+    craft: Craft | None
+    """The aircraft; None where no interval is asked for a thrust."""
 
     @property
     def first(self) -> Bools:
@@ -54,36 +59,40 @@ class Deck(NamedTuple):
             {name: driven[kept] for name, driven in self.driven.items()},
             self.pitch[kept],
             self.rating[kept],
+            self.engines[kept],
+            None if self.craft is None else self.craft.at(kept),
         )
 
 
 def is_free(mission: Mission) -> bool:
-    """Tell whether intervals of a mission can be loaded before it is known how warm, full or heavy all is by then.
+    """Tell whether intervals of a mission can be loaded whatever happened before, but for charge and fuel.
 
     Args:
         mission: As read.
     """
     warm = mission.oil.network is not None or mission.motor.heat is not None
-    stated = all(phase.power is not None or phase.pitch is not None for phase in mission.phases.values())
-    return stated and not warm and not any(phase.strategy for phase in mission.phases.values())
+    given = all(phase.power is not None or phase.pitch is not None for phase in mission.phases.values())
+    flown = mission.aircraft is not None and mission.rotorcraft is None
+    return (given or flown) and not warm and not any(phase.strategy for phase in mission.phases.values())
 
 
-def deck_of(supply: Supply, missions: Sequence[Mission]) -> Deck:
-    """Return what the intervals of missions ask.
+def deck_of(all_flown: Sequence[Flown]) -> Deck:
+    """Return what the intervals of flights ask.
 
     Args:
-        supply: The machines.
-        missions: For which `is_free` holds.
+        all_flown: With the same machines and missions for which `is_free` holds.
 
     Raises:
         DesignError: A phase asks for a machine that there is not, or is supersonic.
     """
-    whole = [stretches_of(mission) for mission in missions]
+    supply, missions = all_flown[0].supply, [flown.mission for flown in all_flown]
+    whole = [stretches_of(flown.mission, flown.paths) for flown in all_flown]
     stretches = [stretch for flight in whole for stretch in flight]
     course, counts = laid_out(stretches)
     ends = np.cumsum([0, *counts])[np.cumsum([0, *map(len, whole)])].tolist()
     asked = [supply.parts(stretch.phase) for stretch in stretches]
     names = (*supply.engines, *supply.motors)
+    engines = [float(stretch.phase.engines or stretch.mission.engines) for stretch in stretches]
     return Deck(
         missions=tuple(missions),
         course=course,
@@ -92,6 +101,8 @@ def deck_of(supply: Supply, missions: Sequence[Mission]) -> Deck:
         driven={name: np.repeat([name in parts for parts in asked], counts) for name in names},
         pitch=np.repeat([_pitch(stretch.phase) for stretch in stretches], counts),
         rating=np.repeat([_rating(stretch.mission, stretch.phase) for stretch in stretches], counts),
+        engines=np.repeat(engines, counts),
+        craft=craft_of(stretches, counts),
     )
 
 

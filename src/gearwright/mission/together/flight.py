@@ -13,6 +13,7 @@ from gearwright.mission.supply import Supply
 from gearwright.mission.thrust import Blades, Performance
 from gearwright.mission.together.airscrew import asked_power, performance_along
 from gearwright.mission.together.deck import Deck
+from gearwright.mission.together.fuel import balanced_with_fuel
 from gearwright.mission.together.gearbox import Box, node_speeds
 from gearwright.mission.together.plant import (
     Burnt,
@@ -22,7 +23,7 @@ from gearwright.mission.together.plant import (
     dragged_along,
     motors_along,
 )
-from gearwright.mission.together.rounds import ROUNDS, Asked, balanced_rounds
+from gearwright.mission.together.rounds import ROUNDS, Asked, given_powers
 from gearwright.mission.together.runs import shortened, spread
 
 
@@ -61,35 +62,39 @@ def flown_together(box: Box, blades: Blades, supply: Supply, deck: Deck) -> Toge
         soon as rounds would have settled.
     """
     short, source = shortened(deck, ROUNDS)
-    course, box_machines = short.course, box.gearbox.machines
-    wanted, outside = asked_power(blades, course, short.pitch)
-    spin_up = box.gearbox.inertia * course.propeller_speed * course.propeller_gain / course.duration
+    course, machines = short.course, box.gearbox.machines
     speeds = _machine_speeds(box, course.propeller_speed)
-    dragged = dragged_along(supply, short.driven, speeds)
-    none = np.zeros(len(wanted))
-    parts = np.stack([short.parts.get(name, none) for name in box_machines], axis=1)
-    asked = Asked(
-        short.first, course.starts_phase, wanted, course.power, course.propeller_speed, spin_up, dragged, parts
-    )
-    settled = balanced_rounds(box, asked)
+    asked, outside = _asked(box, blades, supply, short)
+    settled = balanced_with_fuel(box, blades, supply, short, asked)
     if settled is None:
         return None
-    point, friction, fails = settled
+    found, pitch, fails = settled
+    point, none = found.point, np.zeros(len(outside))
     lost = point.mesh_losses.sum(axis=1)
     work = point.machine_powers.sum(axis=1) - lost
-    carried = sum(friction) + dragged + spin_up
-    powers = {name: point.machine_powers[:, k] + parts[:, k] * carried for k, name in enumerate(box_machines)}
-    performance, left = performance_along(blades, course, work, pitch=short.pitch)
+    powers = given_powers(machines, asked, found)
+    performance, left = performance_along(blades, course, work, pitch=pitch)
     burnt = burnt_along(supply, course, powers, speeds, short.rating)
     heat, weak = motors_along(supply, powers, speeds)
     electric = sum((powers[name] for name in supply.motors), none) + heat
-    fails = fails | outside | left | burnt.weak | weak | _passed(box, supply, (powers, speeds))
+    fails = fails | outside | left | burnt.weak | weak | np.isnan(work) | _passed(box, supply, (powers, speeds))
     share = sum((short.parts[name] for name in supply.motors), none)
     starts = [mission.battery.start_charge if mission.battery else 0.0 for mission in deck.missions]
     battery = discharged(supply.pack, starts, deck.flights, power=electric[source], course=deck.course)
-    found = (point, friction, powers, work, lost, heat + dragged, spin_up, share, performance, burnt)
-    everywhere: tuple[Any, ...] = (*spread(found, source), battery, fails[source] | battery.faulty)
+    columns = (point, found.friction, powers, work, lost, heat + asked.dragged, asked.spin_up, share, performance)
+    everywhere: tuple[Any, ...] = (*spread((*columns, burnt), source), battery, fails[source] | battery.faulty)
     return Together(*everywhere)
+
+
+def _asked(box: Box, blades: Blades, supply: Supply, deck: Deck) -> tuple[Asked, Bools]:
+    """Return what is asked of the gearbox, and where a held pitch is outside its map."""
+    course, none = deck.course, np.zeros(len(deck.pitch))
+    wanted, outside = asked_power(blades, course, deck.pitch)
+    spin_up = box.gearbox.inertia * course.propeller_speed * course.propeller_gain / course.duration
+    dragged = dragged_along(supply, deck.driven, _machine_speeds(box, course.propeller_speed))
+    parts = np.stack([deck.parts.get(name, none) for name in box.gearbox.machines], axis=1)
+    begins = deck.first, course.starts_phase
+    return Asked(*begins, wanted, course.power, course.propeller_speed, spin_up, dragged, parts), outside
 
 
 def _machine_speeds(box: Box, propeller_speed: Floats) -> dict[str, Floats]:

@@ -31,18 +31,17 @@ class Reached(NamedTuple):
 def log_at_once(flown: Flown) -> Log | Reached | None:
     """Return the log of a flight, or how far it comes; None where its intervals have to be flown one after the other.
 
-    That is where a strategy, an aircraft's mass or temperatures lead from one to the next, where a train has clutches,
+    That is where a strategy, a rotorcraft's trim or temperatures lead from one to the next, where a train has clutches,
     or where something cannot be flown: one by one tells where, and why.
 
     Args:
         flown: Gearbox, propeller, mission and machines.
     """
-    gearbox, blades, mission, supply, paths = flown
-    box = box_of(gearbox) if is_free(mission) and not paths else None
+    box = box_of(flown.gearbox) if is_free(flown.mission) else None
     if box is None:
         return None
-    deck = deck_of(supply, [mission])
-    found = flown_together(box, blades, supply, deck)
+    deck = deck_of([flown])
+    found = flown_together(box, flown.blades, flown.supply, deck)
     if found is None:
         return None
     if found.fails.any():
@@ -58,14 +57,13 @@ def reached(deck: Deck, found: Together, flight: int) -> Reached | None:
         found: What it got.
         flight: Its number in the deck; one of its intervals fails.
     """
-    lanes, mission = deck.flights[flight], deck.missions[flight]
+    lanes = deck.flights[flight]
     place = int(np.argmax(found.fails[lanes]))
     if not place or found.battery.temperature is not None:
         return None
     flew = slice(lanes.start, lanes.start + place)
     point = Point(*(column[flew][-1] for column in found.point))
-    engines = [mission.phases[name].engines or mission.engines for name in deck.course.phase[flew]]
-    burnt = float((found.burnt.fuel_flow[flew] * deck.course.duration[flew] * engines).sum())
+    burnt = float((found.burnt.fuel_flow[flew] * deck.course.duration[flew] * deck.engines[flew]).sum())
     return Reached(place, point, float(found.battery.charge[flew][-1]), burnt)
 
 

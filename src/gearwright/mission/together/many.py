@@ -26,12 +26,12 @@ def flights_together(all_flown: Sequence[Flown]) -> list[Flight | Reached | None
     """
     gearbox, blades, _, supply, _ = all_flown[0]
     box = box_of(gearbox)
-    free = [k for k, flown in enumerate(all_flown) if is_free(flown.mission) and not flown.paths]
+    free = [k for k, flown in enumerate(all_flown) if is_free(flown.mission)]
     found: list[Flight | Reached | None] = [None] * len(all_flown)
     if box is None or not free:
         return found
     try:
-        deck = deck_of(supply, [all_flown[k].mission for k in free])
+        deck = deck_of([all_flown[k] for k in free])
     except DesignError:  # one that has no course is told why alone, and does not slow the others down
         if len(all_flown) == 1:
             return found

@@ -11,7 +11,7 @@ from gearwright.air import stagnation_along
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.arrays import Bools, Floats
 from gearwright.lanes import rebound
-from gearwright.machines import Battery, battery_step, current_of, gas_turbine, highest_current, motor
+from gearwright.machines import Battery, Engine, battery_step, current_of, gas_turbine, highest_current, motor
 from gearwright.machines.power import Exhaust, Gas, exhaust, gases
 from gearwright.mission.course import Course
 from gearwright.mission.plant import Pack, PackState
@@ -97,13 +97,31 @@ def burnt_along(
         least, power = np.minimum(np.minimum(*limits[:2]), limits[2]), powers[name]
         available, given = available + least, given + power
         weak |= (power > least * (1.0 + _SLACK)) | (power < -_SLACK * limits[1])
-        burnt = np.where(power > 0.0, _TURBINE.fuel_flow(usual, *ratios, power), 0.0)
+        burnt = _fuel(usual, ratios, power)
         part = np.clip(np.maximum(power, 0.0) / limits[0], 0.0, 1.0)
         air = _EXHAUST.air_flow(supply.breathing[name], *ratios, part)
         exhausts.append(_left(supply.breathing[name], air, inlet, burnt, power))
         fuel = fuel + burnt
     gas = _mixed(exhausts, inlet)
     return Burnt(fuel, available, given, gas, _carried(gas, inlet), weak)
+
+
+def fuel_along(supply: Supply, ratios: tuple[Floats, Floats], powers: Mapping[str, Floats]) -> Floats:
+    """Return the fuel flow of all turbines, shape (n,) [kg/s].
+
+    Args:
+        supply: The machines.
+        ratios: Stagnation temperatures and pressures over those of the standard sea level, each of shape (n,) [-].
+        powers: Machine -> power, shape (n,) [W].
+
+    Source: `Supply.drive`.
+    """
+    flows = [_fuel(usual, ratios, powers[name]) for name, usual in supply.engines.items()]
+    return np.asarray(sum(flows, np.zeros(len(ratios[0]))))
+
+
+def _fuel(engine: Engine, ratios: tuple[Floats, Floats], power: Floats) -> Floats:
+    return np.where(power > 0.0, _TURBINE.fuel_flow(engine, *ratios, power), 0.0)
 
 
 def _limits(engine: Any, rating: Floats, ratios: tuple[Floats, Floats], speed: Floats) -> tuple[Floats, Floats, Floats]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -57,29 +58,72 @@ class Asked(NamedTuple):
         return Asked(*(column[lanes] for column in self))
 
 
-def balanced_rounds(box: Box, asked: Asked) -> tuple[Point, Drag, Bools] | None:
-    """Return points, drag, and where the machines' power only spins the train up or rounds have not settled.
+class Balanced(NamedTuple):
+    """A gearbox in balance."""
+
+    point: Point
+    friction: Drag
+    short: Bools
+    """Where the machines' power only spins the train up."""
+    lost: Floats
+    """Part that teeth of each stage lose, shape (n, stages) [-]."""
+    change: Floats
+    """Of that part in the last round, shape (n,) [-]."""
+
+    @property
+    def settled(self) -> Bools:
+        """Where another round would change nothing."""
+        return np.asarray(self.change <= _SETTLED)
+
+
+def balanced_rounds(box: Box, asked: Asked, lost: Floats | None = None) -> Balanced | None:
+    """Return the gearbox in balance after a few rounds; None where it loses too much to be solved so.
 
     Args:
         box: The gearbox.
         asked: Of it.
+        lost: Part that teeth of each stage are thought to lose, shape (n, stages) [-]: the result of the round before,
+            for one more; left out: nothing is known, and there are as many rounds as it takes.
 
     Source: the losses of an interval are those of the loads of the one before; where a phase starts they are found
         twice. Rounds over all intervals end where nothing changes, which is where one after the other leads. Of
         intervals that ask what the one before asks, as many are computed as there are rounds.
     """
+    if lost is not None:
+        return _rounds(box, asked, lost, 1)
     kept, source = runs_of((*asked[2:-1], *asked.parts.T.copy()), asked.first | asked.again, ROUNDS)
-    settled: tuple[Point, Drag, Bools] | None = spread(_settled(box, asked.at(kept)), source)
-    return settled
+    found: Balanced | None = spread(_rounds(box, asked.at(kept), no_losses(box, len(kept)), ROUNDS), source)
+    return found
 
 
-def _settled(box: Box, asked: Asked) -> tuple[Point, Drag, Bools] | None:
+def given_powers(machines: Sequence[str], asked: Asked, found: Balanced) -> dict[str, Floats]:
+    """Return machine -> power into the train, with drag and spin-up, shape (n,) [W].
+
+    Args:
+        machines: Without the propeller, in the order of a point's powers.
+        asked: Of the gearbox.
+        found: What it carries.
+    """
+    carried, point = sum(found.friction) + asked.dragged + asked.spin_up, found.point
+    return {name: point.machine_powers[:, k] + asked.parts[:, k] * carried for k, name in enumerate(machines)}
+
+
+def no_losses(box: Box, count: int) -> Floats:
+    """Return losses that are none, shape (n, stages) [-].
+
+    Args:
+        box: The gearbox.
+        count: Intervals [-].
+    """
+    return np.zeros((count, len(box.stages)))
+
+
+def _rounds(box: Box, asked: Asked, lost: Floats, count: int) -> Balanced | None:
     idle, first, again = idle_of(box, asked.speed), asked.first[:, None], np.flatnonzero(asked.again | asked.first)
     starting, idle_starts = asked.at(again), Idle(*(column[again] for column in idle))
-    lost = np.zeros((len(first), len(box.stages)))
     met: _Met | None = None
     change = lost[:, 0]
-    for _ in range(ROUNDS):  # always as many: a flight is the same whatever others it is found with
+    for _ in range(count):  # always as many: a flight is the same whatever others it is found with
         met = _met(box, asked, idle, np.where(first, 0.0, np.roll(lost, 1, axis=0)))
         if met is None:
             return None
@@ -92,7 +136,7 @@ def _settled(box: Box, asked: Asked) -> tuple[Point, Drag, Bools] | None:
     assert met is not None  # there are rounds
     point = point_of(box, met.loads, met.speeds, met.powers)
     friction = drag_of(box, point.mesh_torques, asked.speed, idle)
-    return point, friction, met.short | (change > _SETTLED)
+    return Balanced(point, friction, met.short, lost, change)
 
 
 class _Met(NamedTuple):
