@@ -4,13 +4,14 @@ Solids as GLB are `shape`'s, drawings `render`'s, runs and values `store`'s.
 """
 
 from gearwright.exchange.fmu import FmuFile, fmu_of_system, to_fmu
-from gearwright.exchange.rexs import VERSIONS, ImportedRexs, RexsFile, from_rexs, to_rexs
+from gearwright.exchange.rexs import VERSIONS, ImportedRexs, RexsFile, Stated, from_rexs, to_rexs
 
 __all__ = [
     "VERSIONS",
     "FmuFile",
     "ImportedRexs",
     "RexsFile",
+    "Stated",
     "fmu_of_system",
     "from_rexs",
     "to_fmu",

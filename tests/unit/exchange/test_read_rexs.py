@@ -194,3 +194,45 @@ def test_names_of_other_tools_become_names_of_a_design(tmp_path):
     design = gw.from_rexs(EXAMPLES / "fva_planetary_1.1.rexs").design
     assert design.shafts == ["Sonnenwelle-34", "Steg-1-4"]
     assert list(design.planetaries) == ["Planetenstufe-9"]
+
+
+RATED = ["e-axle", "ec120b", "ec120b-as-reported", "twin-engine-helicopter", "wind-turbine-5mw"]
+"""Designs whose gears ISO standards rate."""
+
+
+@pytest.mark.parametrize("design", RATED)
+def test_safeties_that_a_file_states_stand_beside_ours(design, tmp_path):
+    """Written from the same sizing, so that they are the same to the 15 digits of a file."""
+    found = read(gw.to_rexs(sized(design)).content, tmp_path)
+    rated = {mesh.gears for mesh in sized(design).meshes if hasattr(mesh.rating, "pitting")}
+    assert len(found.stated) == 4 * len(rated)
+    for stated in found.stated:
+        assert stated.ours(sized(design)) == pytest.approx(stated.value, rel=1e-12)
+
+
+def test_safeties_come_out_by_what_rexs_itself_says(tmp_path):
+    """The e-axle's S_H and S_F within 0.1 %: K_A, materials, oil, loads and shares of the life are words of REXS."""
+    found = read(without_own(gw.to_rexs(sized("e-axle")).content), tmp_path)
+    sizing = gw.size(found.design)
+    assert len(found.stated) == 8
+    for stated in found.stated:
+        assert stated.ours(sizing) == pytest.approx(stated.value, rel=1e-3)
+
+
+def test_safeties_of_gears_that_are_not_rated_by_iso_are_not_compared(tmp_path):
+    text = without_own(gw.to_rexs(sized("e-axle")).content).replace(b">20MnCr5<", b">unknown<")
+    found = read(text, tmp_path)
+    assert found.stated and {stated.ours(gw.size(found.design)) for stated in found.stated} == {None}
+
+
+def test_a_gear_on_no_shaft_is_refused_by_its_line(tmp_path, pair):
+    number = re.search(r'<component id="(\d+)" type="cylindrical_gear"', pair)[1]
+    wrong = re.sub(rf'<ref id="{number}" role="part"[^>]*>', '<ref id="2" role="part"/>', pair)
+    assert "stands on no shaft" in said(wrong, tmp_path)
+
+
+def test_an_unequal_pair_of_clutch_states_makes_a_clutch(tmp_path, pair):
+    """The e-axle's parking lock holds in one case of five."""
+    design = read(pair, tmp_path).design
+    assert [clutch.kind for clutch in design.clutches.values()] == ["open"]
+    assert [bool(case.engaged) for case in design.cases.values()] == [False, False, False, False, True]

@@ -6,7 +6,8 @@ import pytest
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from rexs_database import FOLDER, faults
+from gearwright.exchange.rexs.words import words
+from rexs_database import FOLDER, database, faults
 from shipped_work import sized
 
 VERSIONS = ("1.7", "1.6")
@@ -107,3 +108,18 @@ def test_another_version_is_refused_with_those_that_are_written():
 def test_names_that_xml_cannot_hold_make_a_file_all_the_same():
     design = gw.read("star").model_copy(update={"name": "one\x00two", "description": "\ud800\ufffe <&>"})
     assert faults(gw.to_rexs(gw.size(design)).content, "1.7") == []
+
+
+def test_the_attributes_that_are_known_have_the_units_and_kinds_of_the_database():
+    """Those of components that are written; REXS 1.6 has all that are said to be in it."""
+    tried = 0
+    for version in VERSIONS:
+        for name, word in words().items():
+            known = database(version)["attributes"].get(name)
+            if known is not None:
+                assert (word.unit, word.kind) == (known[0], known[1]), name
+                tried += 1
+            assert known is not None or version == "1.6", name
+            if version == "1.6":
+                assert (known is not None) == (word.since == "1.6"), name
+    assert tried > 150

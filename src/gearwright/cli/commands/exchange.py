@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import write_text
+
+if TYPE_CHECKING:
+    from gearwright.exchange import ImportedRexs
 
 
 def import_(
@@ -27,11 +30,28 @@ def import_(
         refuse([Problem("--out", "the file is there already; name another, or replace it with --force")], str(target))
     write_text(target, design_text(read.design))
     show(f"wrote {target}: REXS {read.version} of {read.application}; next: gearwright check {target}")
-    for title, lines in (("assumed", read.assumed), ("not read", read.not_read)):
+    for title, lines in (("assumed", read.assumed), ("not read", read.not_read), ("stated", _stated(read))):
         if lines:
             tell(f"{title}:")
         for line in lines:
             tell(f"  {line}")
+
+
+def _stated(read: ImportedRexs) -> tuple[str, ...]:
+    """Return the safeties that a file states in words, each beside what comes out here."""
+    from gearwright.sizing import size
+
+    if not read.stated:
+        return ()
+    sizing = size(read.design)
+    words = []
+    for stated in read.stated:
+        ours = stated.ours(sizing)
+        here = "not rated by ISO here" if ours is None else f"{ours:.3f} here"
+        words.append(
+            f"{stated.gear} with {stated.mate}: {stated.symbol} {stated.value:.3f} by {stated.standard}, {here}"
+        )
+    return tuple(words)
 
 
 import_.__name__ = "import"

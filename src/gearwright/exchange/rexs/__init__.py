@@ -4,7 +4,8 @@ The database of REXS itself, with which files are checked, lies with the tests.
 """
 
 from gearwright.exchange.rexs.read import LARGEST, ImportedRexs, from_rexs
+from gearwright.exchange.rexs.stated import Stated
 from gearwright.exchange.rexs.words import VERSIONS
 from gearwright.exchange.rexs.write import RexsFile, to_rexs
 
-__all__ = ["LARGEST", "VERSIONS", "ImportedRexs", "RexsFile", "from_rexs", "to_rexs"]
+__all__ = ["LARGEST", "VERSIONS", "ImportedRexs", "RexsFile", "Stated", "from_rexs", "to_rexs"]

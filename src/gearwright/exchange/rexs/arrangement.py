@@ -93,6 +93,24 @@ def _axis(asking: Asking, numbers: Sequence[int]) -> Floats | None:
     return None
 
 
+def read_service(asking: Asking) -> Table:
+    """Return the table of the service: the life, and K_A where all stages have the same.
+
+    Args:
+        asking: The document.
+    """
+    units = asking.document.of_kind("gear_unit")
+    lives = [value for unit in units if (value := asking.number(unit, "operating_time"))]
+    stages = asking.document.of_kind("cylindrical_stage")
+    factors = {value for stage in stages if (value := asking.number(stage, "application_factor_iso_6336_2019"))}
+    if len(factors) > 1:
+        asking.notes.append(
+            f"of the application factors {', '.join(map('{:g}'.format, sorted(factors)))} the largest stands"
+        )
+    table: Table = {"life_s": lives[0]} if lives else {}
+    return table | ({"application_factor": max(factors)} if factors else {})
+
+
 def read_materials(asking: Asking, gearing: Gearing, gears: Mapping[int, Gear]) -> Table:
     """Return the rules of gears that follow from their materials.
 

@@ -14,10 +14,9 @@ FORMER = {
     "radial_dynamic_load_rating": ("dynamic_capacity",),
     "operating_time_fraction": ("load_duration_fraction",),
     "application_factor_iso_6336_2019": ("application_factor_iso_6336_2006",),
+    "mesh_load_factor_iso_6336_2019": ("mesh_load_factor_iso_6336_2006",),
     "allowable_stress_number_contact_iso_6336_2016": ("endurance_limit_flank",),
     "nominal_stress_number_tooth_root_iso_6336_2016": ("endurance_limit_root",),
-    "safety_factor_pitting_iso_6336_2019": ("safety_factor_pitting_iso_6336_2006",),
-    "safety_factor_tooth_root_iso_6336_2019": ("safety_factor_tooth_root_iso_6336_2006",),
 }
 """Attribute -> names that it had in former versions, or that others write for it."""
 GEOMETRY = {"reference_component_for_position", "w_axis_vector"}

@@ -53,6 +53,8 @@ class Bodies:
             number: Of the component.
         """
         body = self.of(number)
+        if body not in self.asking.document.components:
+            return GROUND  # of a gear without a shaft, which is refused
         if body not in self.names:
             self.names[body] = self.new_name(self.asking.document.components[number])
         return self.names[body]

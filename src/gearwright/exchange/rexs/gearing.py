@@ -51,6 +51,8 @@ class Gearing:
     planetaries: dict[str, Table] = field(default_factory=dict)
     shafts: list[str] = field(default_factory=list)
     """Shafts of the design, in order."""
+    labels: dict[int, str] = field(default_factory=dict)
+    """Gear -> what the design calls it."""
     owners: dict[int, str] = field(default_factory=dict)
     """Gear -> the pair that has it, and what it is there: ``first.wheel``."""
     wheels: set[int] = field(default_factory=set)
@@ -165,6 +167,9 @@ def stage_table(asking: Asking, stage: Component, gears: Sequence[Gear]) -> Tabl
         distance = asking.number(stage, "center_distance")
         if distance is not None:
             table["centre_distance_m"] = distance
+        shared = asking.number(stage, "mesh_load_factor_iso_6336_2019")
+        if shared is not None and shared > 1.0:
+            rules["mesh_load_factor"] = shared
         if first.helix:
             rules["helix_angle_rad"] = abs(first.helix)
     asking.number(stage, "common_face_width")

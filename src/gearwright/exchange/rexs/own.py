@@ -47,6 +47,16 @@ def own_design(asking: Asking, source: str) -> Design | None:
     return edited(design, changes) if changes else design
 
 
+def own_labels(asking: Asking) -> dict[int, str]:
+    """Return gear -> what its design calls it, in a file of gearwright's own.
+
+    Args:
+        asking: The document.
+    """
+    components = asking.document.components
+    return {number: label for number, component in components.items() if (label := asking.text(component, GEAR))}
+
+
 def _count_as_read(asking: Asking) -> None:
     """Count as read what gearwright wrote from its own design."""
     for component in asking.document.components.values():

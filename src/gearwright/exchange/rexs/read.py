@@ -8,15 +8,16 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.exchange.rexs.arrangement import read_layout, read_materials
+from gearwright.exchange.rexs.arrangement import read_layout, read_materials, read_service
 from gearwright.exchange.rexs.asking import Asking
 from gearwright.exchange.rexs.bodies import bodies_of
 from gearwright.exchange.rexs.gearing import gears_of
 from gearwright.exchange.rexs.loads import read_clutches, read_loads, read_oil
-from gearwright.exchange.rexs.own import own_design
+from gearwright.exchange.rexs.own import own_design, own_labels
 from gearwright.exchange.rexs.parsing import document_of
 from gearwright.exchange.rexs.sound import unsound
 from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
+from gearwright.exchange.rexs.stated import Stated, read_stated
 from gearwright.reading import text_of
 from gearwright.spec import Design, build, design_text, parse
 from gearwright.verbs import verb
@@ -38,6 +39,8 @@ class ImportedRexs:
     """What the file does not say, and what was taken instead."""
     not_read: tuple[str, ...]
     """Every kind of component and attribute that was not read: the line and path of the first, and how many more."""
+    stated: tuple[Stated, ...] = ()
+    """Safeties of gears that the file states; `Stated.ours` finds those of a sizing."""
 
 
 @verb
@@ -59,13 +62,16 @@ def from_rexs(path: str | Path) -> ImportedRexs:
     document = document_of(text_of(path, largest=LARGEST), source)
     refuse(unsound(document), source)
     asking = Asking(document)
-    design = own_design(asking, source) or _design(asking, source)
+    own = own_design(asking, source)
+    design, labels = _design(asking, source) if own is None else (own, own_labels(asking))
+    stated = read_stated(asking, labels)
+    _refuse(asking, source)
     notes = tuple(dict.fromkeys(asking.notes))
-    return ImportedRexs(design, document.version, document.application, notes, asking.unread())
+    return ImportedRexs(design, document.version, document.application, notes, asking.unread(), stated)
 
 
-def _design(asking: Asking, source: str) -> Design:
-    """Return a design of what REXS itself says."""
+def _design(asking: Asking, source: str) -> tuple[Design, Mapping[int, str]]:
+    """Return a design of what REXS itself says, and what it calls the gears."""
     document = asking.document
     bodies, gears = bodies_of(asking), gears_of(asking)
     gearing = read_stages(asking, bodies, gears)
@@ -76,18 +82,18 @@ def _design(asking: Asking, source: str) -> Design:
     _refuse(asking, source)
     units = document.of_kind("gear_unit")
     asking.used |= {unit.number for unit in units}
-    life = next((value for unit in units if (value := asking.number(unit, "operating_time"))), None)
     name = next((asking.text(unit, "model_name") or unit.name for unit in units), "") or "gearbox"
+    rules = read_materials(asking, gearing, gears)
     table: dict[str, Any] = {
         "schema": 1, "name": name, "description": f"Read from {Path(source).name}: REXS {document.version}"
         f" of {document.application or 'an unnamed tool'}",
         "shafts": gearing.shafts, "pairs": gearing.pairs, "planetaries": gearing.planetaries,
         "clutches": gearing.clutches,
-        "gears": read_materials(asking, gearing, gears), "layout": read_layout(asking, bodies, gearing, gears),
-        "oil": read_oil(asking), "service": {} if life is None else {"life_s": life},
+        "gears": rules, "layout": read_layout(asking, bodies, gearing, gears),
+        "oil": read_oil(asking), "service": read_service(asking) if "rating" in rules else {},
     }  # fmt: skip
     _refuse(asking, source)
-    return _made({key: value for key, value in (table | loads).items() if value}, source)
+    return _made({key: value for key, value in (table | loads).items() if value}, source), gearing.labels
 
 
 def _refuse(asking: Asking, source: str) -> None:

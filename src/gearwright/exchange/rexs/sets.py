@@ -8,6 +8,7 @@ from gearwright.exchange.rexs.asking import Asking
 from gearwright.exchange.rexs.bodies import Bodies
 from gearwright.exchange.rexs.document import Component
 from gearwright.exchange.rexs.gearing import Gear, Gearing, stage_table
+from gearwright.identity import Role, gear_part
 
 
 def read_set(
@@ -74,4 +75,6 @@ def _add(
     shifts = {"sun_shift": sun.shift, "planet_shift": planets[0].shift, "ring_shift": ring.shift}
     table |= {key: shift for key, shift in shifts.items() if shift is not None}
     gearing.planetaries[name] = table
+    for gear, role in ((sun, Role.SUN), *((planet, Role.PLANET) for planet in planets), (ring, Role.RING)):
+        gearing.labels[gear.number] = str(gear_part(name, role))
     gearing.stages[name] = tuple(ends)

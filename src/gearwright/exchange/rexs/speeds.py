@@ -33,8 +33,10 @@ def led_on(pairs: Mapping[str, Mapping[str, Any]], sets: Mapping[str, Mapping[st
             if len(unknown) == 1:
                 (shaft,) = unknown
                 rest = sum(factor * speeds[name] for name, factor in relation if name != shaft)
-                speeds[shaft] = -rest / sum(factor for name, factor in relation if name == shaft)
-                grown = True
+                own = sum(factor for name, factor in relation if name == shaft)
+                if own:  # else its gears mesh with each other, of which the design will be refused
+                    speeds[shaft] = -rest / own
+                    grown = True
     return speeds
 
 

@@ -89,6 +89,7 @@ def _pair(
         same = [half.number for half in other_half if half.shaft == gear.shaft]
         for number in (gear.number, *same):
             gearing.owners.setdefault(number, f"{name}.{role}")
+            gearing.labels.setdefault(number, gearing.owners[number])
         if role == "wheel":
             gearing.wheels.add(gear.number)
     table |= _kind(asking, stage, pinion, wheel)
