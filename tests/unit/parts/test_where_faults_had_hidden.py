@@ -2,12 +2,14 @@
 
 import cmath
 import math
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from gearwright.errors import DesignError, SolveError
+from gearwright.parts import scuffing
 from gearwright.parts.agma2001 import hardened_pinion_factor
 from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank
 from gearwright.parts.iso6336 import (
@@ -23,8 +25,10 @@ from gearwright.parts.iso6336 import (
 )
 from gearwright.parts.iso6336.root import LoadedTooth, root_section
 from gearwright.parts.iso6336.shaped_root import shaped_fillet
+from gearwright.parts.losses import oil_viscosity
 from gearwright.parts.micropitting import BASES, OilGrade
 
+FLASH = sys.modules[scuffing.Oil.__module__]
 TWENTY = math.radians(20.0)
 
 
@@ -127,3 +131,18 @@ def test_shaped_fillets_of_an_array_are_those_of_its_rings_one_by_one():
         alone = shaped_fillet(tooth, rings[place], TWENTY)
         for name in alone._fields:
             assert getattr(whole, name)[place] == pytest.approx(float(getattr(alone, name)), rel=1e-11), name
+
+
+def test_an_oil_of_one_viscosity_thins_as_a_turbine_oil():
+    hot = 100e-6 * oil_viscosity(373.15) / oil_viscosity(313.15)
+    assert float(OilGrade(100e-6).kinematic(100.0)) == near(hot)
+    assert float(OilGrade(100e-6).kinematic(70.0)) == near(float(OilGrade(100e-6, hot).kinematic(70.0)))
+
+
+def test_scuffing_counts_supply_structure_and_oil_as_printed():
+    """ISO/TS 6336-20:2017, eq. 22, table 2 and eq. 27."""
+    assert (FLASH.SPRAY, FLASH.DIP, FLASH.SUBMERGED) == (1.2, 1.0, 0.2)
+    structures = ["AUSTENITIC", "CASE_HARDENED_USUAL", "PHOSPHATED", "COPPER_PLATED", "NITRIDED"]
+    assert [getattr(FLASH, name) for name in structures] == [0.85, 1.0, 1.25, 1.5, 1.5]
+    oils = ["MINERAL", "POLYALPHAOLEFIN", "NON_WATER_POLYGLYCOL", "WATER_POLYGLYCOL", "PHOSPHATE_ESTER"]
+    assert [getattr(FLASH, name) for name in oils] == [1.0, 0.8, 0.7, 0.6, 1.3]

@@ -239,9 +239,9 @@ def load_sharing(mesh: ScuffingMesh, place: Floats) -> Floats:
     start, single_start, single_end, end = _path_ends(pair)
     base = (max(float(mesh.grade), 7.0) - 2.0) / 15.0
     # A third of the load comes on the way to B; there the second pair parts and the rest comes at once.
-    rise = np.where(place < single_start, base + (place - start) / (single_start - start) / 3.0, 1.0)
-    fall = np.where(place > single_end, base + (end - place) / (end - single_end) / 3.0, 1.0)
-    spur = np.maximum(np.minimum(rise, fall), 0.0)
+    rise = np.where(place < single_start, base + (place - start) / (single_start - start) / 3.0, np.inf)
+    fall = np.where(place > single_end, base + (end - place) / (end - single_end) / 3.0, np.inf)
+    spur = np.clip(np.minimum(rise, fall), 0.0, 1.0)
     if pair.helix_angle > 0.0 and pair.total_contact_ratio > 2.0:
         spur = np.full_like(place, 1.0 / pair.transverse_contact_ratio)
     return spur * _buttressing(pair, place, (start, end))

@@ -214,6 +214,6 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
     own = [(mesh, mesh.gears.index(gear)) for mesh in train.meshes if gear in mesh.gears]
     if train.gear(gear).role is Role.PLANET and len(own) > 1:
         return True
-    torques = [load * (-mesh.sign if side else 1) for mesh, side in own for load in loads[mesh.name]]
-    idle = _IDLE * max(map(abs, torques), default=0.0)
-    return min(torques, default=0.0) < -idle and max(torques, default=0.0) > idle
+    torques = [0.0, *(load * (-mesh.sign if side else 1) for mesh, side in own for load in loads[mesh.name])]
+    idle = _IDLE * max(map(abs, torques))
+    return min(torques) < -idle and max(torques) > idle

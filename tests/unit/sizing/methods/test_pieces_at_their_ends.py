@@ -9,13 +9,23 @@ import pytest
 
 from gearwright.parts.agma2001 import load_distribution_factor
 from gearwright.parts.gears import ToothShift, contact_angles
-from gearwright.parts.iso6336 import GearSteel, Treatment, knee_curve, shifted_mesh, static_work_hardening
+from gearwright.parts.iso6336 import (
+    GearSteel,
+    Treatment,
+    knee_curve,
+    shifted_mesh,
+    static_notch_sensitivity,
+    static_strength,
+    static_work_hardening,
+)
 from gearwright.sizing.rating import Ask, stage_width_ratio, under_spectrum
 from gearwright.sizing.rating.context import Context
 from gearwright.sizing.rating.factors import steel_rows
 from gearwright.sizing.rating.iso6336.inputs import _lasting, steel_of
+from gearwright.sizing.rating.iso6336.method import Iso6336
 from gearwright.sizing.rating.iso6336.ranges import beyond_ranges
 from gearwright.sizing.rating.iso6336.scuffing import oil_film
+from gearwright.sizing.rating.iso10300 import scuffing as bevels
 from gearwright.sizing.rating.iso10300.inputs import bevel_surfaces
 from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
 from gearwright.sizing.rating.protocol import Load, LoadedMesh
@@ -75,6 +85,10 @@ def test_a_steel_keeps_its_own_lives_and_takes_those_that_the_rules_ask_for():
     stated = _lasting(replace(plain, contact_life=curve, bending_life=curve), asked)
     assert stated.contact_life == stated.bending_life == curve
     assert _lasting(plain, own) == plain
+    pitted = own.rules.iso6336.model_copy(update={"some_pitting": True})
+    case = replace(plain, treatment=Treatment.CASE_HARDENED)
+    some = _lasting(case, replace(own, rules=own.rules.model_copy(update={"iso6336": pitted})))
+    assert some.contact_life.cycles == (6e5, 1e7, 1e9, 1e10)
 
 
 def test_cutters_with_as_many_teeth_as_the_ring_are_refused_and_of_wheels_nothing_is_asked():
@@ -130,7 +144,7 @@ def test_films_have_ranges_of_their_own():
         assert beyond_ranges(mesh, rated) == ()  # type: ignore[arg-type]
         return [entry.quantity for entry in beyond_ranges(mesh, rated, films=True)]  # type: ignore[arg-type]
 
-    for ratio, contact in ((0.001, 1.5), (200.0, 1.5), (3.0, 1.0), (3.0, 2.0)):
+    for ratio, contact in ((0.001, 1.5), (200.0, 1.5), (3.0, 1.0), (3.0, 1.1), (3.0, 2.0)):
         assert told(ratio, contact) == []
     assert told(-0.001, 1.5) == told(200.1, 1.5) == ["u of the oil film"]
     assert told(3.0, 2.001) == ["ε_α of the oil film"]
@@ -168,6 +182,60 @@ def test_strengths_are_cited_by_the_steels_own_source_or_by_what_they_are():
     steel = replace(steel_of(rating("iso6336")), source="a certificate")
     assert {row.clause for row in steel_rows(steel)} == {"a certificate"}
     assert {row.clause for row in steel_rows(replace(steel, source=""))} == {"as stated, or ISO 6336-5:2016, table 1"}
+
+
+def test_rows_of_both_gears_stand_side_by_side():
+    rated = METHODS["iso6336"].rate(loaded("iso6336"))
+    rows = {(row.chapter, row.quantity): row.values for row in METHODS["iso6336"].factors(rated)}
+    lives = [strength.life for strength in rated.factors.root_strength]
+    assert lives[0] != lives[1] and rows["strength of roots", "life"] == tuple(lives)
+    assert rows["tooth root", "safety"] == tuple(root.safety for root in rated.factors.bending)
+
+
+@pytest.mark.parametrize("name", ["iso6336", "iso6336-2006", "din3990"])
+def test_a_range_is_cited_by_the_edition_that_rates(name):
+    own = replace(rating("iso6336"), helix_angle=math.radians(33.0), method=name)
+    rated = Iso6336(name, "").rate(loaded("iso6336", own=own))
+    (beyond,) = rated.beyond
+    assert beyond.clause.startswith({"iso6336": "ISO 6336-3:2019", "iso6336-2006": "ISO 6336-3:2006"}.get(name, "DIN"))
+
+
+def test_bevel_flanks_scuff_by_the_load_that_their_virtual_gears_share(monkeypatch):
+    """At every twentieth of half the path as ISO 10300-1 has it, straight between, even about the middle."""
+    known = []
+    monkeypatch.setattr(bevels, "flash_peak", lambda mesh, oil, sharing: known.append(sharing))
+    mesh = loaded("iso10300", 2600.0, width=30e-3)
+    factors = METHODS["iso10300"].rate(mesh).factors
+    known.clear()
+    bevels.bevel_scuffing(mesh.rating, factors)
+    place = np.linspace(-0.31, 0.42, 401)
+    found = known[0](place)
+    virtual = factors.virtual
+    for number in range(0, 401, 10):
+        share = virtual.load_share(abs(number / 400.0 - 0.5) * virtual.path)
+        assert found[number] == pytest.approx(share, rel=1e-9)
+    assert found[205] == pytest.approx(0.5 * (found[200] + found[210]), rel=1e-9)
+
+
+@pytest.mark.parametrize("gear", [0, 1])
+def test_static_strength_of_one_gear_by_hand(gear):
+    """σ_HG = σ_Hlim Z_NT Z_W, σ_FG = 2 σ_Flim Y_NT Y_δ, S_y = R_p0.2/(σ_F/Y_S): 1.6 and 2.5; nitrided 1.3 and 1.6."""
+    steels = (
+        GearSteel("case", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6, yield_strength=900e6),
+        GearSteel("nitrided", Treatment.NITRIDED, "MQ", 700.0, 1200e6, 400e6),
+    )
+    roots = [SimpleNamespace(stress=300e6 + 50e6 * k, section=SimpleNamespace(stress_correction=1.8 + 0.3 * k))
+             for k in (0, 1)]  # fmt: skip
+    found = static_strength(SimpleNamespace(stresses=(1000e6, 950e6)), roots, steels, gear)  # type: ignore[arg-type]
+    flank, root = ((1.6, 2.5), (1.3, 1.6))[gear]
+    limits = (1500e6, 1200e6)[gear] * flank, 2.0 * (500e6, 400e6)[gear] * root * found.notch_sensitivity
+    assert (found.contact_life, found.bending_life, found.work_hardening) == (flank, root, 1.0)
+    assert (found.contact_limit, found.bending_limit) == (near(limits[0]), near(limits[1]))
+    assert found.contact_safety == near(limits[0] / (1000e6, 950e6)[gear])
+    assert (found.contact_stress, found.bending_stress) == ((1000e6, 950e6)[gear], 300e6 + 50e6 * gear)
+    assert found.bending_safety == near(limits[1] / found.bending_stress)
+    assert found.notch_sensitivity == static_notch_sensitivity(1.8 + 0.3 * gear, steels[gear])
+    assert found.yielding_safety == (None if gear else near(900e6 / (300e6 / 1.8)))
 
 
 def test_flanks_and_roots_of_bevels_have_their_own_roughness():

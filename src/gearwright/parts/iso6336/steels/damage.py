@@ -111,7 +111,7 @@ def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCu
         total += cycles / endured if endured > 0.0 else math.inf
         if total > 1.0:
             return False
-    return total <= 1.0
+    return True
 
 
 def _unit_root(lasts: Callable[[float], bool]) -> float:

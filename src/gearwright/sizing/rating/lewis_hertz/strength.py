@@ -114,10 +114,9 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Floats, Floats]:
         rating: Resolved rules.
     """
     pinion, wheel = ask.teeth
-    weaker = pinion if ask.internal else np.minimum(pinion, wheel)
     bending = module_lewis(
         ask.per_tooth,
-        form_factor(weaker, rating),
+        form_factor(np.minimum(pinion, wheel), rating),
         ask.width_ratio,
         allowable=bending_allowable(rating, idler=any(ask.idlers)),
         helix_angle=rating.helix_angle,
