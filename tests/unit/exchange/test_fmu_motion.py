@@ -1,6 +1,7 @@
 """The equations in C are those of the Python right-hand side, law by law, and their steps those of `simulate`."""
 
 import functools
+import math
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from gearwright.exchange.fmu import MachinePort
 from random_systems import random_system
 
 pytestmark = COMPILES
-FORCE, VELOCITY = 3, 2
+FORCE, VELOCITY, DRIVE = 3, 2, 5
 """Blocks of references."""
 
 
@@ -26,7 +27,7 @@ def names_of(file, block):
 
 
 def marched(system, state, step, count, since=0.0):
-    """March the plain right-hand side by the classical Runge–Kutta method; return forces and speeds."""
+    """March the plain right-hand side by the classical Runge–Kutta method; return forces, speeds and drives."""
     arrays, size = system.arrays, len(system.arrays.mass)
 
     def rate(time, now):
@@ -34,33 +35,41 @@ def marched(system, state, step, count, since=0.0):
         pulled = reference.acceleration(arrays, time, position, velocity, states)
         return np.concatenate([velocity, pulled, reference.driven(arrays, time, velocity, states).rate])
 
-    forces, speeds = [], []
+    forces, speeds, drives = [], [], []
     for number in range(count + 1):
         time = since + number * step
         position, velocity = state[:size], state[size : 2 * size]
         forces.append(reference.line_state(arrays, time, position, velocity).force)
         speeds.append(arrays.speed * reference.speed_factor(arrays.profile, time)[0] + velocity)
+        drives.append(reference.driven(arrays, time, velocity, state[2 * size :]).output)
         a = rate(time, state)
         b = rate(time + 0.5 * step, state + 0.5 * step * a)
         c = rate(time + 0.5 * step, state + 0.5 * step * b)
         d = rate(time + step, state + step * c)
         state = state + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
-    return np.array(forces), np.array(speeds)
+    return np.array(forces), np.array(speeds), np.array(drives)
 
 
 def compare(system, position, velocity, folder, *, step, count, since=0.0):
-    """Hold an FMU against the plain right-hand side; 1e-12 of what is largest, where rounding adds up over steps."""
+    """Hold an FMU against the plain right-hand side: 1e-12 of what is largest, as rounding adds up over steps.
+
+    Of drives of each number; sums of errors of speeds begin at 0, and have the rounding of those speeds, 1e-14.
+    """
     file = fmu_of_system(system, start=(position, velocity), step=step)
     state = np.concatenate([position, velocity, system.arrays.drives.start])
-    forces, speeds = marched(system, state, step, count, since)
+    wanted = marched(system, state, step, count, since)
     one = Instance(Unpacked(file.content, folder)).begin(since)
     times = since + step * np.arange(count + 1)
-    lines = len(system.arrays.stiffness)
-    found = one.run(times, [*names_of(file, FORCE), *names_of(file, VELOCITY)])
+    blocks = [names_of(file, block) for block in (FORCE, VELOCITY, DRIVE)]
+    found = np.split(
+        one.run(times, [name for block in blocks for name in block]),
+        np.cumsum([len(block) for block in blocks])[:2],
+        axis=1,
+    )
     one.free()
-    np.testing.assert_allclose(found[:, :lines], forces, rtol=0.0, atol=1e-12 * np.max(np.abs(forces)))
-    np.testing.assert_allclose(found[:, lines:], speeds, rtol=0.0, atol=1e-12 * np.max(np.abs(speeds)))
-    return forces
+    for numbers, given, axis in zip(found, wanted, (None, None, 0), strict=True):
+        largest = np.max(np.abs(given), axis=axis, initial=0.0)
+        assert np.all(np.abs(numbers - given) <= 1e-12 * largest + 1e-14)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -82,20 +91,35 @@ def test_propeller_governor_machines_and_clutch_follow_their_laws_in_python(one_
     compare(system, 0.01 * position, velocity, tmp_path, step=2e-4, count=300, since=0.055)
 
 
-def test_a_governor_of_first_order_between_its_stops_is_the_one_in_python(tmp_path):
-    drive = propeller(set_speed=0.98 * SPEED)
-    governor = drive.governor._replace(damping=0.0, upper=drive.start.pitch + 1e-3)
-    system = propelled(drive._replace(governor=governor))
-    compare(system, np.zeros(2), np.zeros(2), tmp_path, step=1e-3, count=200)
+@pytest.mark.parametrize(
+    ("speed", "damping", "above", "aims"),
+    [(SPEED, 0.0, 1e-3, (0.98, 1.01)), (-SPEED, 0.0, 1e-3, (0.98, 1.01)), (SPEED, 0.7, 0.2, (1.05, 0.93))],
+)
+def test_governors_at_their_stops_and_fastest_rates_are_those_in_python(speed, damping, above, aims, tmp_path):
+    """Integrals stand still at a stop, until the set speed changes; the second propeller turns the other way."""
+    first, last = (aim * SPEED for aim in aims)
+    drive = propeller(set_speed=((0.0, first), (0.15, first), (0.2, last)))
+    governor = drive.governor._replace(damping=damping, upper=drive.start.pitch + above)
+    system = propelled(drive._replace(governor=governor), speed)
+    compare(system, np.zeros(2), np.zeros(2), tmp_path, step=1e-3, count=400)
 
 
-def propelled(drive):
+def test_dampers_slip_with_the_speed_profile_as_in_python(tmp_path):
+    model = Model(profile=((0.0, 1.0), (0.1, 1.0), (0.2, 0.7)))
+    for name, speed in (("first", 20.0), ("second", 30.0), ("third", 20.0)):
+        model.rotation(name, inertia=2.0, speed=speed)
+    model.damper("damper", "second", "first", damping=0.4)
+    model.shaft("shaft", "first", "third", stiffness=4000.0)
+    compare(model.build(), np.array([0.01, 0.0, 0.0]), np.zeros(3), tmp_path, step=1e-3, count=300)
+
+
+def propelled(drive, speed=SPEED):
     """Return a propeller with a hub that is driven about as in the cruise."""
     model = Model()
-    model.rotation("propeller", inertia=100.0, speed=SPEED)
+    model.rotation("propeller", inertia=100.0, speed=speed)
     model.rotation("hub", inertia=1.0)
     model.shaft("stub", "hub", "propeller", stiffness=1e4, damping=10.0)
-    model.load("hub", constant=11600.0)
+    model.load("hub", constant=math.copysign(11600.0, speed))
     model.drive(drive)
     return model.build()
 
@@ -152,16 +176,16 @@ def test_a_torque_from_outside_is_a_load_of_the_system(tmp_path):
     names, step = [*names_of(file, FORCE), *names_of(file, VELOCITY)], file.step
     one.run(step * np.arange(101), names)
     assert one.put({"first.torque": 2.0}) == OK
-    forces, speeds = marched(after[1], one_state(after[0], step, 100), step, 50)
+    forces, speeds, _ = marched(after[1], one_state(after[0], step, 100), step, 50)
     found = one.run(step * np.arange(100, 151), names)
     one.free()
     np.testing.assert_allclose(found[:, 0], forces[:, 0], rtol=0.0, atol=1e-12 * np.max(np.abs(forces)))
     np.testing.assert_allclose(found[:, 1 : 1 + size], speeds, rtol=1e-12)
 
 
-def two_bodies():
-    """Return two bodies on a shaft, the second braked as fast as it turns."""
-    model = Model()
+def two_bodies(profile=((0.0, 1.0),)):
+    """Return two bodies on a shaft, the second with a brake."""
+    model = Model(profile=profile)
     model.rotation("first", inertia=2.0, speed=10.0)
     model.rotation("second", inertia=3.0)
     model.add(Line("shaft", {"first": 1.0, "second": -1.0}, stiffness=4000.0, damping=80.0, kind="shaft"))
@@ -204,6 +228,19 @@ def test_a_machine_of_given_speed_keeps_it_and_says_the_torque_that_it_takes(tmp
     assert one.value("first.acting_torque") == pytest.approx(5.0, abs=1e-9)
     assert one.value("shaft.transmitted_torque") == pytest.approx(5.0, abs=1e-9)
     one.free()
+
+
+def test_a_profile_of_the_reference_changes_nothing_at_a_given_speed(tmp_path):
+    """It is only what positions are measured from: torques and speeds are those without it (1e-9)."""
+    answers = []
+    for number, profile in enumerate((((0.0, 1.0),), ((0.0, 1.0), (0.9, 0.5)))):
+        model = two_bodies(profile)
+        model.load("first", constant=5.0)
+        one, _ = hosted(model.build(), tmp_path / str(number), **{"first.speed_is_given": True})
+        assert one.step(0.0, 0.5) == one.put({"first.given_speed": 11.0}) == one.step(0.5, 0.02) == OK
+        answers.append(one.values(["first.acting_torque", "first.speed", "second.speed", "shaft.transmitted_torque"]))
+        one.free()
+    np.testing.assert_allclose(answers[1], answers[0], rtol=1e-9)
 
 
 def test_two_machines_of_one_body_are_not_both_given_a_speed(tmp_path):

@@ -76,6 +76,14 @@ static void set_instant(const Motion *m, double time, Instant *now) {
                               (m->input[READ_INPUT + i] - INPUT_START[READ_INPUT + i]);
 }
 
+/* Give machines of given speed that speed. */
+static void keep_speeds(const Motion *m, double factor, double *state) {
+    for (int i = 0; i < MACHINE_COUNT; i++) {
+        int body = MACHINE_DOF[i];
+        if (m->given[i]) state[COORDINATES + body] = m->input[SPEED_INPUT + i] - SPEED[body] * factor;
+    }
+}
+
 /* One step; `now` is filled for its start, and afterwards for its end. */
 static void step(const Motion *m, double *state, double middle, double end, double h, Instant *now, Instant *later) {
     double a[STATES], b[STATES], c[STATES], d[STATES], z[STATES];
@@ -90,6 +98,7 @@ static void step(const Motion *m, double *state, double middle, double end, doub
     set_instant(m, end, now);
     rates(now, m->given, z, d, &spare);
     for (int i = 0; i < STATE_COUNT; i++) state[i] += h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+    keep_speeds(m, now->factor, state);
 }
 
 /* Let inputs take effect: count steps from here. Every speed stays but those that are given; before the first step the
@@ -102,10 +111,7 @@ static void settle(Motion *m) {
         for (int i = 0; i < COORDINATES; i++) m->state[COORDINATES + i] += SPEED[i] * (factor - m->input[FACTOR_AT]);
     factor = m->factor = m->input[FACTOR_AT];
 #endif
-    for (int i = 0; i < MACHINE_COUNT; i++) {
-        int body = MACHINE_DOF[i];
-        if (m->given[i]) m->state[COORDINATES + body] = m->input[SPEED_INPUT + i] - SPEED[body] * factor;
-    }
+    keep_speeds(m, factor, m->state);
     m->travel = travel;
     m->anchor = m->time;
     m->steps = 0;
