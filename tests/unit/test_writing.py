@@ -19,13 +19,18 @@ LIMIT = 1000
 
 @contextmanager
 def full_disk():
-    """Let no file grow past the limit: writing fails there as it does where no block is left."""
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    """Let no file grow past the limit: writing fails there as it does where no block is left.
+
+    Modules that are imported meanwhile leave no compiled files, which would be cut off.
+    """
+    (soft, hard), compiles = resource.getrlimit(resource.RLIMIT_FSIZE), sys.dont_write_bytecode
     resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, hard))
+    sys.dont_write_bytecode = True
     try:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        sys.dont_write_bytecode = compiles
 
 
 def test_a_file_is_written_and_replaced(tmp_path):
@@ -94,6 +99,7 @@ def test_a_device_is_written_straight_and_stays():
 
 EVERY_WRITER = """
 import os, resource, sys
+sys.dont_write_bytecode = True  # what is cut off would be kept, and loaded by the next who imports it
 from gearwright.cli import main
 commands = [
     "simulate single-planetary --duration 0.001 --output run.nc",

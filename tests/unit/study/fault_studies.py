@@ -58,10 +58,12 @@ def command(folder: Path, *arguments: str, limit: int | None = None) -> subproce
         if limit is not None:
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
+    # Modules compiled under the limit would be cut off, and kept for the next who imports them.
+    environment = os.environ if limit is None else os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.Popen(
         [sys.executable, "-c", "from gearwright.cli import main; main()", *arguments],
         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=bounded,
-        start_new_session=True,
+        start_new_session=True, env=environment,
     )  # fmt: skip
 
 
@@ -106,7 +108,7 @@ def until(holds: Callable[[], bool], what: str) -> None:
     last = time.monotonic() + PATIENCE
     while not holds():
         assert time.monotonic() < last, f"waited in vain for: {what}"
-        time.sleep(0.005)
+        time.sleep(0.02)
 
 
 def done(journal: Path) -> int:

@@ -21,8 +21,9 @@ from gearwright.study import run
 from gearwright.study.answers import Row
 from gearwright.study.running import begin, opened, recorded, resume, rows_of, run_study, status, verify
 
-COUNT = 200
-ALONE, AMONG = 17, 151
+COUNT = 60
+TOGETHER = range(48, COUNT)
+ALONE, AMONG = 17, 51
 """A case that stands in a block of its own, and one among others; both have results."""
 
 
@@ -33,8 +34,13 @@ def expected():
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, expected) -> Path:
+    """Blocks of one case each, as few cases have them, and of those that were computed together, as many have them."""
     path = tmp_path_factory.mktemp("whole") / "j"
     assert run_study(study_of(COUNT), DESIGNS, journal=path) == expected
+    with edited(path) as database:
+        database.execute(f"DELETE FROM blocks WHERE block > {TOGETHER.start}")
+    with opened(path) as book:
+        book.append([(number, expected.rows[number]) for number in TOGETHER])
     return path
 
 
@@ -181,8 +187,8 @@ def test_a_former_journal_is_read_as_it_is_and_goes_on_in_blocks(former: Path, e
     assert (verify(former).kept, verify(former).lost) == (COUNT, ())
     assert rows_of(former) == list(expected.rows)
     with edited(former) as database:
-        database.execute("DELETE FROM rows WHERE number > 150")
-    assert status(former).done == 151
+        database.execute("DELETE FROM rows WHERE number > 40")
+    assert status(former).done == 41
     assert resume(former, designs=DESIGNS) == expected
     with edited(former) as database:
         assert database.execute("SELECT format, (SELECT SUM(count) FROM blocks) FROM study").fetchone() == (5, COUNT)
@@ -194,8 +200,8 @@ def test_the_checksum_of_a_row_follows_from_the_row_alone(whole: Path, tmp_path:
     order = random.Random(1).sample(range(COUNT), COUNT)
     rows = rows_of(whole)
     with opened(tmp_path / "j") as book:
-        for first in range(0, COUNT, 70):
-            book.append([(number, rows[number]) for number in order[first : first + 70]])
+        for first in range(0, COUNT, 25):
+            book.append([(number, rows[number]) for number in order[first : first + 25]])
     assert sums_of(tmp_path / "j") == sums_of(whole)
 
 
@@ -287,13 +293,13 @@ def test_a_table_of_rows_that_is_gone_is_computed_again(journal: Path, expected)
 
 def test_the_command_names_what_is_lost(journal: Path) -> None:
     assert CliRunner().invoke(app, ["status", str(journal), "--verify"]).stdout == (
-        "whole: 200 cases as they were written\n"
+        "whole: 60 cases as they were written\n"
     )
-    for number in (3, 17, 18, 19, 199):
+    for number in (3, 17, 18, 19, 59):
         edit_block(journal, number, "sums", flipped(8, 0))
     found = CliRunner().invoke(app, ["status", str(journal), "--verify"])
     assert found.exit_code == 1
-    assert found.stdout.startswith("cases 3, 17-19, 199 are lost; 195 are as they were written\nnext: ")
+    assert found.stdout.startswith("cases 3, 17-19, 59 are lost; 55 are as they were written\nnext: ")
 
 
 def test_bytes_that_were_overwritten_cost_what_they_held(journal: Path, expected, fault: int) -> None:

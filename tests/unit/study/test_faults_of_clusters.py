@@ -23,7 +23,7 @@ from gearwright.study.running.cluster import Tls, commands
 
 pytestmark = pytest.mark.extra("distributed")
 
-COUNT = 600
+COUNT = 200
 """Enough that every worker has several chunks."""
 
 

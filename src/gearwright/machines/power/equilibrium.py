@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize import brentq
 
 from gearwright.arrays import Floats
 from gearwright.machines.power.turboshaft import HOTTEST, EngineState, Inlet, Turboshaft, state_at
@@ -21,6 +20,8 @@ def engine_state(engine: Turboshaft, inlet: Inlet, speed: float, fuel: float) ->
     Raises:
         ValueError: The gas would be hotter than 2000 K, or the fire goes out.
     """
+
+    from scipy.optimize import brentq  # a third of the time that studies and flights take to load
 
     def lacking(hot: float) -> float:
         return state_at(engine, inlet, speed, hot).fuel_flow - fuel
@@ -46,6 +47,8 @@ def steady_state(engine: Turboshaft, inlet: Inlet, speed: float) -> EngineState:
     Raises:
         ValueError: No heat holds it: beyond its ceiling or its speeds.
     """
+
+    from scipy.optimize import brentq
 
     def surplus(hot: float) -> float:
         return state_at(engine, inlet, speed, hot).surplus

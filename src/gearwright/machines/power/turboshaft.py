@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from scipy.optimize import brentq
-
 from gearwright.machines.gas_turbine import HEATING_VALUE
 from gearwright.machines.power.gases import (
     AIR,
@@ -249,6 +247,8 @@ def _first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> f
 
 def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
     """Return p_45 at which the power turbine passes the flow of the first nozzle [Pa]."""
+    from scipy.optimize import brentq  # loaded where an engine flies
+
     hot, pressure, flow = nozzle
 
     def lacking(between: float) -> float:
