@@ -1,8 +1,10 @@
-"""How fast sizing is: ``python benchmarks/sizing.py`` measures all, or some of ``one many teeth``.
+"""How fast sizing is: ``python benchmarks/sizing.py`` measures ``one many teeth``, or what is named.
 
 one    size(in-line-h2), size(ec120b): least CPU time of twenty, and how many calls of functions it takes
 many   10 000 designs of In-Line H2 by `size_many`, motor speed and fill of the carriers varied: every hundredth is held
        against `size` alone, bit for bit; then the CPU time of a design, together and alone
+rated  1000 designs of each shipped one whose gears a standard rates, together and alone
+million  a million designs of In-Line H2 by `size_many`, one speed of which is no number: it alone is refused
 teeth  five open stages, three of them bevel pairs by ISO 10300; and pairs in a row, three to six of them
 
 CPU times count what other processes do not take, and are still up to twice as long beside them; calls are the same on
@@ -81,6 +83,45 @@ def many() -> None:
     print(f"{int(sizings.sized.sum())} sized, {int(np.sum(sizings.together))} together")
 
 
+def million() -> None:
+    design, count, bad = read("in-line-h2"), 1_000_000, 654_321
+    speeds = np.random.default_rng(1).uniform(3500, 5500, count)
+    speeds[bad] = np.nan
+    start, wall = time.process_time(), time.perf_counter()
+    sizings = size_many(design, {"motors.electric.speed_rpm": speeds.tolist()}, results=["mass"])
+    taken, wall = time.process_time() - start, time.perf_counter() - wall
+    if np.flatnonzero(~sizings.sized).tolist() != [bad] or not np.isnan(sizings.columns["mass"][bad]):
+        raise SystemExit(f"{int((~sizings.sized).sum())} designs are refused, and one has a speed that is no number")
+    print(f"a million: {taken:.0f} s of processor time, {wall:.0f} s, {memory():.0f} MB;")
+    print(f"{int(sizings.together.sum())} together; {sizings.reasons[bad]}")
+
+
+RATED = {
+    "e-axle": ("motors.motor.speed_rpm", 4550.0, 4650.0),
+    "twin-engine-helicopter": ("turbines.turbine-1.power_kw", 1450.0, 1500.0),
+    "wind-turbine-5mw": ("gears.iso6336.pitting_safety", 1.15, 1.25),
+}
+"""Design -> an axis by which its gears change, and between which values [its unit]."""
+
+
+def rated() -> None:
+    for name, (axis, low, high) in RATED.items():
+        design, count = read(name), 1000
+        values = np.random.default_rng(1).uniform(low, high, count).tolist()
+        size_many(design, {axis: values[:COLD]}, results=["mass"])  # loads the lanes
+        start = time.process_time()
+        sizings = size_many(design, {axis: values}, results=["mass"])
+        together = (time.process_time() - start) / count
+        rows = range(0, count, EVERY)
+        start = time.process_time()
+        alone = [size(edited(design, {axis: values[row]})).mass for row in rows]
+        apart = (time.process_time() - start) / len(rows)
+        if not np.array_equal(sizings.columns["mass"][rows.start :: EVERY], alone):
+            raise SystemExit("size_many and size do not give the same bits")
+        print(f"{name}: {1e3 * together:.1f} ms a design, {1e3 * apart:.0f} ms alone;")
+        print(f"{int(sizings.sized.sum())} sized, {int(sizings.together.sum())} together")
+
+
 def pairs_in_a_row(count: int) -> str:
     """Return a train of pairs, each of about 2:1."""
     shafts = [f"s{k}" for k in range(count + 1)]
@@ -106,4 +147,4 @@ def teeth() -> None:
 
 if __name__ == "__main__":
     for chosen in sys.argv[1:] or ("one", "many", "teeth"):
-        {"one": one, "many": many, "teeth": teeth}[chosen]()
+        {"one": one, "many": many, "rated": rated, "million": million, "teeth": teeth}[chosen]()

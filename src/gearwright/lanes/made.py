@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.work import aligned
 
 
 def has_lanes(values: Any) -> bool:
@@ -134,3 +135,63 @@ def full(shape: Any, value: Any, dtype: Any = None) -> Any:
     own = shape if isinstance(shape, tuple) else (shape,)
     data = lanes_of(value).data
     return Lanes(np.broadcast_to(data.reshape(len(data), *(1,) * len(own)), (len(data), *own)).copy())
+
+
+def ones_like(values: Any, dtype: Any = None) -> Any:
+    """Return ones, ready for lanes.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        dtype: As numpy has it.
+    """
+    data = lanes_of(values).data
+    return Lanes(np.ones((1, *data.shape[1:]), dtype or data.dtype))
+
+
+def full_like(values: Any, value: Any, dtype: Any = None) -> Any:
+    """Return an array of one value in the shape of another.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        value: A number, in lanes or not.
+        dtype: As numpy has it.
+    """
+    return full(lanes_of(values).data.shape[1:], value, dtype)
+
+
+def broadcast_to(value: Any, shape: Any) -> Any:
+    """Return an array in a larger shape.
+
+    Args:
+        value: Numbers or an array, in lanes or not.
+        shape: Of the array in each lane.
+    """
+    data, shape = lanes_of(value).data, (shape,) if isinstance(shape, int) else shape
+    missing = (1,) * (len(shape) - (data.ndim - 1))
+    return Lanes(np.broadcast_to(data.reshape(len(data), *missing, *data.shape[1:]), (len(data), *shape)))
+
+
+def linspace(start: Any, stop: Any, num: int = 50) -> Any:
+    """Return places at equal distances.
+
+    Args:
+        start: First of them, in lanes or not.
+        stop: Last of them, in lanes or not.
+        num: How many.
+    """
+    first, last = (np.asarray(end, dtype=float) for end in np.broadcast_arrays(*aligned(start, stop)))
+    if (first == last).any():  # which numpy divides in another order, in all rows of an array
+        ends = zip(first.tolist(), last.tolist(), strict=True)
+        return Lanes(np.stack([np.linspace(*pair, num) for pair in ends]))
+    return Lanes(np.linspace(first, last, num, axis=-1))
+
+
+def swapaxes(value: Any, first: int, second: int) -> Any:
+    """Return an array with two axes interchanged.
+
+    Args:
+        value: In lanes.
+        first: One of them, from the front.
+        second: The other.
+    """
+    return Lanes(np.swapaxes(lanes_of(value).data, first + 1, second + 1))

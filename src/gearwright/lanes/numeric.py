@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from gearwright.lanes import made
 from gearwright.lanes.lanes import Lanes, lanes_of
 from gearwright.lanes.linear import linalg
 from gearwright.lanes.made import asarray, has_lanes
-from gearwright.lanes.work import Unsupported, aligned, axes_of, one_of, summed
+from gearwright.lanes.work import Unsupported, aligned, axes_of, one_of, per_lane, summed
 
 _EXACT = {
     "add", "subtract", "multiply", "divide", "true_divide", "negative", "absolute", "abs", "fabs", "sign", "sqrt",
@@ -41,7 +42,7 @@ def sum_(values: Any, axis: int | None = None, *, keepdims: bool = False) -> Any
         axis: Of the array in each lane; left out: all.
         keepdims: As numpy has it.
     """
-    return Lanes(summed(lanes_of(values).data, axis, keepdims=keepdims))
+    return Lanes(summed(asarray(values).data, axis, keepdims=keepdims))
 
 
 def max_(values: Any, axis: int | None = None, **named: Any) -> Any:
@@ -52,7 +53,7 @@ def max_(values: Any, axis: int | None = None, **named: Any) -> Any:
         axis: Of the array in each lane; left out: all.
         named: What else the function takes.
     """
-    return lanes_of(values).max(axis, **named)
+    return asarray(values).max(axis, **named)
 
 
 def min_(values: Any, axis: int | None = None, **named: Any) -> Any:
@@ -63,7 +64,7 @@ def min_(values: Any, axis: int | None = None, **named: Any) -> Any:
         axis: Of the array in each lane; left out: all.
         named: What else the function takes.
     """
-    return lanes_of(values).min(axis, **named)
+    return asarray(values).min(axis, **named)
 
 
 def any_(values: Any, axis: int | None = None) -> Any:
@@ -231,24 +232,30 @@ def isscalar(value: Any) -> bool:
 
 
 def interp(place: Any, places: Any, values: Any) -> Any:
-    """Return values between points, of each number that occurs once.
+    """Return values between points; of points that are the same in all lanes once for each number that occurs.
 
     Args:
-        place: Where, in lanes.
+        place: Where, in lanes or not.
         places: Of the points.
         values: Numbers or an array, in lanes or not.
     """
+    points = [asarray(part) if isinstance(part, list | tuple) else part for part in (places, values)]
+    if any(type(part) is Lanes for part in points):
+        return Lanes(per_lane(np.interp, place, *points))
     numbers, where_ = np.unique(place.data, return_inverse=True)
     found = np.array([np.interp(number, places, values) for number in numbers.tolist()])
     return Lanes(found[where_.reshape(place.data.shape)])
 
 
-_READY = {"zeros", "ones", "zeros_like", "full"}
+_ALONE = {"trapezoid", "mean", "cumsum", "diff", "searchsorted", "append", "geomspace"}
+"""Functions of arrays that are called for the array of every lane."""
+_SHAPED = ("broadcast_to", "linspace", "swapaxes")
+_READY = {"zeros", "ones", "zeros_like", "ones_like", "full"}
 """What makes arrays that lanes are then written into."""
 _ALWAYS = {name: getattr(made, name) for name in ("array", "asarray", *_READY)}
 _BY_LANES = {
     **{name: globals()[f"{name}_"] for name in ("sum", "max", "min", "any", "all")},
-    **{name: getattr(made, name) for name in ("stack", "concatenate", "vstack", "hstack")},
+    **{name: getattr(made, name) for name in ("stack", "concatenate", "vstack", "hstack", "full_like", *_SHAPED)},
     **{
         name: globals()[name]
         for name in (
@@ -265,7 +272,8 @@ def _dispatched(name: str) -> Any:
     if isinstance(real, type) or not callable(real):
         return real
     if own is None:
-        own = _exactly(real) if name in _EXACT else _elementwise(real) if isinstance(real, np.ufunc) else _refused(real)
+        made_of = _elementwise if isinstance(real, np.ufunc) else _in_each if name in _ALONE else _refused
+        own = _exactly(real) if name in _EXACT else made_of(real)
 
     def computed(*values: Any, **named: Any) -> Any:
         for value in values:
@@ -289,6 +297,16 @@ def _elementwise(function: Any) -> Callable[..., Any]:
     def computed(*values: Any) -> Any:
         parts = np.broadcast_arrays(*aligned(*(asarray(v) if isinstance(v, list | tuple) else v for v in values)))
         return Lanes(function(*(np.ascontiguousarray(part) for part in parts)))
+
+    return computed
+
+
+def _in_each(function: Any) -> Callable[..., Any]:
+    """Return a function of arrays that is called for the array of every lane."""
+
+    def computed(*values: Any, **named: Any) -> Any:
+        parts = (asarray(value) if isinstance(value, list | tuple) else value for value in values)
+        return Lanes(per_lane(partial(function, **named), *parts))
 
     return computed
 

@@ -13,9 +13,16 @@ from gearwright.spec import Design, edited, read
 TOGETHER = (
     "in-line", "in-line-h2", "mixed", "mixed-h1", "mixed-h2", "off-set", "off-set-h1", "off-set-h3", "star",
     "single-planetary", "differential-hybrid", "face-gear-split-torque", "geared-turbofan-star", "twin-engine-sprag",
-    "contra-rotating-propellers",
+    "contra-rotating-propellers", "in-line-h1", "off-set-h2", "ravigneaux-automatic", "wolfrom-reducer",
+    "wind-turbine-5mw", "e-axle", "twin-engine-helicopter",
 )  # fmt: skip
-"""Gears by Lewis and Hertz, or given ones."""
+"""All but those of gears that a standard rates on shafts that are built."""
+LOADS = {
+    "e-axle": {"motors.motor.speed_rpm": (4500.0, 4700.0), "gears.iso6336.pitting_safety": (1.0, 1.2)},
+    "twin-engine-helicopter": {"turbines.turbine-1.power_kw": (1400.0, 1500.0)},
+    "wind-turbine-5mw": {"gears.iso6336.pitting_safety": (1.0, 1.2)},
+}
+"""Axes by which gears that a standard rates become larger or smaller."""
 SEVERAL = {"in-line-h2": 300, "off-set-h1": 200, "off-set-h3": 200, "mixed": 200}
 """Rows of a few; of the others 40."""
 
@@ -35,10 +42,10 @@ def axes_of(design: Design, count: int, draw: random.Random) -> dict[str, list[f
     return axes
 
 
-def held(name: str, count: int, every: int) -> np.ndarray:
+def held(name: str, count: int, every: int, axes: dict[str, list[float]] | None = None) -> np.ndarray:
     """Hold rows of a design against each alone, and return which were sized together, of those that are sized."""
     design = read(name)
-    axes = axes_of(design, count, random.Random(name))
+    axes = axes or axes_of(design, count, random.Random(name))
     sizings = size_many(design, axes)
     for row in range(0, count, every):
         try:
@@ -58,6 +65,15 @@ def test_rows_of_a_shipped_design_go_together_with_the_bits_of_each_alone(name):
     assert together.mean() > 0.5
 
 
-def test_gears_rated_by_a_standard_go_one_by_one():
-    """Its searches go another way in every design."""
+@pytest.mark.parametrize("name", LOADS)
+def test_rows_whose_rated_gears_differ_in_size_go_together_too(name):
+    """Standard modules, whole millimetres of width and safeties by bisection are looked for in all rows at once."""
+    draw = random.Random(name)
+    axes = {path: [draw.uniform(*ends) for _ in range(24)] for path, ends in LOADS[name].items()}
+    together = held(name, 24, every=5, axes=axes)
+    assert together.mean() > 0.5
+
+
+def test_built_shafts_with_gears_that_a_standard_rates_go_one_by_one():
+    """Steps, seats and bearings of the catalogue part the rows."""
     assert not held("ec120b", 12, every=6).any()

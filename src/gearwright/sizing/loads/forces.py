@@ -170,15 +170,25 @@ def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Airscrew, *, position: flo
 def _joined(loads: PointLoads, alone: PointLoads, plan: ShaftPlan) -> PointLoads:
     """Return loads with a rotor's among them, in the direction that bends the shaft most."""
     joined = _padded(loads, alone.position[-1])
-    rotor_bending, others = (_part(loads_apart, plan).drawn.bending.swapaxes(0, 1) for loads_apart in (alone, joined))
-    meshes = others[0] + 1j * others[1]
-    worst = np.argmax(np.abs(meshes) + np.abs(rotor_bending[0]), axis=-1)
-    cases = np.arange(len(worst))
-    turn = np.exp(1j * np.angle(meshes[cases, worst] * np.sign(rotor_bending[0][cases, worst])))
-    direction = np.stack([turn.real, turn.imag], axis=-1)
+    rotor_bending, others = (np.swapaxes(_part(loads, plan).drawn.bending, 0, 1) for loads in (alone, joined))
+    direction = _worst_direction(rotor_bending[0], others)
     joined.force[..., -1] = alone.force[:, :1, -1] * direction
     joined.couple[..., -1] = alone.couple[:, :1, -1] * direction
     return joined
+
+
+def _worst_direction(rotor: Floats, others: Floats) -> Floats:
+    """Return in which direction a rotor bends a shaft most in every case, along y and z [-].
+
+    Args:
+        rotor: Its bending along y at sections [N m], (cases, n).
+        others: Bending of all else [N m], (2, cases, n).
+    """
+    meshes = others[0] + 1j * others[1]
+    worst = np.argmax(np.abs(meshes) + np.abs(rotor), axis=-1)
+    cases = np.arange(len(worst))
+    turn = np.exp(1j * np.angle(meshes[cases, worst] * np.sign(rotor[cases, worst])))
+    return np.stack([turn.real, turn.imag], axis=-1)
 
 
 def _padded(loads: PointLoads, position: float) -> PointLoads:

@@ -15,7 +15,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import GearwrightError
-from gearwright.lanes import Diverged, Lanes
+from gearwright.lanes import Diverged, Lanes, Unsupported
 from gearwright.sizing.many.search import Rows, choose_rows
 from gearwright.sizing.many.sizings import Structure, structure_of
 from gearwright.sizing.many.twinned import twinned
@@ -31,6 +31,9 @@ FEW, FEWEST = 12, 6
 (as quick either way: 5 rows where twins are loaded, 45 where the process loads them) [-]."""
 TRIED = 4
 """Rows of a group of which one must make a design [-]."""
+PLAIN = "lewis-hertz"
+"""Rating of which designs with built shafts are tried together: steps and bearings part the rows as a standard's sizes
+do not, and what is tried in vain costs a second."""
 DEEP = 12
 """How often rows may part before they are sized one by one [-]."""
 
@@ -201,6 +204,8 @@ def _size(group: Group, place: Ints, found: Found, results: Sequence[str] | None
 def _teeth(group: Group, place: Ints) -> Rows:
     """Return the teeth of some rows, whose design nothing speaks against."""
     design = group.lanes(place)
+    if design.bearings and any(design.rating(stage) != PLAIN for stage in design.stages):
+        raise Unsupported("built shafts with gears that a standard rates")
     if twinned("gearwright.spec.checks.design").reference_problems(design) or given_values(design).problems:
         raise TypeError("a design that is refused")
     return choose_rows(design, twinned("gearwright.train").build_train(design), len(place))

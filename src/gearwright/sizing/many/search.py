@@ -14,6 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
+from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.many.twinned import twinned
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
 from gearwright.sizing.teeth.forbidden import clear
@@ -75,7 +76,9 @@ def _spread(rating: Any, row: Ints) -> Any:
 
 def _banned(ban: Any, row: Ints) -> Any:
     """Return a ban whose numbers that are lanes are those of the row of every choice."""
-    ends = {(name,): end.data[row] for name in ("lowest", "highest") if type(end := getattr(ban.band, name)) is Lanes}
+    ends: dict[tuple[str, ...], Any] = {
+        (name,): end.data[row] for name in ("lowest", "highest") if type(end := getattr(ban.band, name)) is Lanes
+    }
     band = replaced(ban.band, ends) if ends else ban.band
     factors = lanes_of(ban.factor).data
     return ban._replace(band=band, factor=factors[row] if len(factors) > 1 else float(factors[0]))
@@ -94,6 +97,8 @@ class _Given(NamedTuple):
     """Machine -> asked speed in every row [rad/s]."""
     numbers: Mapping[str, tuple[Floats, Floats, Floats]]
     """Stage -> torque, speed and rolling speed of its task in every row."""
+    alone: dict[tuple[str, int], Any]
+    """Stage and row -> its task there, as far as asked for."""
 
     def task(self, task: Any, front: Front) -> Any:
         """Return a task with the numbers of every choice of a front."""
@@ -102,6 +107,14 @@ class _Given(NamedTuple):
         bans = tuple(_banned(ban, row) for ban in task.bans)
         rating = _spread(task.rating, row)
         return replace(task, torque=torque, speed=speed, rolling=rolling, rating=rating, bans=bans)
+
+    def row(self, task: Any, row: int) -> Any:
+        """Return a task with the numbers of one row."""
+        if (task.name, row) not in self.alone:
+            torque, speed, rolling = (float(numbers[row]) for numbers in self.numbers[task.name])
+            own = of_lane(task, row)
+            self.alone[task.name, row] = replace(own, torque=torque, speed=speed, rolling=rolling, known={}, closed={})
+        return self.alone[task.name, row]
 
     def targets(self, front: Front) -> Any:
         """Return the asked speeds of every choice of a front."""
@@ -134,8 +147,6 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
     flow, kept = search.nominal_flow(design, train, nominal)
     given_design, design = design, nominal.design
     tasks = [search.task_of(name, design, train, nominal, flow) for name in design.simple_stages]
-    if any(task.rating.proportions is not None for task in tasks):
-        raise Unsupported("gears that a standard rates")
     bans = search.banned(tasks, given_design, train, nominal, flow)
     if bans.whole:
         raise Unsupported("bands of frequencies that only whole trains are held against")
@@ -147,6 +158,7 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
          if machine.asked_speed is not None},
         {task.name: tuple(rows_of(number, count) for number in (task.torque, task.speed, task.rolling))
          for task in tasks},
+        {},
     )  # fmt: skip
     fronts = []
     for first in range(0, count, AT_ONCE):
@@ -237,11 +249,26 @@ def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None
     if not good.all():
         grown, small, large = grown.take(good), small[good], large[good]
     own = given.task(task, grown)
-    grown = weighed_front(grown, own, given.design, small, large)
+    if task.rating.proportions is None:
+        grown = weighed_front(grown, own, given.design, small, large)
+    else:
+        grown = _weighed_by_rows(given, grown, task, small, large)
     if not own.bans:
         return grown
     good = clear(grown, given.task(task, grown))
     return grown.take(good) if good.any() else None
+
+
+def _weighed_by_rows(given: _Given, front: Front, task: Any, small: Ints, large: Ints) -> Front:
+    """Add a stage that a standard rates, whose modules are found for the loads of each row."""
+    row, parts = front.teeth[ROW], list[Front]()
+    starts = np.flatnonzero(np.r_[True, row[1:] != row[:-1]])
+    for first, end in zip(starts, [*starts[1:], len(row)], strict=True):
+        part = front.take(np.arange(first, end))
+        parts.append(
+            weighed_front(part, given.row(task, int(row[first])), given.design, small[first:end], large[first:end])
+        )
+    return parts[0].joined(parts[1:])
 
 
 def _speeds_hold(given: _Given, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:

@@ -1,0 +1,255 @@
+"""What the twins of sizing compute for every lane by the function of one design: searches, and places in arrays."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import fields, is_dataclass, replace
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from gearwright.lanes import CHANGES, Diverged, Lanes, chosen, lanes_of
+from gearwright.lanes.twins import PREFIX
+from gearwright.spec import Record
+from gearwright.spec.edit import replaced
+
+
+def each_lane(function: Callable[..., Any], usual: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function of arrays, or of tuples of them, that is called for those of every lane.
+
+    Args:
+        function: Of one design.
+        usual: What is called where there are no lanes.
+    """
+
+    def computed(*values: Any) -> Any:
+        counts = [len(lanes.data) for value in values for lanes in _lanes_in(value)]
+        if not counts:
+            return usual(*values)
+        return stacked_lanes([function(*(of_lane(value, k) for value in values)) for k in range(max(counts))])
+
+    return computed
+
+
+def _lanes_in(value: Any) -> Iterator[Lanes]:
+    if type(value) is Lanes:
+        yield value
+    else:
+        for part in _parts(value):
+            yield from _lanes_in(part)
+
+
+def _parts(value: Any) -> Iterator[Any]:
+    """Yield what a collection or a record consists of."""
+    if isinstance(value, tuple | list):
+        yield from value
+    elif isinstance(value, dict):
+        yield from value.values()
+    elif isinstance(value, Record):
+        yield from value.__dict__.values()
+    elif is_dataclass(value):
+        yield from (getattr(value, part.name) for part in fields(value))
+
+
+def of_lane(value: Any, k: int) -> Any:
+    """Return what one lane holds of a value.
+
+    Args:
+        value: Lanes, or a collection or record of which parts may be.
+        k: Which lane.
+    """
+    if type(value) is Lanes:
+        own = value.data[k if len(value.data) > 1 else 0]
+        return own.item() if own.ndim == 0 else own.copy()
+    if isinstance(value, tuple | list):
+        parts = [of_lane(part, k) for part in value]
+        return type(value)._make(parts) if hasattr(value, "_make") else type(value)(parts)
+    if isinstance(value, dict):
+        return {name: of_lane(part, k) for name, part in value.items()}
+    if isinstance(value, Record):
+        varied = {name: part for name, part in value.__dict__.items() if next(_lanes_in(part), None) is not None}
+        return replaced(value, {(name,): of_lane(part, k) for name, part in varied.items()}) if varied else value
+    if is_dataclass(value) and not isinstance(value, type):
+        own = {part.name: getattr(value, part.name) for part in fields(value)}
+        varied = {name: part for name, part in own.items() if next(_lanes_in(part), None) is not None}
+        return replace(value, **{name: of_lane(part, k) for name, part in varied.items()}) if varied else value
+    return value
+
+
+def stacked_lanes(results: list[Any]) -> Any:
+    """Return the results of all lanes in lanes; arrays of different shapes part them.
+
+    Args:
+        results: Numbers, arrays, or tuples of them.
+    """
+    first = results[0]
+    if isinstance(first, tuple):
+        parts = [stacked_lanes(list(entries)) for entries in zip(*results, strict=True)]
+        return type(first)._make(parts) if hasattr(first, "_make") else tuple(parts)
+    rows = [np.asarray(result) for result in results]
+    if len({row.shape for row in rows}) > 1:
+        raise Diverged(np.array([str(row.shape) for row in rows]))
+    return Lanes(np.stack(rows))
+
+
+def _own(module: ModuleType) -> Any:
+    """Return the module of a twin."""
+    return importlib.import_module(module.__name__.replace(PREFIX, "gearwright", 1))
+
+
+def _in_each_lane(*names: str) -> Callable[[ModuleType], None]:
+    """Return the change of a twin that has functions called for the arrays of every lane."""
+
+    def changed(module: ModuleType) -> None:
+        for name in names:
+            setattr(module, name, each_lane(getattr(_own(module), name), getattr(module, name)))
+
+    return changed
+
+
+def _rated(module: ModuleType) -> None:
+    """Search the modules of a mesh in all lanes: each has one number of each kind."""
+    alone: Callable[..., Any] = module.by_teeth
+
+    def by_teeth(ask: Any, search: Callable[..., Any]) -> Any:
+        numbers = (ask.per_tooth, ask.speed, ask.width_ratio, *ask.teeth)
+        if not any(type(number) is Lanes for number in numbers):
+            return alone(ask, search)
+        torque = lanes_of(ask.per_tooth * ask.teeth[0])
+        if not bool(torque > module._LEAST_TORQUE):
+            return torque * 0.0, torque * 0.0
+        return search(tuple(ask.teeth), torque, ask.speed, ask.width_ratio)
+
+    module.by_teeth = by_teeth  # type: ignore[attr-defined]
+
+
+def _widths(module: ModuleType) -> None:
+    """Search modules and face widths of all lanes at once: those that are done wait for the others."""
+
+    def next_standard(needed: Any) -> Any:
+        needed, standards = lanes_of(needed).data, np.array([size * module._MM for size in module.STANDARD_MODULES])
+        place = np.searchsorted(standards, needed * (1.0 - 1e-9))
+        return Lanes(np.where(place < len(standards), standards[np.minimum(place, len(standards) - 1)], needed))
+
+    def under_spectrum(size: Any, ratio: Any, gap: Any, rounded: Any = None) -> Any:
+        active = lanes_of(np.True_)
+        for _ in range(module.CORRECTIONS):
+            before = size
+            size = chosen(active, size / module.math.cbrt(gap(size, ratio * size)), size)
+            if rounded is None:
+                continue
+            left = module.LEFT * abs(size - before)
+            near = lanes_of(left < size / 2.0)
+            left = chosen(near, left, 0.0)
+            active = active & ~(near & (rounded(size - left) == rounded(size + left)))
+            if not active.data.any():
+                break
+        return size
+
+    def narrowest(least: Any, widest: Any, gap: Any) -> Any:
+        least, widest = np.broadcast_arrays(lanes_of(least).data, lanes_of(widest).data)
+        low = Lanes(np.ceil(np.minimum(least, widest) / module._MM - 1e-9).astype(np.int64))
+        high = Lanes(np.maximum(np.floor(widest / module._MM + 1e-9).astype(np.int64), 1))
+        while (active := low < high).data.any():
+            middle = chosen(active, (low + high) // 2, high)
+            met = lanes_of(gap(middle * module._MM) >= 1.0)
+            high, low = chosen(active & met, middle, high), chosen(active & ~met, middle + 1, low)
+        return high * module._MM
+
+    for changed in (next_standard, under_spectrum, narrowest):
+        setattr(module, changed.__name__, changed)
+
+
+def _lives(module: ModuleType) -> None:
+    """Look every lane's life up on its own line of the S-N curve."""
+    alone: Callable[..., Any] = module.endurable_cycles
+
+    def endurable_cycles(curve: Any, factor: Any) -> Any:
+        if type(factor) is not Lanes:
+            return alone(curve, factor)
+        left, cycles = ~lanes_of(factor > curve.factors[0]), chosen(factor > curve.factors[0], 0.0, math.inf)
+        for start, greatest, least, longer, weaker in curve.lines:
+            own = left & (factor >= least)
+            exponent = longer * module.math.log(greatest / chosen(own, factor, greatest)) / weaker
+            ends = exponent < module.ENDLESS
+            life = start * module.math.exp(chosen(ends, exponent, 0.0))
+            cycles, left = chosen(own, chosen(ends, life, math.inf), cycles), left & ~own
+        return cycles
+
+    module.endurable_cycles = endurable_cycles  # type: ignore[attr-defined]
+
+
+def _damages(module: ModuleType) -> None:
+    """Find the safety of a spectrum in all lanes at once: those that are done wait for the others."""
+
+    def damage_part(cycles: Any, factor: Any, curve: Any) -> Any:
+        loaded = lanes_of(factor > 0.0)
+        endured = chosen(loaded, module.endurable_cycles(curve, lanes_of(chosen(loaded, factor, 1.0))), math.inf)
+        return chosen(endured > 0.0, cycles / chosen(endured > 0.0, endured, 1.0), math.inf)
+
+    def lasts_in(loads: Any, reference: Any, curve: Any) -> Any:
+        return sum((damage_part(cycles, stress / reference, curve) for stress, cycles in loads), start=0.0) <= 1.0
+
+    def unit_root(lasts: Any) -> Any:
+        low, high = (lanes_of(end) for end in module._FACTORS)
+        while (active := high / low > 1.0 + 1e-12).data.any():
+            middle = chosen(active, (low * high) ** 0.5, low)
+            lasting = lanes_of(lasts(middle))
+            low, high = chosen(active & lasting, middle, low), chosen(active & ~lasting, middle, high)
+        return low
+
+    module.damage_part, module._lasts, module._unit_root = damage_part, lasts_in, unit_root  # type: ignore[attr-defined]
+
+
+def _rooms(module: ModuleType) -> None:
+    """Hold the bodies of every lane against each other apart, where lanes differ in which are nearest."""
+    together, checked, own = module._meetings, module.room_checks, _own(module)
+
+    def apart(bodies: Any, rules: Any) -> Any:
+        count = max(len(lanes.data) for body in bodies for lanes in _lanes_in(body))
+        rules, alone = replace(rules, known=[]), list[Any]()
+        for k in range(count):
+            alone.append(own._meetings([of_lane(body, k) for body in bodies], of_lane(rules, k)))
+        found, nearest, labels = list[Any](), list[Any](), list[str]()
+        for met_of in alone:
+            into = {key: met for key, met in met_of.items() if met.room.gap < -module._TOUCH}
+            clear = [(key, met) for key, met in met_of.items() if key not in into]
+            found.append(into)
+            nearest.append(min(clear, key=lambda pair: round(pair[1].room.gap, 8), default=None))
+            labels.append(str([(key, met.names) for key, met in sorted(into.items())] + [nearest[-1] is None]))
+        if len(set(labels)) > 1:
+            raise Diverged(np.array(labels))
+        rooms = {key: stacked_lanes([into[key].room for into in found]) for key in found[0]}
+        whole = {key: met._replace(room=rooms[key]) for key, met in found[0].items()}
+        if nearest[0] is not None:
+            key, first = nearest[0]
+            whole[key] = first._replace(room=stacked_lanes([met.room for _, met in nearest]))
+        return whole
+
+    def meetings_of(bodies: Any, rules: Any) -> Any:
+        try:
+            return together(bodies, rules)
+        except Diverged:
+            return apart(bodies, rules)
+
+    def room_checks(arrangement: Any, rules: Any) -> Any:
+        try:
+            return checked(arrangement, rules)
+        except Diverged:
+            rules.known[:] = [(arrangement.bodies, apart(arrangement.bodies, rules))]
+            return checked(arrangement, rules)
+
+    module._meetings, module.room_checks = meetings_of, room_checks  # type: ignore[attr-defined]
+
+
+CHANGES.update({
+    "gearwright.sizing.places.room": _rooms,
+    "gearwright.parts.iso6336.steels.life": _lives,
+    "gearwright.parts.iso6336.steels.damage": _damages,
+    "gearwright.sizing.rating.widths": _widths,
+    "gearwright.sizing.rating.search": _rated,
+    "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
+})  # fmt: skip
