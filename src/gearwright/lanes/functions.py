@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes.lanes import Lanes
+from gearwright.lanes.lanes import Lanes, lanes_of
 from gearwright.lanes.work import Diverged, Unsupported, each
 
 __all__ = ["e", "inf", "nan", "pi", "tau"]
@@ -79,6 +79,23 @@ def isinf(value: Any) -> Any:
         value: A number, in lanes or not.
     """
     return Lanes(np.isinf(value.data)) if type(value) is Lanes else math.isinf(value)
+
+
+def isclose(one: Any, other: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
+    """Tell whether two numbers are close, as `math.isclose` does.
+
+    Args:
+        one: A number, in lanes or not.
+        other: A number, in lanes or not.
+        rel_tol: Part of either by which they may differ [-].
+        abs_tol: By which they may differ at least.
+    """
+    if type(one) is not Lanes and type(other) is not Lanes:
+        return math.isclose(one, other, rel_tol=rel_tol, abs_tol=abs_tol)
+    first, second = lanes_of(one).data, lanes_of(other).data
+    apart = np.abs(second - first)
+    near = (apart <= np.abs(rel_tol * second)) | (apart <= np.abs(rel_tol * first)) | (apart <= abs_tol)
+    return Lanes((first == second) | (near & np.isfinite(first) & np.isfinite(second)))
 
 
 def dist(one: Any, other: Any) -> Any:

@@ -162,7 +162,9 @@ def _powers(one: Any, other: Any) -> Any:
     """Return powers of numbers; `float_power` calls the function that Python calls, which `power` does not."""
     base, exponent = (value.data if isinstance(value, InLanes) else np.asarray(value) for value in (one, other))
     if base.dtype != np.float64 or exponent.dtype.kind not in "fi" or not (base > 0.0).all():
-        return each(operator.pow, one, other)
+        whole = base.dtype == np.float64 and exponent.dtype.kind in "fi" and (exponent >= 0).all()
+        if not (whole and (exponent == np.floor(exponent)).all()):
+            return each(operator.pow, one, other)
     found = np.float_power(base, exponent)
     return found if np.isfinite(found).all() else each(operator.pow, one, other)
 
@@ -175,11 +177,23 @@ def each(function: Function, *values: Any) -> Any:
         values: Numbers, in lanes or not.
     """
     count = max(len(value.data) for value in values if isinstance(value, InLanes))
+    if all(is_one(value.data) for value in values if isinstance(value, InLanes)):
+        alone = function(*(value.data[0].item() if isinstance(value, InLanes) else value for value in values))
+        return np.full(count, alone)
     columns = []
     for value in values:
         column = value.data.tolist() if isinstance(value, InLanes) else [value]
         columns.append(column if len(column) == count else column * count)
     return np.array(list(map(function, *columns)))
+
+
+def is_one(data: Any) -> bool:
+    """Tell whether all lanes have one number, bit for bit.
+
+    Args:
+        data: Numbers, shape (lanes,).
+    """
+    return data.ndim == 1 and (len(data) == 1 or data.tobytes() == data[:1].tobytes() * len(data))
 
 
 def per_lane(function: Function, *values: Any) -> Any:

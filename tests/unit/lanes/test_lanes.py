@@ -42,6 +42,34 @@ def test_functions_give_the_bits_of_numbers(name):
     assert found == [function(*numbers) for numbers in zip(*arguments, strict=True)]
 
 
+@pytest.mark.parametrize("exponent", [0, 2, 3, 2.0, 4.0])
+def test_whole_powers_of_any_number_have_the_bits_of_numbers(exponent):
+    bases = [0.0, -0.0, *ONE, *(-one for one in OTHER)]
+    found = (lanes(bases) ** exponent).data.tolist()
+    assert list(map(float.hex, found)) == [float(base**exponent).hex() for base in bases]
+
+
+def test_one_number_in_all_lanes_is_computed_once_and_zeros_of_both_signs_are_two():
+    times = []
+
+    def counted(*numbers):
+        times.append(numbers)
+        return math.atan2(*numbers)
+
+    in_all = lane_math.in_lanes(counted)
+    assert in_all(lanes([0.3] * 7), 2.0).data.tolist() == [math.atan2(0.3, 2.0)] * 7 and len(times) == 1
+    assert in_all(lanes([0.0, -0.0]), -1.0).data.tolist() == [math.pi, -math.pi]
+
+
+def test_numbers_are_close_as_python_finds_them():
+    numbers = [0.0, -0.0, 1.0, 1.0 + 1e-9, 1.0 - 2e-9, 1e-12, -1.0, math.inf, -math.inf, math.nan, *ONE[:5]]
+    one, other = ([a for a in numbers for _ in numbers], numbers * len(numbers))
+    for given in ({}, {"rel_tol": 2e-9}, {"abs_tol": 1e-11}):
+        with np.errstate(all="ignore"):
+            found = lane_math.isclose(lanes(one), lanes(other), **given).data.tolist()
+        assert found == [math.isclose(a, b, **given) for a, b in pairs(one, other)]
+
+
 def test_complex_numbers_are_multiplied_and_divided_as_python_does():
     one, other = ([complex(a, b) for a, b in pair] for pair in (pairs(ONE, OTHER), pairs(OTHER, ONE[::-1])))
     for function in (operator.mul, operator.truediv, operator.add):

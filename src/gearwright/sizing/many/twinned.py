@@ -276,12 +276,11 @@ def worst_margin(checks: Iterable[Any]) -> Any:
     if (parted := (close.sum(axis=0) > 1) & close[unnamed].any(axis=0)).any():
         raise Unsupported("checks that are one but for rounding") if parted.all() else Diverged(parted)
     first = close & (np.cumsum(close, axis=0) == 1)
-    worst, rounded = margin[first.argmax(axis=0), np.arange(margin.shape[1])], None
+    worst = margin[first.argmax(axis=0), np.arange(margin.shape[1])]
     for own, near in zip(margin, close & ~first, strict=True):
-        if near.any():
-            rounded = _rounded(worst) if rounded is None else rounded
-            lower = near & (_rounded(own) < rounded)
-            worst, rounded = np.where(lower, own, worst), np.where(lower, _rounded(own), rounded)
+        place = np.flatnonzero(near)
+        lower = place[_rounded(own[place]) < _rounded(worst[place])]
+        worst[lower] = own[lower]
     return Lanes(worst)
 
 

@@ -209,8 +209,8 @@ def _coaxial(one: Body, other: Body) -> bool:
     (x, y, z), (a, b, c), (d, e, f) = other.origin, one.direction, other.direction
     x, y, z = x - one.origin[0], y - one.origin[1], z - one.origin[2]
     along = x * a + y * b + z * c
-    off = (x - along * a) ** 2 + (y - along * b) ** 2 + (z - along * c) ** 2
-    return off < _CLOSE and 1.0 - abs(a * d + b * e + c * f) < _CLOSE
+    x, y, z = x - along * a, y - along * b, z - along * c
+    return x * x + y * y + z * z < _CLOSE and 1.0 - abs(a * d + b * e + c * f) < _CLOSE
 
 
 def _sphere(body: Body) -> tuple[list[float], float]:
