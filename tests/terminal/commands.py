@@ -44,6 +44,7 @@ COMMANDS = (
     Command("export pair.toml --to fmu"),
     Command("export pair.toml --to html --out turning.html --detail coarse"),
     Command("export pair.toml --to rexs"),
+    Command("export pair.toml --to csv"),
     Command("import sew.rexs --out sew.toml --force"),
     Command("schema", machine=True),
     Command("campbell pair.toml"),

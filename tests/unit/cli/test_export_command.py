@@ -45,6 +45,20 @@ def test_a_page_is_written(folder):
     assert (folder / "pair-gearbox.html").read_text(encoding="utf-8").startswith("<!doctype html>")
 
 
+@pytest.mark.parametrize(
+    ("format_", "begins"), [("csv", b"\xef\xbb\xbftable,row,"), ("svg", b"<svg"), ("dxf", b"  0\n")]
+)
+def test_tables_and_the_general_arrangement_are_written(folder, format_, begins):
+    assert export("pair.toml", "--to", format_).exit_code == 0
+    assert (folder / f"pair-gearbox.{format_}").read_bytes().startswith(begins)
+
+
+def test_without_xlsxwriter_the_workbook_is_refused_with_what_to_install(folder, monkeypatch):
+    monkeypatch.setattr("gearwright.exchange.tables.xlsx.find_spec", lambda name: None)
+    with pytest.raises(DesignError, match=r"XlsxWriter.*pip install.*\[xlsx\].*or use csv"):
+        export("pair.toml", "--to", "xlsx")
+
+
 @pytest.mark.parametrize(("format_", "version"), [("rexs", b'version="1.7"'), ("rexs-1.6", b'version="1.6"')])
 def test_a_rexs_file_is_written_and_what_is_not_in_it_is_said(folder, format_, version):
     answer = export("pair.toml", "--to", format_)
@@ -67,7 +81,6 @@ def test_an_fmu_is_written_and_it_is_said_what_is_inside(folder, version):
         (("pair.toml", "--to", "gbl"), r"'gbl' is not written; did you mean glb"),
         (("pair.toml", "--to", "json", "--step", "1e-6"), r"--step: it is of fmu and fmu-3.0"),
         (("pair.toml", "--to", "fmu", "--case", "cruse"), r"no case 'cruse'"),
-        (("pair.toml", "--to", "dxf"), r"use gearwright draw DESIGN --format dxf"),
         (("pair.toml", "--to", "glb", "--out", "no-folder/x.glb"), r"no-folder"),
         (("broken.toml", "--to", "glb"), r"turbine"),
     ],

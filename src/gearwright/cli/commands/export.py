@@ -32,7 +32,7 @@ def export(
         typer.Option(
             "--to",
             help="glb: solids that turn; html: a page on which they do; rexs, rexs-1.6: REXS; fmu, fmu-3.0: FMI 2.0 and"
-            " 3.0; json: the sizing",
+            " 3.0; xlsx, csv: every table; svg, dxf: the general arrangement; json: the sizing",
         ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
@@ -58,8 +58,6 @@ def export(
 def _refuse_unknown(name: str) -> None:
     from gearwright.errors import Problem, near, refuse
 
-    if name in ("svg", "dxf"):
-        refuse([Problem("--to", f"{name!r} is a format of drawings; use gearwright draw DESIGN --format {name}")])
     if name not in FORMATS:
         refuse([Problem("--to", f"{name!r} is not written; {near(name, list(FORMATS))}")])
 
@@ -127,6 +125,37 @@ def _fmu_of(sizing: Sizing, wanted: Wanted, version: Literal["2.0", "3.0"]) -> t
     return file.content, f"FMI {file.version} co-simulation, {variables}, {len(file.content) / 1e3:.0f} kB: {held}"
 
 
+def _xlsx(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.tables import to_xlsx
+
+    content = to_xlsx(sizing)
+    return content, f"every table, a sheet each, with units and sources, {len(content) / 1e3:.0f} kB"
+
+
+def _csv(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.tables import to_csv
+
+    text = to_csv(sizing)
+    return text.encode(
+        "utf-8-sig"
+    ), f"{text.count(chr(10)) - 1} values of every table, a line each with unit and source"
+
+
+def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.render.drawings.catalogue import sheets
+    from gearwright.render.drawings.sheet.svg import sheet_svg
+
+    return sheet_svg(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
+
+
+def _dxf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.render.drawings.catalogue import sheets
+    from gearwright.render.drawings.sheet.dxf import sheet_dxf
+
+    return sheet_dxf(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
+
+
+_DRAWN = "the general arrangement; gearwright draw writes every sheet"
 FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
     "html": _html,
@@ -135,5 +164,9 @@ FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "rexs-1.6": _rexs_16,
     "fmu": _fmu,
     "fmu-3.0": _fmu_3,
+    "xlsx": _xlsx,
+    "csv": _csv,
+    "svg": _svg,
+    "dxf": _dxf,
 }
 """Name -> what it holds, and in words what was written."""

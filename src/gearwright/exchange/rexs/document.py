@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 
 @dataclass(frozen=True)
@@ -88,5 +89,13 @@ class Document:
             number: Id of the component.
             other: Role of what is returned.
         """
-        found = (relation.roles for relation in self.relations if relation.kind == kind)
-        return [roles[other] for roles in found if roles.get(role) == number and other in roles]
+        return [roles[other] for roles in self._related.get((kind, role, number), ()) if other in roles]
+
+    @cached_property
+    def _related(self) -> dict[tuple[str, str, int], list[dict[str, int]]]:
+        """Type of relation, role and component -> the relations in which it plays that role."""
+        found: dict[tuple[str, str, int], list[dict[str, int]]] = {}
+        for relation in self.relations:
+            for role, number in relation.roles.items():
+                found.setdefault((relation.kind, role, number), []).append(relation.roles)
+        return found

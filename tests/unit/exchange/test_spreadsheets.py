@@ -1,0 +1,82 @@
+"""Tables of a sizing for spreadsheets: CSV in long form, and XLSX read back as the XML that it is."""
+
+import csv
+import io
+import zipfile
+from xml.etree import ElementTree
+
+import pytest
+
+import gearwright as gw
+from gearwright.exchange.tables import all_tables, to_csv, to_xlsx
+from shipped_work import sized
+
+SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+
+
+def rows_of(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_every_number_of_a_table_stands_with_its_unit_and_source():
+    """The module of In-Line H2's second sun, in mm, with the equation of sizing."""
+    gear = next(gear for gear in sized("in-line-h2").gears if gear.name == "second.sun")
+    (row,) = [row for row in rows_of(to_csv(sized("in-line-h2")))
+              if (row["table"], row["row"], row["quantity"]) == ("Gears", "second.sun", "module")]  # fmt: skip
+    assert float(row["value"]) == pytest.approx(1e3 * gear.module, rel=1e-12)
+    assert (row["symbol"], row["unit"]) == ("m_n", "mm")
+    assert "m_n ≥" in row["equation"] and row["source"]
+
+
+@pytest.mark.parametrize("design", ["ec120b", "ravigneaux-automatic", "off-set"])
+def test_no_table_is_left_out_of_the_long_form(design):
+    titles = {table.title for table in all_tables(sized(design)).values()}
+    assert {row["table"] for row in rows_of(to_csv(sized(design)))} == titles
+
+
+def test_a_name_that_spreadsheets_take_for_a_formula_stays_a_text():
+    design = gw.parse(gw.design_text(sized("star").design).replace('name = "Star', 'name = "=Star'))
+    assert "\n=" not in to_csv(gw.size(design))
+
+
+def book(content):
+    """Return sheet -> its cells by place, of a workbook read without the library that wrote it."""
+    files = zipfile.ZipFile(io.BytesIO(content))
+    texts = ["".join(node.itertext()) for node in ElementTree.fromstring(files.read("xl/sharedStrings.xml"))]
+    names = [sheet.get("name") for sheet in ElementTree.fromstring(files.read("xl/workbook.xml")).iter(f"{SHEET}sheet")]
+    sheets = {}
+    for place, name in enumerate(names, start=1):
+        cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
+        assert all(cell.find(f"{SHEET}f") is None for cell in cells)
+        cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
+        sheets[name] = {cell.get("r"): _value(cell, texts) for cell in cells}
+    return sheets
+
+
+def _value(cell, texts):
+    found = cell.find(f"{SHEET}v")
+    if found is None:
+        return None
+    return texts[int(found.text)] if cell.get("t") == "s" else float(found.text)
+
+
+@pytest.mark.extra("xlsxwriter")
+@pytest.mark.parametrize("design", ["in-line-h2", "ec120b"])
+def test_every_table_is_a_sheet_with_its_units_and_values(design):
+    sizing = sized(design)
+    sheets, tables = book(to_xlsx(sizing)), all_tables(sizing)
+    assert list(sheets) == ["contents", *(name.replace("_", " ")[:31] for name in tables)]
+    gears = sheets["gears"]
+    place = next(cell for cell, value in gears.items() if cell.endswith("2") and value == "module")
+    column = place[:-1]
+    assert gears[f"{column}4"] == "mm" and "m_n" in gears[f"{column}5"]
+    assert gears[f"{column}7"] == pytest.approx(1e3 * sizing.gears[0].module, rel=1e-12)
+
+
+@pytest.mark.extra("xlsxwriter")
+def test_lives_without_end_are_words_in_a_workbook():
+    """A spreadsheet has no infinite number: such cells are texts, and none is lost."""
+    for table, sheet in zip(all_tables(sized("ec120b")).values(), list(book(to_xlsx(sized("ec120b"))).values())[1:],
+                            strict=True):  # fmt: skip
+        filled = sum(bool(cell.text) for row in table.rows for cell in row)
+        assert sum(value is not None for value in sheet.values()) >= filled
