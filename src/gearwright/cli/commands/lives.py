@@ -26,6 +26,7 @@ def mix(
     mix: Annotated[
         str, typer.Argument(help="Mix file, or the name of a shipped mix", metavar="MIX", autocompletion=mixes)
     ] = "regional-life",
+    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
     json: JsonOption = False,
 ) -> None:
     """Fly a life of several missions: what fails first, which mission eats the life, fuel and charge of all flights."""
@@ -45,6 +46,11 @@ def mix(
         show_answer("mix", mix_answer(flown), design=sizing.design.name)
     else:
         show(mix_text(flown))
+    if report is not None:
+        from gearwright.render.pages.mix import mix_page
+
+        write_text(report, mix_page(flown))
+        tell(f"wrote {report}")
 
 
 def duty(

@@ -54,7 +54,7 @@ def totals(flown: FlownMix) -> str:
     """
     charge = ""
     if any(flight.has_battery for flight in flown.flights.values()):
-        charge = f", {flown.battery / KWH / 1e3:.4g} MWh from the battery"
+        charge = f", {flown.battery / KWH / 1e3:.5g} MWh from the battery"
     worn = [
         flown.mix.count(name) * flight.pack.cycles for name, flight in flown.flights.items() if flight.pack is not None
     ]

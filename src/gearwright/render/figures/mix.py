@@ -1,0 +1,40 @@
+"""Figure of a life of several missions: Miner's sum of every part that matters, and which mission eats it."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from gearwright.mission import FlownMix
+from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
+from gearwright.render.tables.mix import MOST_ROWS
+
+LEAST = 1e-6
+"""Miner's sum after the whole life below which a part is not drawn [-]."""
+
+
+@theme.styled
+def eaten_figure(flown: FlownMix) -> Figure:
+    """Return the parts of the damage of every part by mission, the part that governs first on top.
+
+    Args:
+        flown: As flown.
+    """
+    known = [part for part in flown.life.parts if LEAST < part.damage * flown.mix.flights < float("inf")][:MOST_ROWS]
+    figure = theme.sheet(WIDTH, 30.0 + 6.0 * max(len(known), 1))
+    axes = figure.add_subplot()
+    left = [0.0] * len(known)
+    for colour, name in zip(theme.CYCLE * 4, flown.flights, strict=False):
+        sums = [flown.damage_by_mission(part) for part in known]
+        widths = [100.0 * damage[name] / sum(damage.values()) for damage in sums]
+        axes.barh(range(len(known)), widths, left=left, height=0.72, color=colour, label=name)
+        left = [start + width for start, width in zip(left, widths, strict=True)]
+    for place, part in enumerate(known):
+        axes.annotate(f"{part.damage * flown.mix.flights:.2g}", (100.0, place), (4, 0), fontsize=7.5,
+                      textcoords="offset points", va="center")  # fmt: skip
+    axes.set_yticks(range(len(known)), [f"{part.name}, {part.mode}" for part in known])
+    axes.set(xlim=(0.0, 116.0), xlabel="part of the damage [%]; behind the bars Miner's sum of the whole life")
+    axes.invert_yaxis()
+    axes.legend(loc="upper center", bbox_to_anchor=(0.45, 1.0 + 8.0 / (6.0 * max(len(known), 1))), ncols=4)
+    theme.only_grid(axes, "x")
+    return figure

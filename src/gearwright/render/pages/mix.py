@@ -1,0 +1,79 @@
+"""A life of several missions as one self-contained HTML page, in the style of a flight's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from matplotlib.figure import Figure as Drawing
+
+from gearwright.mission import FlownMix
+from gearwright.render.figures.flight import power_figure, profile_figure
+from gearwright.render.figures.lives import life_figure, spectrum_figure
+from gearwright.render.figures.mix import eaten_figure
+from gearwright.render.grid.table import MARKS
+from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.style import theme
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.flight import forces_table, phase_table
+from gearwright.render.tables.mix import mission_table, part_table
+from gearwright.render.words.flight import count_text
+from gearwright.render.words.mix import notes, totals, verdict
+from gearwright.units import KWH
+from gearwright.version import __version__
+
+_HOUR, _TONNE = 3600.0, 1e3
+
+
+def mix_page(flown: FlownMix) -> str:
+    """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
+
+    Args:
+        flown: As flown.
+    """
+    title = f"{flown.mix.name}: {flown.sizing.design.name}"
+    sections = [_life(flown), *(_mission(flown, name) for name in flown.flights)]
+    return environment().get_template("comparison.html.j2").render(
+        title=title, description=flown.mix.description, numbers=tuple(_numbers(flown)), sections=sections, marks=MARKS,
+        version=__version__,
+    )  # fmt: skip
+
+
+def _numbers(flown: FlownMix) -> Iterator[tuple[str, str]]:
+    yield "verdict", verdict(flown)
+    yield "flights", f"{flown.mix.flights}"
+    yield "flight time", f"{flown.duration / _HOUR:.0f} h"
+    yield "fuel of one gearbox", f"{flown.fuel / _TONNE:.4g} t"
+    if any(flight.has_battery for flight in flown.flights.values()):
+        yield "from the battery", f"{flown.battery / KWH / 1e3:.5g} MWh"
+    if flown.life.parts and flown.life.parts[0].damage:
+        first = flown.life.parts[0]
+        yield f"first to fail: {first.name}", f"{count_text(first.flights)} flights"
+
+
+def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
+    return Figure(theme.to_svg(drawn, name), caption)
+
+
+def _life(flown: FlownMix) -> Section:
+    """Return what the whole life comes to."""
+    tables = tuple(table for table in (mission_table(flown), part_table(flown)) if table.rows)
+    drawn = _figure(eaten_figure(flown), "eaten", "Which mission eats the life of a part, by Palmgren and Miner.")
+    words = (f"{totals(flown)}.", *(f"{note}." for note in notes(flown)))
+    return Section("The whole life", tables=tables, figures=(drawn,), notes=words)
+
+
+def _mission(flown: FlownMix, name: str) -> Section:
+    """Return one flight of a mission: what it does, what it loads, what it wears."""
+    flight, lived, count = flown.flights[name], flown.lives[name], flown.mix.count(name)
+    figures = [
+        _figure(profile_figure(flight), f"{name}-profile", f"{name}: phases and who drives in them."),
+        _figure(power_figure(flight), f"{name}-power", f"{name}: powers of the machines and torques of the shafts."),
+        _figure(spectrum_figure(flight), f"{name}-spectrum", f"{name}: turns at which a load is reached, one flight."),
+    ]
+    if lived.failing:
+        figures.append(_figure(life_figure(lived), f"{name}-lives", f"{name}: flights that parts live, flown alone."))
+    forces = forces_table(flight)
+    words = f"{flight.mission.name}, {count:g} of {flown.mix.flights} flights. {flight.mission.description}"
+    return Section(
+        name, tables=(phase_table(flight), *([forces] if forces else ())), figures=tuple(figures), notes=(words,)
+    )
