@@ -139,7 +139,7 @@ CHECKED: Sequence[Checked] = (
 def checked_markdown() -> str:
     """Return the page."""
     rows = "".join(_row(one) for one in CHECKED)
-    return f"{_HEAD}{rows}{_FLIGHTS}{_TESTS_HEAD}{''.join(_sections())}"
+    return f"{_HEAD}{rows}{_TESTS_HEAD}{''.join(_sections())}"
 
 
 def _row(one: Checked) -> str:
@@ -183,34 +183,11 @@ refuses to write it if one leaves its tolerance; a test fails if the page is not
 | quantity | expected | tolerance | gearwright | source | test |
 | --- | --- | --- | --- | --- | --- |
 """
-_FLIGHTS = """
-## Flights and propellers, case by case
-
-Missions and propellers that other programs or tables publish, flown with nothing fitted. `pytest tests/validation/flight
-tests/verification/flight`; the first file named holds the numbers.
-
-| case | reproduced | within, or why not |
-| --- | --- | --- |
-| King Air C90GT over 1000 NM, OpenConcept (`test_block_fuel_published`): drag in cruise, 3517 and 3338 N | yes | 2e-4 |
-| its thrust at both ends of the climb, 8212 and 6087 N | yes | 1e-3: 8219 and 6087 N |
-| its fuel, 1667 lb; climb 202, cruise 1350, descent 115 lb | with our propeller | −5.0 %; −7.1, −4.5, −7.8 % |
-| its throttle in cruise, 0.520 and 0.496 | with our propeller | 0.498 and 0.472: −4.2 and −4.8 % |
-| its throttle in climb, 0.700 and 0.680 | no | 0.581 and 0.744: its propeller has an efficiency of 0.67 at sea level and 0.82 on top, the charts 0.83 and 0.78, and it leaves out m dV/dt, 1.4 and 4.3 % of the thrust |
-| its throttle in descent, 0.219 and 0.105 | no | 0.187 and 0.135: the same propeller |
-| its times, 1159, 10 636 and 2900 s | taken as given | they are the rates of climb and the speeds of its phases |
-| ATR 72-600 and 42-600 over 200 and 300 NM, fact sheets (same file) | yes | block fuel within 8 %, block time within 2 min |
-| Hamilton Standard charts by Aviary: 4 blades of AF 100, three cases of GASP (`test_hamilton_standard`) | yes | efficiency within 1e-4 of Aviary; of GASP 0.2 to 2.4 %, as Aviary itself |
-| two blades by blade elements over five speeds, aero4students (`test_blade_elements`) | yes | thrust and torque within 2e-5 |
-| T-Motor 28 × 9.2, static thrust and torque measured | no | neither chord nor twist are published with it; its figure of merit of 0.63 to 0.72 is that of small rotors |
-| Caradonna and Tung's rotor in hover | not judged | thrust at a collective is no question that a gearbox asks: rotors are trimmed to a weight; the numbers at hand are from memory |
-| PW119B, PW120 and PW121, FAA data sheet E20NE (`reference/engines.md`) | ratings | shaft powers and speeds are in the table of engines; equivalent power is not computed |
-| NREL gears, STplus, AGMA 2003, ISO/TR 10300-30, DIN 743 | yes | no flights: `gearwright validate` lists them |
-| Mott's example 9-1, AGMA bending | not judged | its results are from memory |
-"""
 _TESTS_HEAD = """
 Not everything that is published holds: [the thesis](theory/thesis.md) makes claims that its own equations, once they
 are right, do not confirm, and [its tables of engines](reference/engines.md) have numbers that their own columns
 contradict. Where gearwright differs, it says by how much and why.
+[Flights and propellers](theory/flight.md#flights-and-propellers-case-by-case) are told case by case.
 
 ## All tests against published numbers
 
