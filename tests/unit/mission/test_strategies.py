@@ -48,7 +48,8 @@ def test_the_shipped_mission_flies_by_its_rules():
     assert part(flight, "climb", "turbine_power") == pytest.approx(1e6, rel=1e-9)
     assert part(flight, "descent", "battery_power") == pytest.approx(0.0, abs=1e-6)
     charge = part(flight, "cruise", "state_of_charge")
-    assert np.all(np.diff(charge) >= 0.0) and charge[-1] == pytest.approx(0.6, abs=1e-3) and charge[-1] <= 0.6
+    assert np.all(np.diff(charge) >= -1e-15)  # rounding of the charge that motors hold at the end
+    assert charge[-1] == pytest.approx(0.6, abs=1e-3) and charge[-1] <= 0.6
 
 
 def stages(powers, shares, duration=60.0):

@@ -77,8 +77,23 @@ def test_the_energies_close(monkeypatch):
     assert together.balance.residual < 1e-12  # sums of 533 intervals
 
 
-def test_what_leads_from_interval_to_interval_is_flown_one_by_one(monkeypatch):
-    assert not both("in-line-h2", "strategies", monkeypatch)[2]
+def test_strategies_are_followed_at_once(monkeypatch):
+    together, alone, at_once = both("in-line-h2", "strategies", monkeypatch)
+    assert at_once
+    assert apart(together, alone)[0] < 1e-10  # shares agree to 1e-12, and what tops up a battery adds up
+    assert together.fuel == pytest.approx(alone.fuel, rel=CLOSE)
+
+
+def test_motors_that_brake_are_followed_at_once(monkeypatch):
+    mission = gw.edited_mission(gw.read_mission("strategies"), {"strategies.burn.rule": "regenerate"})
+    together, alone, at_once = both("in-line-h2", mission, monkeypatch)
+    assert at_once and apart(together, alone)[0] < 1e-10  # as above
+
+
+def test_a_plan_is_flown_one_by_one(monkeypatch):
+    changes = {"strategies.peak.rule": "optimal", "strategies.peak.turbine_power_kw": None, "step_s": 60.0}
+    planned = gw.edited_mission(gw.read_mission("strategies"), changes)
+    assert not both("in-line-h2", planned, monkeypatch)[2]
 
 
 def test_cells_follow_from_interval_to_interval(monkeypatch):
@@ -117,11 +132,17 @@ def test_aircraft_that_cannot_fly_are_refused_in_the_same_words(mission, changes
     assert str(together.value) == str(alone.value)
 
 
-def test_aircraft_that_differ_have_the_bits_that_each_has_alone():
-    mission = gw.read_mission("regional-aircraft")
-    scattered = [gw.edited_mission(mission, {"aircraft.mass_kg": 20000.0 + 700.0 * k}) for k in range(3)]
-    for flight, alone in zip(fly_each(sized("in-line"), scattered), scattered, strict=True):
-        flown = gw.fly(sized("in-line"), alone)
+@pytest.mark.parametrize(
+    ("design", "mission", "key", "values"),
+    [
+        ("in-line", "regional-aircraft", "aircraft.mass_kg", (20000.0, 20700.0, 21400.0)),
+        ("in-line-h2", "strategies", "strategies.top-up.charge_power_kw", (40.0, 55.0, 60.0)),
+    ],
+)
+def test_flights_that_follow_have_the_bits_that_each_has_alone(design, mission, key, values):
+    scattered = [gw.edited_mission(gw.read_mission(mission), {key: value}) for value in values]
+    for flight, alone in zip(fly_each(sized(design), scattered), scattered, strict=True):
+        flown = gw.fly(sized(design), alone)
         assert all(
             np.array_equal(a.values, b.values) for a, b in zip(flight_series(flight), flight_series(flown), strict=True)
         )
@@ -131,6 +152,7 @@ def test_aircraft_that_differ_have_the_bits_that_each_has_alone():
     "changes",
     [
         {"battery.energy_kwh": 60.0},
+        {"battery.cells": {"highest_temperature_k": 300.0}},
         {"phases.climb.power_kw": 4000.0},
         {"phases.cruise.tas_kt": 560.0},
         {"phases.run-up.power_kw": 0.01, "phases.run-up.end_power_kw": 0.01},

@@ -4,8 +4,20 @@ A rule answers interval by interval; the optimal share is planned over all of th
 """
 
 from gearwright.mission.strategies.plan import Plan, Stage, optimal_plan
-from gearwright.mission.strategies.planned import planned_shares
+from gearwright.mission.strategies.planned import has_plan, planned_shares
 from gearwright.mission.strategies.rules import Demand, driven, electric_share
-from gearwright.mission.strategies.shares import Then, shared
+from gearwright.mission.strategies.shares import AGREED, Then, shared
 
-__all__ = ["Demand", "Plan", "Stage", "Then", "driven", "electric_share", "optimal_plan", "planned_shares", "shared"]
+__all__ = [
+    "AGREED",
+    "Demand",
+    "Plan",
+    "Stage",
+    "Then",
+    "driven",
+    "electric_share",
+    "has_plan",
+    "optimal_plan",
+    "planned_shares",
+    "shared",
+]

@@ -21,7 +21,7 @@ from gearwright.mission.strategies.rules import driven
 from gearwright.mission.strategies.shares import Then, shared
 from gearwright.mission.supply import machine_speeds
 from gearwright.mission.thrust import wanted_of
-from gearwright.spec import Phase, StrategyRules, engine_out
+from gearwright.spec import Mission, Phase, StrategyRules, engine_out
 
 MARGIN = 1e-3
 """Part of limits of machines and battery that a plan leaves: it knows demands one round before they are flown."""
@@ -67,6 +67,16 @@ def planned_shares(flown: Flown) -> Mapping[int, float]:
         found = _best(flown, rules, stages, last_of(needs, optimal))
         plan = {k: float(tried[found.shares[k]]) for k, need in enumerate(needs) if need.moment.phase in optimal}
     return plan
+
+
+def has_plan(mission: Mission) -> bool:
+    """Tell whether shares of a mission are planned before it is flown.
+
+    Args:
+        mission: As read.
+    """
+    asking = (mission.strategies[phase.strategy] for phase in mission.phases.values() if phase.strategy)
+    return any(rules.rule == "optimal" for rules in asking)
 
 
 def last_of(needs: list[Need], optimal: Mapping[str, StrategyRules]) -> int:

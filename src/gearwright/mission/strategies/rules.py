@@ -33,19 +33,19 @@ def electric_share(rules: StrategyRules, demand: Demand, battery: Battery | None
         battery: Of the motors.
         planned: Share by the plan of an optimal strategy.
     """
-    power = demand.power
+    power = max(demand.power, _LEAST)
     match rules.rule:
         case "share":
             return rules.electric_share or 0.0
         case "boost":
             most = min(rules.turbine_power or demand.available, demand.available)
-            return min(max(1.0 - most / power, 0.0), 1.0) if power > 0.0 else 0.0
+            return min(max(1.0 - most / power, 0.0), 1.0)
         case "electric-taxi":
             return 1.0
         case "regenerate":
-            return 1.0 if power < 0.0 else 0.0
+            return 1.0 * (demand.power < 0.0)
         case "charge":
-            return -min(_charging(rules, demand, battery) / power, LARGEST_CHARGE) if power > 0.0 else 0.0
+            return -min(_charging(rules, demand, battery) / power, LARGEST_CHARGE) * (demand.power > 0.0)
         case "optimal":
             return planned
     return 0.0
@@ -53,6 +53,8 @@ def electric_share(rules: StrategyRules, demand: Demand, battery: Battery | None
 
 LARGEST_CHARGE = 9.0
 """Most that motors take over the machines' power [-]: a tenth of the turbines' work goes on."""
+_LEAST = 1e-9
+"""Power that shares are at least parts of, so that arrays need no branch [W]."""
 
 
 def _charging(rules: StrategyRules, demand: Demand, battery: Battery | None) -> float:

@@ -13,7 +13,9 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.mission.collect import Flown
 from gearwright.mission.course import Course
 from gearwright.mission.profile import laid_out, stretches_of
+from gearwright.mission.strategies import has_plan
 from gearwright.mission.together.craft import Craft, craft_of
+from gearwright.mission.together.shared import Strategies, strategies_of
 from gearwright.spec import Mission, Phase, engine_out
 
 
@@ -36,6 +38,8 @@ class Deck(NamedTuple):
     """Of the aircraft that run [-]."""
     craft: Craft | None
     """The aircraft; None where no interval is asked for a thrust."""
+    strategies: Strategies | None
+    """Rules by which machines divide the power; None where no interval has one."""
 
     @property
     def first(self) -> Bools:
@@ -44,8 +48,13 @@ class Deck(NamedTuple):
         starts[[lanes.start for lanes in self.flights]] = True
         return starts
 
+    @property
+    def follows(self) -> bool:
+        """Whether what intervals ask follows from those before them."""
+        return self.craft is not None or self.strategies is not None
+
     def at(self, kept: Ints) -> Deck:
-        """Return the deck of some intervals, of every flight at least one.
+        """Return the deck of some intervals, of every flight at least one; none follows from those before it.
 
         Args:
             kept: Their numbers, rising.
@@ -60,12 +69,13 @@ class Deck(NamedTuple):
             self.pitch[kept],
             self.rating[kept],
             self.engines[kept],
-            None if self.craft is None else self.craft.at(kept),
+            None,
+            None,
         )
 
 
 def is_free(mission: Mission) -> bool:
-    """Tell whether intervals of a mission can be loaded whatever happened before, but for charge and fuel.
+    """Tell whether intervals of a mission can be loaded whatever happened before, but for charge, fuel and rules.
 
     Args:
         mission: As read.
@@ -73,7 +83,7 @@ def is_free(mission: Mission) -> bool:
     warm = mission.oil.network is not None or mission.motor.heat is not None
     given = all(phase.power is not None or phase.pitch is not None for phase in mission.phases.values())
     flown = mission.aircraft is not None and mission.rotorcraft is None
-    return (given or flown) and not warm and not any(phase.strategy for phase in mission.phases.values())
+    return (given or flown) and not warm and not has_plan(mission)
 
 
 def deck_of(all_flown: Sequence[Flown]) -> Deck:
@@ -103,6 +113,7 @@ def deck_of(all_flown: Sequence[Flown]) -> Deck:
         rating=np.repeat([_rating(stretch.mission, stretch.phase) for stretch in stretches], counts),
         engines=np.repeat(engines, counts),
         craft=craft_of(stretches, counts),
+        strategies=strategies_of(supply, stretches, counts),
     )
 
 

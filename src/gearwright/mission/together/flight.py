@@ -13,7 +13,7 @@ from gearwright.mission.supply import Supply
 from gearwright.mission.thrust import Blades, Performance
 from gearwright.mission.together.airscrew import asked_power, performance_along
 from gearwright.mission.together.deck import Deck
-from gearwright.mission.together.fuel import balanced_with_fuel
+from gearwright.mission.together.following import Flying, followed
 from gearwright.mission.together.gearbox import Box, node_speeds
 from gearwright.mission.together.plant import (
     Burnt,
@@ -21,7 +21,7 @@ from gearwright.mission.together.plant import (
     burnt_along,
     discharged,
     dragged_along,
-    motors_along,
+    electric_along,
 )
 from gearwright.mission.together.rounds import ROUNDS, Asked, given_powers
 from gearwright.mission.together.runs import shortened, spread
@@ -65,20 +65,19 @@ def flown_together(box: Box, blades: Blades, supply: Supply, deck: Deck) -> Toge
     course, machines = short.course, box.gearbox.machines
     speeds = _machine_speeds(box, course.propeller_speed)
     asked, outside = _asked(box, blades, supply, short)
-    settled = balanced_with_fuel(box, blades, supply, short, asked)
+    settled = followed(Flying(box, blades, supply, short, speeds), asked)
     if settled is None:
         return None
-    found, pitch, fails = settled
-    point, none = found.point, np.zeros(len(outside))
+    found, asked, pitch, fails = settled
+    point = found.point
     lost = point.mesh_losses.sum(axis=1)
     work = point.machine_powers.sum(axis=1) - lost
     powers = given_powers(machines, asked, found)
     performance, left = performance_along(blades, course, work, pitch=pitch)
     burnt = burnt_along(supply, course, powers, speeds, short.rating)
-    heat, weak = motors_along(supply, powers, speeds)
-    electric = sum((powers[name] for name in supply.motors), none) + heat
+    electric, heat, weak = electric_along(supply, powers, speeds)
     fails = fails | outside | left | burnt.weak | weak | np.isnan(work) | _passed(box, supply, (powers, speeds))
-    share = sum((short.parts[name] for name in supply.motors), none)
+    share = sum((asked.parts[:, machines.index(name)] for name in supply.motors), np.zeros(len(work)))
     starts = [mission.battery.start_charge if mission.battery else 0.0 for mission in deck.missions]
     battery = discharged(supply.pack, starts, deck.flights, power=electric[source], course=deck.course)
     columns = (point, found.friction, powers, work, lost, heat + asked.dragged, asked.spin_up, share, performance)

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.errors import DesignError
 from gearwright.mission.collect import Flown, Log
 from gearwright.mission.gearbox import Point
 from gearwright.mission.history import History
@@ -31,7 +32,7 @@ class Reached(NamedTuple):
 def log_at_once(flown: Flown) -> Log | Reached | None:
     """Return the log of a flight, or how far it comes; None where its intervals have to be flown one after the other.
 
-    That is where a strategy, a rotorcraft's trim or temperatures lead from one to the next, where a train has clutches,
+    That is where a plan, a rotorcraft's trim or temperatures lead from one to the next, where a train has clutches,
     or where something cannot be flown: one by one tells where, and why.
 
     Args:
@@ -40,7 +41,10 @@ def log_at_once(flown: Flown) -> Log | Reached | None:
     box = box_of(flown.gearbox) if is_free(flown.mission) else None
     if box is None:
         return None
-    deck = deck_of([flown])
+    try:
+        deck = deck_of([flown])
+    except DesignError:  # one by one it is told where
+        return None
     found = flown_together(box, flown.blades, flown.supply, deck)
     if found is None:
         return None

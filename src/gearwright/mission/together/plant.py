@@ -10,8 +10,9 @@ import numpy as np
 from gearwright.air import stagnation_along
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.arrays import Bools, Floats
+from gearwright.errors import DesignError
 from gearwright.lanes import rebound
-from gearwright.machines import Battery, Engine, battery_step, current_of, gas_turbine, highest_current, motor
+from gearwright.machines import Battery, BatteryStep, Engine, current_of, gas_turbine, highest_current, motor
 from gearwright.machines.power import Exhaust, Gas, exhaust, gases
 from gearwright.mission.course import Course
 from gearwright.mission.plant import Pack, PackState
@@ -104,6 +105,39 @@ def burnt_along(
         fuel = fuel + burnt
     gas = _mixed(exhausts, inlet)
     return Burnt(fuel, available, given, gas, _carried(gas, inlet), weak)
+
+
+def available_along(
+    supply: Supply, course: Course, speeds: Mapping[str, Floats], rating: Floats, working: Mapping[str, Bools]
+) -> Floats:
+    """Return what all turbines that are not out could give, shape (n,) [W].
+
+    Args:
+        supply: The machines.
+        course: Where it is flown.
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+        rating: Of the turbines over the usual one, shape (n,) [-].
+        working: Turbine -> where it is not out, shape (n,).
+    """
+    ratios, total = stagnation_along(course.air, course.mach), np.zeros(len(rating))
+    for name, usual in supply.engines.items():
+        least = np.minimum.reduce(_limits(usual, rating, ratios, speeds[name]))
+        total = total + np.where(working[name], least, 0.0)
+    return total
+
+
+def electric_along(
+    supply: Supply, powers: Mapping[str, Floats], speeds: Mapping[str, Floats]
+) -> tuple[Floats, Floats, Bools]:
+    """Return what the bus gives, what motors lose, shape (n,) each [W], and where one cannot.
+
+    Args:
+        supply: The machines.
+        powers: Machine -> power, shape (n,) [W].
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+    """
+    heat, weak = motors_along(supply, powers, speeds)
+    return sum((powers[name] for name in supply.motors), np.zeros(len(heat))) + heat, heat, weak
 
 
 def fuel_along(supply: Supply, ratios: tuple[Floats, Floats], powers: Mapping[str, Floats]) -> Floats:
@@ -234,11 +268,10 @@ def _one_by_one(
         state = pack.start(start)
         air = np.asarray(course.air.temperature)[lanes].tolist()
         for watts, duration, around in zip(power[lanes].tolist(), course.duration[lanes].tolist(), air, strict=True):
-            if pack.cells is None:
-                step = battery_step(pack.battery, state.charge, watts, duration)
-                state = PackState(step.state_of_charge)
-            else:
+            try:
                 step, state = pack.drawn(state, watts, duration, around)
+            except DesignError as error:  # one by one it is told where
+                step = BatteryStep(state.charge, 0.0, 0.0, 0.0, 0.0, str(error))
             steps.append(step)
             warm.append(state.temperature)
         ends.append(state)

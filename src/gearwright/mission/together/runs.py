@@ -40,14 +40,14 @@ def runs_of(columns: Iterable[Any], starts: Bools, depth: int) -> Runs:
 def shortened(deck: Deck, depth: int) -> tuple[Deck, Ints]:
     """Return a deck without what repeats, and which of its intervals speaks for each of the full one.
 
-    Where an aircraft becomes lighter nothing repeats.
+    Where intervals follow from those before them nothing repeats.
 
     Args:
         deck: What is asked.
         depth: As in `runs_of`.
     """
     course = deck.course
-    if deck.craft is not None:
+    if deck.follows:
         return deck, np.arange(len(deck.pitch))
     columns = (course.altitude, course.true_airspeed, course.power, course.propeller_speed, deck.pitch, deck.rating)
     spun = course.propeller_gain / course.duration
