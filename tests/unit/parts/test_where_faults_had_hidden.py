@@ -10,7 +10,7 @@ import pytest
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.parts import scuffing
-from gearwright.parts.agma2001 import hardened_pinion_factor
+from gearwright.parts.agma2001 import HobbedPair, LoadPlace, bending_geometry, hardened_pinion_factor
 from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank
 from gearwright.parts.iso6336 import (
     MeshGeometry,
@@ -146,3 +146,12 @@ def test_scuffing_counts_supply_structure_and_oil_as_printed():
     assert [getattr(FLASH, name) for name in structures] == [0.85, 1.0, 1.25, 1.5, 1.5]
     oils = ["MINERAL", "POLYALPHAOLEFIN", "NON_WATER_POLYGLYCOL", "WATER_POLYGLYCOL", "PHOSPHATE_ESTER"]
     assert [getattr(FLASH, name) for name in oils] == [1.0, 0.8, 0.7, 0.6, 1.3]
+
+
+@pytest.mark.parametrize(("overlap", "same"), [(0.95, False), (1.05, True), (1.2, True), (1.6, True)])
+def test_helical_teeth_of_agma_are_loaded_at_their_tips_from_an_overlap_of_one(overlap, same):
+    """AGMA 908-B89, clause 5: below it at the highest point of single contact."""
+    slant = math.radians(18.0)
+    pair = HobbedPair((25, 64), helix_angle=slant, face_width=overlap * math.pi / math.sin(slant))
+    heights = [float(bending_geometry(pair, 0, place).height) for place in (LoadPlace.SINGLE_CONTACT, LoadPlace.TIP)]
+    assert (heights[0] == heights[1]) is same

@@ -99,6 +99,10 @@ def test_yield_strengths_of_two_steels_are_each_gears_own():
     case = own.rules.agma2001.model_copy(update={"steel": "carburised", "grade": 1, "wheel": None})
     bare = replace(unknown, rules=own.rules.model_copy(update={"agma2001": case}))
     assert worst_yielding(mesh._replace(rating=bare, loads=(once,))) is None
+    half = bare.rules.agma2001.model_copy(update={"wheel": wheel})
+    half_known = replace(bare, rules=bare.rules.model_copy(update={"agma2001": half}))
+    assert yield_strength_of(half_known, 1) is not None
+    assert worst_yielding(mesh._replace(rating=half_known, loads=(once,))) is None
 
 
 @pytest.mark.parametrize("method", ["agma2001", "agma2003"])
