@@ -71,7 +71,8 @@ NO = """
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
-    " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims"
+    " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims Ask.reverse"
+    " quality_of.reverse"
 )
 PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers"
 PAIRS_OF_NOTHING = """
