@@ -39,11 +39,15 @@ def import_(
 
 def _stated(read: ImportedRexs) -> tuple[str, ...]:
     """Return the safeties that a file states in words, each beside what comes out here."""
+    from gearwright.errors import GearwrightError
     from gearwright.sizing import size
 
     if not read.stated:
         return ()
-    sizing = size(read.design)
+    try:
+        sizing = size(read.design)
+    except GearwrightError as error:  # the design is written, and `check` says the same
+        return (f"{len(read.stated)} safeties, beside which none stands here: {error}",)
     words = []
     for stated in read.stated:
         ours = stated.ours(sizing)
