@@ -27,10 +27,7 @@ from gearwright.render.drawings.views.shaft_parts import shaft_body
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.spec import edited
-
-
-def shipped(name):
-    return gw.size(gw.read(gw.shipped_design(name)))
+from shipped_work import sized
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +43,7 @@ def drawings(built):
 @pytest.fixture(scope="module")
 def every(drawings):
     """Return the sheets of the built train and of every shipped design."""
-    return [*drawings.values(), *(sheet for name in shipped_designs() for sheet in sheets(shipped(name)))]
+    return [*drawings.values(), *(sheet for name in shipped_designs() for sheet in sheets(sized(name)))]
 
 
 def written(sheet):
@@ -104,7 +101,7 @@ def test_dimensions_of_a_shaft_measure_what_the_sizing_says(drawings, name):
 
 def test_dimensions_of_the_helicopter_gearbox_are_its_sizing():
     """Every diameter outside of teeth, every end of a step, every fillet of the shafts that were built."""
-    sizing = shipped("ec120b")
+    sizing = sized("ec120b")
     found = {sheet.name: sheet for sheet in sheets(sizing, ["shaft"])}
     inside = {joint.part for joint in sizing.joints if joint.kind == "integral"}
     for shaft in sizing.built_shafts:
@@ -136,12 +133,10 @@ def test_dimensions_of_a_keyway_are_those_of_din_6885(drawings):
 def test_keyways_have_the_ends_of_their_keys(built):
     """Form A with round ones, form B with square ones: 5 mm of a gearbox that is drawn although it does not fit."""
     (slot,) = shaft_body(built, "middle").slots
-    (square,) = shaft_body(shipped("ec120b-as-reported"), "input").slots
+    (square,) = shaft_body(sized("ec120b-as-reported"), "input").slots
     assert (slot.form, square.form) == ("A", "B")
     assert square.end - square.start == pytest.approx(5.0)
-    texts = [
-        words.text for sheet in sheets(shipped("ec120b-as-reported"), ["shaft-input"]) for words in words_of(sheet)
-    ]
+    texts = [words.text for sheet in sheets(sized("ec120b-as-reported"), ["shaft-input"]) for words in words_of(sheet)]
     assert any("DIN 6885-1, form B" in each for each in texts)
 
 
@@ -270,7 +265,7 @@ def test_the_arrangement_lists_every_part_and_shows_the_centre_distance(built, d
 
 def test_a_shaft_weighs_what_is_cut_from_its_piece():
     """Parts, bearings left out, weigh what the gearbox weighs; within the three digits of the list."""
-    sizing = shipped("ec120b")
+    sizing = sized("ec120b")
     (grid,) = arrangement_content(sizing).grids
     parts = [row for row in grid.rows if row[2].startswith(("Shaft", "Gear"))]
     assert len(parts) == 6
@@ -279,7 +274,7 @@ def test_a_shaft_weighs_what_is_cut_from_its_piece():
 
 def test_a_bevel_wheel_has_a_hub_as_long_as_its_seat_on_the_shaft():
     """Seat: the step of the mast that carries the wheel; its place from the apex: cone distance and pitch angle."""
-    sizing = shipped("ec120b")
+    sizing = sized("ec120b")
     wheel, (mast,) = gear_of(sizing, "bevel.wheel"), [each for each in sizing.built_shafts if each.name == "mast"]
     (seat,) = [step for step in mast.steps if step.seat == "bevel.wheel"]
     hub, pair = hub_of(sizing, wheel, "mast"), bevel_pair(sizing, "bevel")
@@ -305,7 +300,7 @@ def test_a_bevel_wheel_drawn_into_a_bearing_is_named_on_the_arrangement():
 
 
 def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():
-    texts = {sheet.name: " ".join(words.text for words in words_of(sheet)) for sheet in sheets(shipped("off-set"))}
+    texts = {sheet.name: " ".join(words.text for words in words_of(sheet)) for sheet in sheets(sized("off-set"))}
     assert "First sizing: one cylinder" in texts["shaft-left"]
     assert "No bearings, shoulders and joints are sized" in texts["arrangement"]
     assert "Unfolded: second.right" in texts["arrangement"]
@@ -314,7 +309,7 @@ def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():
 
 def test_axes_that_no_plane_holds_are_seen_from_their_ends_too():
     """Off-set: two layshafts beside the input, the output below; centres of pitch circles are the sizing's axes."""
-    sizing = shipped("off-set")
+    sizing = sized("off-set")
     (sheet,) = sheets(sizing, ["arrangement"])
     circles = {arc.centre for arc in sheet.entities if isinstance(arc, Arc) and arc.layer is Layer.PITCH}
     axes = {shaft.name: complex(*shaft.axis) for shaft in sizing.shafts}

@@ -106,7 +106,7 @@ FAULTS = ("short-circuit", "pitch-runaway", "power-slam", "propeller-strike", "s
 def test_energies_close_in_every_shipped_window(name):
     """Tolerance: what is left of the steps, 1e-5 of the work; forces as accurate as any run promises."""
     rules = flown().mission.windows[name].model_copy(update={"stiffness": "varying"})
-    window = fly_window(flown(), name, rules.model_copy(update={"duration": 7.0 if name == "taxi-to-hybrid" else 2.0}))
+    window = fly_window(flown(), name, rules.model_copy(update={"duration": 7.0 if name == "taxi-to-hybrid" else 1.5}))
     assert window.trace.work.imbalance < 1e-5
     assert window.trace.error <= 1e-2
     assert window.trace.rms_error <= 1e-3
