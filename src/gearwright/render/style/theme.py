@@ -169,9 +169,8 @@ def to_svg(figure: Figure, prefix: str = "") -> str:
     with mpl.rc_context(_FINISH):
         # Straight to its canvas: `savefig` draws everything twice, the first time for a layout that is solved already.
         resolution = figure.dpi
-        FigureCanvasSVG(figure).print_svg(
-            buffer, metadata={"Date": None, "Creator": None, "Format": None, "Type": None}
-        )
+        nothing = {"Date": None, "Creator": None, "Format": None, "Type": None}
+        FigureCanvasSVG(figure).print_svg(buffer, metadata=nothing)  # type: ignore[no-untyped-call]
         figure.dpi = resolution
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
