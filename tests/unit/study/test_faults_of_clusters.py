@@ -23,7 +23,7 @@ from gearwright.study.running.cluster import Tls, commands
 
 pytestmark = pytest.mark.extra("distributed")
 
-COUNT = 200
+COUNT = 600
 """Enough that every worker has several chunks."""
 
 
