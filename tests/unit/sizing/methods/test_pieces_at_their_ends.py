@@ -18,9 +18,11 @@ from gearwright.parts.iso6336 import (
     static_strength,
     static_work_hardening,
 )
+from gearwright.parts.iso6336.loads.distribution import lead_allowance
 from gearwright.sizing.rating import Ask, stage_width_ratio, under_spectrum
 from gearwright.sizing.rating.context import Context
 from gearwright.sizing.rating.factors import steel_rows
+from gearwright.sizing.rating.iso6336 import scuffing as flanks
 from gearwright.sizing.rating.iso6336.inputs import _lasting, steel_of
 from gearwright.sizing.rating.iso6336.method import Iso6336
 from gearwright.sizing.rating.iso6336.ranges import beyond_ranges
@@ -290,3 +292,25 @@ def test_corrections_of_a_module_end_where_rounding_cannot_tell_them_apart():
         asked.clear()
         found = under_spectrum(2e-3, 12.0, gap(2.0), coarse)
         assert coarse(found) == coarse(exact) and len(asked) <= most
+
+
+def test_relief_is_asked_for_by_the_load_with_k_a_and_the_share_of_its_path(monkeypatch):
+    """w of the deflection: K_A K_γ F_t/b; w_Bt has all factors."""
+    seen = []
+    own = rating("iso6336")
+    mesh = loaded("iso6336", own=own)
+    factors = METHODS["iso6336"].rate(mesh).factors
+    loads = replace(factors.loads, application=1.25, mesh_load=1.2)
+    monkeypatch.setattr(flanks, "flash_peak", lambda scuffed, oil: seen.append(scuffed))
+    oil_film(mesh, replace(factors, loads=loads))
+    line = float(factors.tangential_force) / mesh.face_width
+    assert (seen[0].nominal_load, seen[0].specific_load) == (near(1.5 * line), near(line * float(loads.contact)))
+
+
+@pytest.mark.parametrize(("speed", "most"), [(4.0, math.inf), (5.0, math.inf), (5.1, 45.0), (10.0, 45.0), (10.1, 22.0)])
+@pytest.mark.parametrize("treatment", [Treatment.GREY_IRON, Treatment.FERRITIC_NODULAR_IRON])
+def test_brittle_irons_run_in_without_end_up_to_five_metres_a_second(treatment, speed, most):
+    """ISO 6336-1:2006, 7.5.2.5: 0.55 F_βx, at most 45 µm to 10 m/s and 22 µm beyond."""
+    steel = GearSteel("iron", treatment, "MQ", 200.0, 350e6, 60e6)
+    for deviation in (10e-6, 60e-6, 300e-6):
+        assert float(lead_allowance(deviation, steel, speed)) == near(min(0.55 * deviation, most * 1e-6))
