@@ -86,7 +86,12 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
 
 @lru_cache(maxsize=256)
 def rated_steel(
-    material: Material, name: str | None = None, grade: str | None = None, *, hardness: float | None = None
+    material: Material,
+    name: str | None = None,
+    grade: str | None = None,
+    *,
+    hardness: float | None = None,
+    base: str | None = None,
 ) -> GearSteel:
     """Return a material as ISO 6336 rates it: what it states itself, and the rest by its class in the table.
 
@@ -96,8 +101,10 @@ def rated_steel(
             where it is so hard.
         grade: ML, MQ or ME in place of its own, or MQ.
         hardness: Surface hardness in place of its own [HV, HBW for structural steel and cast irons].
+        base: Class of a material that states none.
 
-    Source: ISO 6336-5:2016, table 1, for strengths that the material does not state.
+    Source: ISO 6336-5:2016, table 1, for strengths that the material does not state; ISO 6336-2, table of Z_E, for
+        E and ν of a class of cast iron that is not the material's.
 
     Raises:
         DesignError: no class; no such class, grade or hardness; a strength neither stated nor in the table.
@@ -123,10 +130,11 @@ def rated_steel(
     contact, bending = (
         None if life is None else _knee(life, curve(treatment)) for life, curve in zip(lives, curves, strict=True)
     )
+    modulus, ratio = _elasticity(material, chosen, material.steel or base)
     return replace(
         _strengths(material, chosen, quality, hardness=hard, own=own),
-        elastic_modulus=material.elastic_modulus,
-        poisson_ratio=material.poisson_ratio,
+        elastic_modulus=modulus,
+        poisson_ratio=ratio,
         density=material.density,
         yield_strength=material.yield_strength,
         contact_life=contact,
@@ -142,6 +150,14 @@ def _strengths(material: Material, name: str, grade: str, *, hardness: float, ow
     sources = dict.fromkeys(material.source_of(key) for key in ("contact_strength", "bending_strength"))
     source = "; ".join(filter(None, sources)) or STATED
     return GearSteel(name, Treatment(_class(name)["treatment"]), grade, hardness, contact, bending, source=source)
+
+
+def _elasticity(material: Material, name: str, base: str | None) -> tuple[float, float]:
+    """Return E [Pa] and ν [-] of a class; those of the material are none of an iron that it is not."""
+    row = _class(name)
+    if base in (None, name) or "elastic_modulus_gpa" not in row:
+        return material.elastic_modulus, material.poisson_ratio
+    return row["elastic_modulus_gpa"] * 1e9, row["poisson_ratio"]
 
 
 def _flank(material: Material) -> float | None:

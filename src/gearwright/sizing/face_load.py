@@ -69,11 +69,12 @@ def face_factor_by_lines(
     loads = rated.factors.loads
     specific = float(rated.factors.tangential_force) / first.face_width * float(loads.application * loads.mesh_load)
     tilt = first.face_width * sum(slopes[name] for name in mesh.gears)
+    steels = steels_of(rating, (first.role, second.role))
     found = face_load_factor(
         pair,
         Misalignment(rated.factors.face.deflection + tilt, rated.factors.face.manufacture),
-        steels_of(rating, (first.role, second.role)),
-        stiffness=mesh_springs(pair, specific).face,
+        steels,
+        stiffness=mesh_springs(pair, specific, steels=steels).face,
         specific_load=specific * loads.dynamic,
         speed=rated.factors.speed,
         modification=quality_of(rating, idlers=(False, False)).helix,

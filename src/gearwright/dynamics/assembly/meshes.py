@@ -21,6 +21,7 @@ from gearwright.parts.stiffness import (
     sampled_curve,
 )
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, cylindrical_gear
+from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.spec import Pair
 from gearwright.spec.design import MeshCurve
 from gearwright.train import INTERNAL
@@ -106,22 +107,35 @@ def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
 
 
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
-    steel = sizing.design.material(sizing.design.rules(mesh.stage).material)
+    made = _materials(sizing, mesh)
     match sizing.design.dynamics.mesh_stiffness:
         case "energy":
-            return mesh_stiffness_energy(pair, materials=(steel, steel), harmonics=harmonics)
+            return mesh_stiffness_energy(pair, materials=made, harmonics=harmonics)
         case "kuang-yang":
             return mesh_stiffness_kuang_yang(pair, harmonics=harmonics)
         case "square-wave":
-            wave = cut_square_wave(_iso(mesh, pair, steel).mesh * pair.face_width)
+            wave = cut_square_wave(_iso(mesh, pair, made).mesh * pair.face_width)
             return replace(wave, cosine=wave.cosine[:harmonics], sine=wave.sine[:harmonics])
-    return mesh_curve_iso6336(pair, _iso(mesh, pair, steel), harmonics=harmonics)
+    return mesh_curve_iso6336(pair, _iso(mesh, pair, made), harmonics=harmonics)
 
 
-def _iso(mesh: MeshSizing, pair: GearPair, steel: Material) -> MeshStiffness:
+def _materials(sizing: Sizing, mesh: MeshSizing) -> tuple[Material, Material]:
+    """Return what both gears are of: that of the stage, with E and ν of the classes that they are rated as."""
+    material, rated = sizing.design.material(sizing.design.rules(mesh.stage).material), mesh.rating
+    if not isinstance(rated, Iso6336Rating):
+        return material, material
+    first, second = (
+        replace(material, elastic_modulus=steel.elastic_modulus, poisson_ratio=steel.poisson_ratio)
+        for steel in (rated.steel, rated.mate_steel or rated.steel)
+    )
+    return first, second
+
+
+def _iso(mesh: MeshSizing, pair: GearPair, made: tuple[Material, Material]) -> MeshStiffness:
     # A mesh that idles in every case has no load; the standard's method asks for some.
     load = max(mesh.tangential_force / pair.face_width, 1.0)
-    return mesh_stiffness_iso6336(pair, specific_load=load, elastic_moduli=(steel.elastic_modulus,) * 2)
+    moduli = made[0].elastic_modulus, made[1].elastic_modulus
+    return mesh_stiffness_iso6336(pair, specific_load=load, elastic_moduli=moduli)
 
 
 def _known(curve: StiffnessCurve, pair: Pair) -> StiffnessCurve:

@@ -23,6 +23,7 @@ from gearwright.parts.gears.hertz import (
     contact_stress,
     hertz_coefficient,
     module_hertz,
+    reduced_modulus,
 )
 from gearwright.parts.gears.internal_interference import (
     Room,
@@ -115,6 +116,7 @@ __all__ = [
     "module_lewis",
     "pressure_angle_at",
     "radial_assembly_gap",
+    "reduced_modulus",
     "reference_centre",
     "ring_inertia",
     "ring_mass",

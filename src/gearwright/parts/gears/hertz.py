@@ -44,6 +44,22 @@ def hertz_coefficient(poisson_ratio: float) -> float:
     return math.sqrt(1.0 / (2.0 * math.pi * (1.0 - poisson_ratio**2)))
 
 
+def reduced_modulus(first: tuple[float, float], second: tuple[float, float] | None = None) -> float:
+    """Return the reduced modulus E_r of two bodies [Pa].
+
+    Args:
+        first: E [Pa] and ν [-] of the one.
+        second: E [Pa] and ν [-] of the other; None: the same.
+
+    Source: Hertz 1882, 2/((1 − ν_1²)/E_1 + (1 − ν_2²)/E_2); ISO/TS 6336-20:2017, eq. A.10.
+
+    >>> round(reduced_modulus((206e9, 0.3), (173e9, 0.3)) / 1e9, 1)  # steel on nodular iron
+    206.7
+    """
+    one, other = (modulus / (1.0 - ratio**2) for modulus, ratio in (first, second or first))
+    return one * (2.0 * other / (one + other))  # the plain one of equals, to the bit
+
+
 def contact_angles(pressure_angle: float, helix_angle: float, *, transverse: bool) -> ContactAngles:
     """Return the angles of the contact formula.
 

@@ -41,6 +41,7 @@ from gearwright.parts.iso6336.loads import (
     MeshSprings,
     Steels,
     TransverseLoadFactor,
+    iron_factor,
     load_cycles,
     load_distribution,
     mesh_springs,
@@ -105,7 +106,8 @@ def rate_pair(
     """
     mesh = mesh_geometry(pair)
     stiff = mesh_stiffness_iso6336(pair, specific_load=min(LINEAR_LOAD, float(specific_load(mesh, duty))))
-    springs = MeshSprings(stiff.single, stiff.mesh, stiff.face)
+    factor = iron_factor(steels)
+    springs = MeshSprings(factor * stiff.single, factor * stiff.mesh, factor * stiff.face)
     widths = (pair.driver.face_width, pair.driven.face_width)
     return rate_mesh(mesh, steels, duty, quality=quality, edition=edition, springs=springs, widths=widths)
 
@@ -128,12 +130,12 @@ def rate_mesh(
         duty: Torque, speed, life.
         quality: Flanks, mounting and oil.
         edition: Edition of part 3, or DIN 3990.
-        springs: Stiffness; None: that of solid steel gears.
+        springs: Stiffness; None: that of solid gears.
         widths: Face widths of pinion and wheel [m], for the roots; None: the common one.
 
     Source: as `rate_pair`.
     """
-    springs = springs or mesh_springs(mesh, specific_load(mesh, duty))
+    springs = springs or mesh_springs(mesh, specific_load(mesh, duty), steels=steels)
     dynamic, face, transverse = load_distribution(mesh, springs, steels, duty=duty, quality=quality)
     loads = LoadFactors(
         duty.application_factor,

@@ -15,6 +15,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
+from gearwright.parts.gears import reduced_modulus
 from gearwright.parts.iso6336 import MeshGeometry, Value
 from gearwright.units import Origin, Quantity
 
@@ -85,6 +86,8 @@ class ScuffingMesh:
     """E of both gears [Pa]."""
     poisson_ratio: float = 0.3
     """ν of both gears [-]."""
+    mate: tuple[float, float] | None = None
+    """E [Pa] and ν [-] of the second gear where it is of another material."""
     structure: float = CASE_HARDENED_USUAL
     """X_W [-]."""
 
@@ -141,19 +144,22 @@ def lubricant_factor_scuffing(oil: Oil) -> float:
     return oil.kind * float(np.exp(-0.05 * np.log(oil.dynamic_viscosity / 1e-3)))
 
 
-def thermo_elastic_factor(elastic_modulus: float, poisson_ratio: float) -> float:
+def thermo_elastic_factor(
+    elastic_modulus: float, poisson_ratio: float, mate: tuple[float, float] | None = None
+) -> float:
     """Return the thermo-elastic factor X_M [K N^−¾ s^½ m^−½ mm].
 
     Args:
         elastic_modulus: E of both gears [Pa].
         poisson_ratio: ν of both gears [-].
+        mate: E [Pa] and ν [-] of the second gear where it is of another material.
 
-    Source: ISO/TS 6336-20:2017, eqs A.10 and A.13, 1000 E_r^¼/B_M with E_r = E/(1 − ν²) in N/mm².
+    Source: ISO/TS 6336-20:2017, eqs A.10 and A.13, 1000 E_r^¼/B_M with E_r in N/mm² and B_M of steel.
 
     >>> round(thermo_elastic_factor(206e9, 0.3), 1)
     50.1
     """
-    reduced = elastic_modulus / 1e6 / (1.0 - poisson_ratio**2)
+    reduced = reduced_modulus((elastic_modulus, poisson_ratio), mate) / 1e6
     return float(1000.0 * np.sqrt(np.sqrt(reduced)) / THERMAL_COEFFICIENT)
 
 
@@ -207,7 +213,7 @@ def flash_temperature(
     first, second = (radius / _MM for radius in flank_radii(pair, place))
     relative = first * second / (first + second)
     friction = friction_coefficient(mesh, oil, edition)
-    elastic = thermo_elastic_factor(mesh.elastic_modulus, mesh.poisson_ratio)
+    elastic = thermo_elastic_factor(mesh.elastic_modulus, mesh.poisson_ratio, mesh.mate)
     turns = mesh.speed / (np.pi * pair.pitch_diameters[0])
     share = load_sharing(mesh, place) if sharing is None else sharing(place)
     shock = approach_factor(mesh, place) if sharing is None else np.ones_like(place)

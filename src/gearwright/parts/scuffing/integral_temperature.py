@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.gears import reduced_modulus
 from gearwright.parts.scuffing.flash_temperature import Oil, ScuffingMesh
 from gearwright.units import Origin, Quantity
 
@@ -58,7 +59,8 @@ def integral_temperature(mesh: ScuffingMesh, oil: Oil) -> IntegralTemperature:
     """
     pair = mesh.geometry
     friction = friction_coefficient_integral(mesh, oil)
-    elastic = float(np.sqrt(1000.0) * (mesh.elastic_modulus / 1e6 / (1.0 - mesh.poisson_ratio**2)) ** 0.25)
+    reduced = reduced_modulus((mesh.elastic_modulus, mesh.poisson_ratio), mesh.mate)
+    elastic = float(np.sqrt(1000.0) * (reduced / 1e6) ** 0.25)
     elastic /= np.sqrt(50.0 * 3.8)  # √(λ_M c_v) of case-hardened steel, clause 5.3
     geometry = _geometry_factor(mesh)
     first, second = (float(ratio) for ratio in pair.addendum_contact_ratios)

@@ -19,6 +19,7 @@ from gearwright.parts.stiffness.iso6336 import (
     load_factor,
     mesh_curve_iso6336,
     mesh_stiffness_iso6336,
+    modulus_factor,
     rack_factor,
     theoretical_stiffness,
 )
@@ -53,6 +54,7 @@ __all__ = [
     "mesh_stiffness_energy",
     "mesh_stiffness_iso6336",
     "mesh_stiffness_kuang_yang",
+    "modulus_factor",
     "pair_curve",
     "pair_stiffness",
     "rack_factor",

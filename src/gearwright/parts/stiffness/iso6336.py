@@ -145,6 +145,21 @@ def load_factor(specific_load: float) -> float:
     return float(min(1.0, (specific_load / LINEAR_LOAD) ** 0.25))
 
 
+def modulus_factor(elastic_moduli: tuple[float, float]) -> float:
+    """Return E/E_St, by which c′ of other materials than steel differs [-].
+
+    Args:
+        elastic_moduli: Young's moduli of the two gears [Pa].
+
+    Source: ISO 6336-1:2006, clause 9, E = 2 E_1 E_2/(E_1 + E_2), E_St = 206 000 N/mm².
+
+    >>> round(modulus_factor((206e9, 173e9)), 4)  # steel on nodular iron
+    0.9129
+    """
+    first, second = elastic_moduli
+    return 2.0 * first * second / (first + second) / _STEEL
+
+
 def mesh_stiffness_iso6336(
     pair: GearPair,
     *,
@@ -176,10 +191,9 @@ def mesh_stiffness_iso6336(
     if pair.side < 0:
         z_2 = math.inf
     theoretical = theoretical_stiffness((z_1, z_2), (x_1, x_2))
-    e_1, e_2 = elastic_moduli
     factor = THEORY_TO_MEASUREMENT * blank_factor(blank) * rack_factor(driver.rack, driven.rack)
     single = theoretical * factor * math.cos(driver.helix_angle) * load_factor(specific_load)
-    single *= 2.0 * e_1 * e_2 / (e_1 + e_2) / _STEEL
+    single *= modulus_factor(elastic_moduli)
     mesh = single * (0.75 * pair.transverse_contact_ratio + 0.25)
     return MeshStiffness(theoretical, single, mesh, 0.85 * mesh)
 

@@ -11,7 +11,8 @@ from typing import Annotated, cast
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value
-from gearwright.parts.stiffness import LINEAR_LOAD, THEORY_TO_MEASUREMENT, theoretical_stiffness
+from gearwright.parts.iso6336.steels import GearSteel
+from gearwright.parts.stiffness import LINEAR_LOAD, THEORY_TO_MEASUREMENT, modulus_factor, theoretical_stiffness
 from gearwright.units import Origin, Quantity
 
 _CLAUSE = "ISO 6336-1:2019, clause 9"
@@ -29,12 +30,15 @@ class MeshSprings:
     """For the face load factor c_γβ [N/m²]."""
 
 
-def mesh_springs(mesh: MeshGeometry, specific_load: Value = LINEAR_LOAD) -> MeshSprings:
-    """Return c′, c_γα and c_γβ of solid steel gears.
+def mesh_springs(
+    mesh: MeshGeometry, specific_load: Value = LINEAR_LOAD, *, steels: tuple[GearSteel, GearSteel] | None = None
+) -> MeshSprings:
+    """Return c′, c_γα and c_γβ of solid gears.
 
     Args:
         mesh: The pair.
         specific_load: F_t K_A K_γ / b [N/m]; softens the mesh below 100 N/mm.
+        steels: Of both gears, for E/E_St where one is of cast iron; None: steels.
 
     Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel.
     Valid for: β ≤ 45°, 1.2 < ε_α < 1.9 (higher is taken as it is), −0.5 ≤ x_1 + x_2 ≤ 2; not checked for arrays.
@@ -48,5 +52,20 @@ def mesh_springs(mesh: MeshGeometry, specific_load: Value = LINEAR_LOAD) -> Mesh
     rack = rack * (1.0 - 0.02 * (20.0 - np.degrees(mesh.pressure_angle)))
     light = np.minimum(1.0, (specific_load / LINEAR_LOAD) ** 0.25)
     single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light
+    if steels is not None:
+        single = single * iron_factor(steels)
     mean = single * (0.75 * mesh.transverse_contact_ratio + 0.25)
     return MeshSprings(single, mean, 0.85 * mean)
+
+
+def iron_factor(steels: tuple[GearSteel, GearSteel]) -> float:
+    """Return E/E_St of a pair with a gear of cast iron; 1 of two steels, whose c′ is that of the formula.
+
+    Args:
+        steels: Of both gears.
+
+    Source: ISO 6336-1:2006, clause 9, E = 2 E_1 E_2/(E_1 + E_2).
+    """
+    if not any(steel.treatment.is_cast_iron for steel in steels):
+        return 1.0
+    return modulus_factor((steels[0].elastic_modulus, steels[1].elastic_modulus))

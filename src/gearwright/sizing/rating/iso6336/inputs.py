@@ -58,7 +58,7 @@ def steel_of(rating: Rating, role: Role = Role.PINION) -> GearSteel:
         steel = rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
     else:
         own = rules.wheel
-        steel = rated_steel(rating.material, own.steel, own.grade, hardness=own.hardness_hv)
+        steel = rated_steel(rating.material, own.steel, own.grade, hardness=own.hardness_hv, base=rules.steel)
         steel = replace(steel, yield_strength=own.yield_strength or _proof_of(rating.material, steel))
     return _surviving(_lasting(steel, rating), rules.reliability)
 

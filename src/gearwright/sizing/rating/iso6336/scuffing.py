@@ -109,6 +109,7 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
     if not geometry.rolls:
         return None
     force = float(factors.tangential_force) / mesh.face_width
+    first, second = steels_of(rating, ask.roles)
     scuffed = ScuffingMesh(
         geometry,
         specific_load=force * float(factors.loads.contact),
@@ -116,8 +117,9 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         speed=float(factors.speed),
         roughness=rules.flank_roughness / RZ_OVER_RA,
         grade=rules.tolerance_class,
-        elastic_modulus=rating.material.elastic_modulus,
-        poisson_ratio=rating.material.poisson_ratio,
+        elastic_modulus=first.elastic_modulus,
+        poisson_ratio=first.poisson_ratio,
+        mate=(second.elastic_modulus, second.poisson_ratio),
         reliefs=(rules.tip_relief, rules.tip_relief),
     )
     oil = oil_of(rules)
