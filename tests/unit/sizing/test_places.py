@@ -45,6 +45,41 @@ reason = "cabin floor"
 start = { x_mm = -500, y_mm = -500, z_mm = -300 }
 end = { x_mm = 500, y_mm = 500, z_mm = -100 }
 """
+FACE_GEAR = """schema = 1
+name = "A face gear, and a second pinion on its mate's shaft"
+shafts = ["input", "middle", "side"]
+[turbines.turbine]
+shaft = "input"
+power_kw = 300
+speed_rpm = 6000
+[propellers.propeller]
+shaft = "middle"
+speed_rpm = 2000
+diameter_m = 3
+[loads.fan]
+shaft = "side"
+speed_rpm = 6000
+power_kw = 30
+[pairs.face]
+kind = "face"
+axis_angle_deg = 90
+pinion = "input"
+wheel = "middle"
+pinion_teeth = 25
+wheel_teeth = 75
+[pairs.aux]
+pinion = "input"
+wheel = "side"
+pinion_teeth = 60
+wheel_teeth = 60
+[layout.side]
+angle_deg = 180
+[overrides]
+"face.module_mm" = 3
+"face.face_width_mm" = 20
+"aux.module_mm" = 2
+"aux.face_width_mm" = 20
+"""
 
 
 def vector(place):
@@ -238,6 +273,48 @@ def test_bodies_say_who_they_are_and_none_lies_outside_the_shaft_that_carries_it
     parts = {str(body.part) for body in ec120b.arrangement.bodies}
     assert parts >= {gear.name for gear in ec120b.gears} | {bearing.name for bearing in ec120b.bearings}
     assert parts >= set(ec120b.design.shafts)
+
+
+@pytest.mark.parametrize("name", gw.shipped_designs())
+def test_every_part_of_every_shipped_design_has_a_place(name):
+    sizing = shipped(name)
+    parts = {str(body.part) for body in sizing.arrangement.bodies}
+    gears = {
+        str(gear.body(shaft)) for gear in sizing.gears if gear.stage in sizing.design.pairs for shaft in gear.shafts
+    }
+    assert parts >= gears | {str(gear.part) for gear in sizing.gears if gear.stage in sizing.design.sets}
+    assert parts >= {bearing.name for bearing in sizing.bearings} | {str(carrier.part) for carrier in sizing.carriers}
+
+
+@pytest.mark.parametrize("name", ["left", "right"])
+def test_the_teeth_of_a_face_gear_reach_to_its_pinion_from_their_side(name):
+    """By hand, m = 1.6 mm, z = 32, 124: tips 25.6 − 1.6 mm from the pinion's axis, roots 25.6 + 2, the back 4.32 on."""
+    sizing = shipped("face-gear-split-torque")
+    frames, bodies = sizing.arrangement.frames, sizing.arrangement.bodies
+    teeth, blank = (body for body in bodies if str(body.part) == f"first.wheel.{name}")
+    pinion = next(body for body in bodies if str(body.part) == "first.pinion")
+    middle = vector(pinion.origin) + pinion.length / 2.0 * vector(pinion.direction)
+    along = vector(frames[name].along)
+    planes = [
+        abs((vector(body.origin) + station.place * vector(body.direction) - middle) @ along)
+        for body in (teeth, blank)
+        for station in body.stations
+    ]
+    assert sorted(planes) == pytest.approx([24e-3, 27.6e-3, 27.6e-3, 31.92e-3])
+    assert (teeth.bore, teeth.radius, blank.bore, blank.radius) == pytest.approx((89.2e-3, 109.2e-3, 0.0, 109.2e-3))
+    away = middle - vector(teeth.origin)
+    across = away - (away @ along) * along
+    assert across @ across == pytest.approx(99.2e-3**2)  # the middle of its face is on the pitch circle
+
+
+def test_a_gear_that_runs_into_a_face_gear_fails_by_what_it_needs_to_get_out():
+    """By hand: a tip radius of 60 + 2 mm, the root plane 37.5 + 3.75 mm from the axis: 20.75 mm; m = 1.2 clears."""
+    (check,) = [check for check in rooms(size(gw.parse(FACE_GEAR))) if check.fails]
+    assert check.name == "middle room beside input"
+    assert check.place == "face.wheel and aux.pinion"
+    assert check.limit - check.value == pytest.approx(20.75e-3)
+    clear = size(gw.parse(FACE_GEAR.replace('"aux.module_mm" = 2', '"aux.module_mm" = 1.2')))
+    assert [check.name for check in rooms(clear) if check.fails] == []
 
 
 def test_gears_whose_places_do_not_meet_are_told():

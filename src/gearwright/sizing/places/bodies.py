@@ -1,12 +1,13 @@
 """The envelopes of all parts at their places in space: gears, free stretches of shafts, bearings, carriers.
 
 Gears are their tip circles over their face widths; a bevel gear is its teeth, about the hollow inside them, and the
-blank behind them with the rim that drawings assume. Planets are the ring that they sweep. The wheel of a face gear,
-whose teeth are not sized, has no body; machines and housings have none.
+blank behind them with the rim that drawings assume. The wheel of a face gear is the ring of its teeth, whose tips lie
+in one plane, and a disc behind it. Planets are the ring that they sweep. Machines and housings have none.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -115,8 +116,23 @@ def _pair_gear(parts: Parts, gear: GearSizing, shaft: str, *, frame: Frame, midd
     elif gear.rim:
         outer, inner = gear.pitch_diameter / 2.0 + gear.rim, gear.pitch_diameter / 2.0 - 1.25 * gear.module
         yield _cylinder(part, shaft, frame, (middle - half, middle + half), outer, bore=inner)
-    elif kind == "cylindrical" or gear.role is Role.PINION:
+    elif kind == "face" and gear.role is Role.WHEEL:
+        yield from _face_wheel(parts, gear, shaft, frame=frame, middle=middle)
+    else:
         yield _cylinder(part, shaft, frame, (middle - half, middle + half), _tip(gear))
+
+
+def _face_wheel(parts: Parts, gear: GearSizing, shaft: str, *, frame: Frame, middle: float) -> Iterator[Body]:
+    """Yield the teeth of a face gear, about its pitch circle and towards its pinion, and the disc behind them."""
+    arrangement, part = parts.arrangement, gear.body(shaft)
+    mesh = next(mesh for mesh in parts.context.train.meshes if mesh.stage == gear.stage and shaft in mesh.nodes[:2])
+    mate = _at(arrangement.frames[mesh.nodes[0]], arrangement.plans[mesh.nodes[0]].places[mesh.gears[0]])
+    off = sum((at - zero) * way for at, zero, way in zip(mate, _at(frame, middle), frame.along, strict=True))
+    toward, radius = math.copysign(gear.module, off), gear.pitch_diameter / 2.0
+    tip, root, back = (middle + toward * far for far in (1.0, -1.25, -1.25 - BACKUP * 2.25))
+    outer, inner = radius + gear.face_width / 2.0, radius - gear.face_width / 2.0
+    yield _round(part, shaft, frame, [(tip, outer), (root, outer)], bore=inner, what="teeth")
+    yield _round(part, shaft, frame, [(root, outer), (back, outer)], what="blank")
 
 
 def _bevel(parts: Parts, gear: GearSizing, shaft: str, *, frame: Frame, middle: float) -> Iterator[Body]:

@@ -2,7 +2,7 @@
 
 Bodies of two shafts are held against each other unless they mesh, belong to one planetary set, or share an axis in a
 first sizing, whose places along the axis are not worked out. On one shaft, where seats are kept apart as they are
-sized, a bevel gear is held against the bearings and the other gears: its body reaches beyond its seat.
+sized, the blank of a bevel or face gear is held against the bearings and the other gears: it reaches beyond its seat.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from gearwright.sizing.result import GearSizing
 from gearwright.spec import GROUND
 
 BOSS = 1.4
-"""Diameter of a bevel gear's hub over that of its bore, where its body is not sized [-]."""
+"""Diameter of a bevel or face gear's hub over that of its bore, where its body is not sized [-]."""
 CLAUSE = "bodies in space"
 """Of checks of room between bodies."""
 _CLOSE = 1e-9
@@ -57,12 +57,10 @@ class Rules:
     """Planetary sets."""
     mates: frozenset[frozenset[PartId]]
     """Gears in mesh."""
-    bevels: frozenset[str]
-    """Bevel pairs."""
     built: frozenset[str]
     """Shafts that are worked out along their axes."""
     hubs: Mapping[tuple[PartId, str], float]
-    """Bevel gear with a hub of its own, and its shaft -> diameter of that hub [m]."""
+    """Bevel or face gear with a hub of its own, and its shaft -> diameter of that hub [m]."""
     known: list[tuple[Sequence[Body], Meetings]] = field(default_factory=list, compare=False, repr=False)
     """Bodies that were held against each other last, and their meetings: axes and checks ask for the same."""
 
@@ -83,13 +81,13 @@ def rules_of(
     mates = [
         frozenset(gears[name].body(node) for name, node in zip(mesh.gears, mesh.nodes, strict=False)) for mesh in pairs
     ]
-    bevels = frozenset(name for name, pair in design.pairs.items() if pair.kind == "bevel")
+    blanks = {name for name, pair in design.pairs.items() if pair.kind in ("bevel", "face")}
     hubs = {
         (gears[joint.part].body(joint.shaft), joint.shaft): BOSS * joint.diameter
         for joint in joints
-        if joint.kind != "integral" and joint.part in gears and gears[joint.part].stage in bevels
+        if joint.kind != "integral" and joint.part in gears and gears[joint.part].stage in blanks
     }
-    return Rules(frozenset(design.sets), frozenset(mates), bevels, frozenset(built), hubs)
+    return Rules(frozenset(design.sets), frozenset(mates), frozenset(built), hubs)
 
 
 def meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
@@ -193,12 +191,12 @@ def _toothed(body: Body) -> bool:
 
 
 def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
-    """Tell whether two bodies of one shaft need room: the blank of a bevel gear, beside bearings and other gears."""
-    for bevel, mate in ((one, other), (other, one)):
-        if bevel.what != "blank" or mate.part == bevel.part:
+    """Tell whether two bodies of one shaft need room: blanks of bevel and face gears beside bearings and gears."""
+    for blank, mate in ((one, other), (other, one)):
+        if blank.what != "blank" or mate.part == blank.part:
             continue
         if mate.part.kind is Kind.BEARING:
-            hub = rules.hubs.get((bevel.part, bevel.shaft))
+            hub = rules.hubs.get((blank.part, blank.shaft))
             return hub is None or 2.0 * mate.radius > hub
         return mate.part.kind is Kind.GEAR and mate.what != "teeth"
     return False
