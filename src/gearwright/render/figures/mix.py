@@ -30,7 +30,7 @@ def eaten_figure(flown: FlownMix) -> Figure:
         axes.barh(range(len(known)), widths, left=left, height=0.72, color=colour, label=name)
         left = [start + width for start, width in zip(left, widths, strict=True)]
     for place, part in enumerate(known):
-        axes.annotate(f"{part.damage * flown.mix.flights:.2g}", (100.0, place), (4, 0), fontsize=7.5,
+        axes.annotate(f"{part.damage * flown.mix.flights:.3g}", (100.0, place), (4, 0), fontsize=7.5,
                       textcoords="offset points", va="center")  # fmt: skip
     axes.set_yticks(range(len(known)), [f"{part.name}, {part.mode}" for part in known])
     axes.set(xlim=(0.0, 116.0), xlabel="part of the damage [%]; behind the bars Miner's sum of the whole life")

@@ -60,9 +60,9 @@ def _pitches(axes: Axes, window: DynamicWindow) -> None:
     other.grid(visible=False)
     other.spines["right"].set_visible(True)
     for name in _drive_histories(samples, "pitch"):
-        other.plot(
-            samples.time, np.abs(samples.drive(f"{name} torque")) / 1e3, color=theme.ORANGE, lw=0.9, label="torque"
-        )
+        torque = samples.drive(f"{name} torque")
+        sense = np.sign(torque[0]) or 1.0  # what a stream drives is negative
+        other.plot(samples.time, sense * torque / 1e3, color=theme.ORANGE, lw=0.9, label="torque")
     other.set_ylabel("torque [kN m]")
     axes.legend([*axes.lines, *other.lines], ["pitch", "torque"], loc="best", fontsize=6.5)
 
@@ -95,11 +95,15 @@ def _close(axes: Axes, trace: Trace, unit: str) -> None:
 
 
 def _drive_histories(samples: Samples, what: str) -> dict[str, Floats]:
-    """Return one kind of history of all drives that have it, by drive, without sense.
+    """Return one kind of history of all drives that have it, by drive, positive at the start.
 
     Args:
         samples: Of a run with drives.
         what: Such as ``"speed"``.
     """
     owners = enumerate(samples.labels.drive_owners)
-    return {str(owner.part): np.abs(samples.drives[:, place]) for place, owner in owners if owner.what == what}
+    return {
+        str(owner.part): samples.drives[:, place] * (np.sign(samples.drives[0, place]) or 1.0)
+        for place, owner in owners
+        if owner.what == what
+    }

@@ -209,7 +209,7 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
         gear: Name of a gear of it.
         loads: Mesh row -> torque on its first gear in everything that lasts, or in proportion to it, with its sense.
 
-    Source: ISO 6336-3:2019, annex B: Y_M of idlers and planets, 0.7 for R = -1.
+    Source: ISO 6336-3:2019, annex B: Y_M of idlers and planets, 0.7.
     """
     own = [(mesh, mesh.gears.index(gear)) for mesh in train.meshes if gear in mesh.gears]
     if train.gear(gear).role is Role.PLANET and len(own) > 1:
