@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import ast
 import math
+import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -18,6 +20,7 @@ from gearwright.parts.planetary import most_planets
 from gearwright.replays.pulvirenti.claims import claims
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
+from gearwright.validate import bearings, gears, shafts
 from gearwright.weights import beta, mass_afdd00, mass_afdd83, mass_tm215680, mass_wate2
 
 TESTS = Path(__file__).parents[1] / "tests"
@@ -139,7 +142,23 @@ CHECKED: Sequence[Checked] = (
 def checked_markdown() -> str:
     """Return the page."""
     rows = "".join(_row(one) for one in CHECKED)
-    return f"{_HEAD}{rows}{_TESTS_HEAD}{''.join(_sections())}"
+    return f"{_HEAD}{rows}{_DIFFERS}{sources_markdown()}{_TESTS_HEAD}{''.join(_sections())}"
+
+
+def sources_markdown() -> str:
+    """Return the publications that ratings are held to, with how many printed numbers of each."""
+    counts: Counter[tuple[str, str]] = Counter()
+    for what, cases in _RATED:
+        for case in cases:
+            counts[_publication(case.source), what] += len(case.expected)
+    rows = "".join(f"| {source} | {what} | {count} |\n" for (source, what), count in counts.items())
+    sources = len({source for source, _ in counts})
+    return f"{_SOURCES_HEAD}{rows}| **{sources} publications** | | **{counts.total()}** |\n"
+
+
+def _publication(source: str) -> str:
+    """Return a publication without its tables and examples; parts of one book are one."""
+    return _BOOK if "Shigley" in source else re.split(_PLACE, source)[0]
 
 
 def _row(one: Checked) -> str:
@@ -174,6 +193,19 @@ def _plain(words: str) -> str:
     return words
 
 
+_RATED = (("gears", gears.CASES), ("bearings", bearings.CASES), ("shafts", shafts.CASES))
+_BOOK = "Budynas & Nisbett, Shigley's Mechanical Engineering Design"
+_PLACE = r"[;(]|, (?:as tabulated|stage|example|problem|table|annex|pair|test|in |\d)| \("
+_SOURCES_HEAD = """
+## Sources of ratings
+
+Printed numbers that ratings are held to by `gearwright validate`, a row a publication, whatever its tables and examples
+(`python docs/checked.py` counts them; `gearwright validate --json` has each with its place, tolerance and reason).
+Some are at hand as others tabulate them, which their sources there say. Tests below hold more.
+
+| publication | of | numbers |
+| --- | --- | --- |
+"""
 _COLUMNS = "| test | reference and tolerance |\n| --- | --- |\n"
 _HEAD = """# Validation
 
@@ -183,15 +215,19 @@ refuses to write it if one leaves its tolerance; a test fails if the page is not
 | quantity | expected | tolerance | gearwright | source | test |
 | --- | --- | --- | --- | --- | --- |
 """
-_TESTS_HEAD = """
+_DIFFERS = """
 Not everything that is published holds: [the thesis](theory/thesis.md) makes claims that its own equations, once they
 are right, do not confirm, and [its tables of engines](reference/engines.md) have numbers that their own columns
 contradict. Where gearwright differs, it says by how much and why.
 [Flights and propellers](theory/flight.md#flights-and-propellers-case-by-case) are told case by case.
-
+"""
+_TESTS_HEAD = """
 ## All tests against published numbers
 
 Each test is a sentence; its docstring says where the number comes from and why the tolerance is what it is.
 `pytest tests/validation` runs them. Whether equations are solved right (closed forms, conservation, order of
 convergence) is in `tests/verification`, whether anything moved in `tests/golden`.
 """
+
+if __name__ == "__main__":
+    print(sources_markdown())

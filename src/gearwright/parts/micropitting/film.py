@@ -223,7 +223,7 @@ def _buttressing(pair: MeshGeometry, near: Floats) -> Floats:
     )
     if reach < 1e-12:
         return np.ones_like(near)
-    return np.asarray(1.0 + 0.3 * min(float(pair.overlap_ratio), 1.0) * np.clip(1.0 - near / reach, 0.0, 1.0))
+    return np.asarray(1.0 + 0.3 * min(float(pair.overlap_ratio), 1.0) * np.maximum(1.0 - near / reach, 0.0))
 
 
 def _path(pair: MeshGeometry) -> tuple[float, float]:
