@@ -33,7 +33,7 @@ def test_buttressing_grows_with_overlap_to_one_and_no_further(width, overlap):
 
 
 def test_each_level_of_a_case_lasts_its_part_of_the_share_under_its_part_of_the_load():
-    """5000 h, 0.6 and 0.4 of them by the cases, 0.1, 0.2 and 0.7 of these by the levels 1, 0.8 and 0.5; 0.2 lasts for nothing."""
+    """5000 h, 0.6 and 0.4 of them by the cases, 0.1, 0.2 and 0.7 of these by levels; one of them lasts for nothing."""
     text = PAIR + "pinion_teeth = 24\nwheel_teeth = 71\nmodule_mm = 3\nface_width_mm = 30\n"
     text += '[gears]\nrating = "iso6336"\n[service]\nlife_h = 5000\nspectrum = "own"\n'
     text += "[spectra.own]\nload = [1.0, 0.8, 0.5, 0.2]\nshare = [0.1, 0.2, 0.7, 0.0]\n"
