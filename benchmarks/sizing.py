@@ -5,6 +5,7 @@ many   10 000 designs of In-Line H2 by `size_many`, motor speed and fill of the 
        against `size` alone, bit for bit; then the CPU time of a design, together and alone
 rated  200 designs of each shipped one whose gears a standard rates, together, and ten of them alone, bit for bit
 million  a million designs of In-Line H2 by `size_many`, one speed of which is no number: it alone is refused
+sized  In-Line H2, and EC120B with all its teeth left out, with the hundred lightest gears sized in full, and with one
 teeth  five open stages, four of them bevel pairs by ISO 10300; and pairs in a row, three to six of them
 
 CPU times count what other processes do not take, and are still up to twice as long beside them; calls are the same on
@@ -14,6 +15,7 @@ any machine. Memory is the largest of the process so far.
 from __future__ import annotations
 
 import cProfile
+import re
 import resource
 import sys
 import time
@@ -22,6 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
+from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size, size_many
 from gearwright.spec import Design, edited, parse, read
 
@@ -122,6 +125,19 @@ def rated() -> None:
         print(f"{int(sizings.sized.sum())} sized, {int(sizings.together.sum())} together")
 
 
+def sized() -> None:
+    for name in SHIPPED:
+        text = re.sub(r"(?m)^(pinion|wheel)_teeth.*$", "", shipped_design(name).read_text(encoding="utf-8"))
+        for wanted in (1, 100):
+            least, sizing = timed(edited(parse(text), {"teeth.sized": wanted}), 2)
+            search = sizing.search
+            assert search is not None
+            print(
+                f"{name}, {search.sized} sized in full, {search.refused} refused: {least:.2f} s, {sizing.mass:.3f} kg,"
+                f" next {search.next_sized_mass:.3f} kg, of {search.combinations:.3g} combinations"
+            )
+
+
 def pairs_in_a_row(count: int) -> str:
     """Return a train of pairs, each of about 2:1."""
     shafts = [f"s{k}" for k in range(count + 1)]
@@ -147,4 +163,4 @@ def teeth() -> None:
 
 if __name__ == "__main__":
     for chosen in sys.argv[1:] or ("one", "many", "teeth"):
-        {"one": one, "many": many, "rated": rated, "million": million, "teeth": teeth}[chosen]()
+        {"one": one, "many": many, "rated": rated, "sized": sized, "million": million, "teeth": teeth}[chosen]()

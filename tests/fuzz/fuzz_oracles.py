@@ -17,7 +17,10 @@ from gearwright.units import Quantity
 LONGEST_LINE = 2000
 """Most characters of one problem: what a terminal shows and a person reads."""
 MOST_LINES = 2000
-ENDLESS = (".damage", ".margin", ".bearings[].life", ".bearings[].static_safety", "[].value", ".search.next_mass")
+ENDLESS = (
+    ".damage", ".margin", ".bearings[].life", ".bearings[].static_safety", "[].value", ".search.next_mass",
+    ".search.next_sized_mass",
+)  # fmt: skip
 """Fields that may be infinite: beyond the static limit a tooth lives for no cycle, a bearing without load for ever, and
 there may be no second choice of teeth."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -23,3 +24,9 @@ class TeethSearch:
     """What the gears of the next-lightest combination weigh by it; infinite where there is none [kg]."""
     proven: bool
     """True where none of the combinations can be lighter by that estimate; False where there were too many to hold."""
+    sized: int = 1
+    """Combinations, those of the lightest gears first, that were sized in full and came out [-]."""
+    refused: int = 0
+    """Combinations that were sized in full and are refused [-]."""
+    next_sized_mass: Mass = math.inf
+    """What the next-lightest transmission of those that came out weighs; infinite where there is none [kg]."""

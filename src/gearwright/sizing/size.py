@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -41,19 +43,24 @@ def size(design: Design) -> Sizing:
     given = given_values(design)
     refuse(given.problems)
     best: Sizing | None = None
-    refused: DesignError | None = None
+    masses, refused = list[float](), list[DesignError]()
     train = build_train(design)
     for choice in choose_teeth(design, train):
         try:
             sizing = sized_with(design, train, choice, given=given.values)
         except DesignError as error:
-            refused = refused or error
+            refused.append(error)
             continue
+        masses.append(sizing.mass)
         if best is None or sizing.mass < best.mass * (1.0 - EQUAL):
             best = sizing
     if best is None:
-        raise refused or DesignError([])
-    return best
+        raise refused[0]
+    if best.search is None or len(masses) + len(refused) == 1:
+        return best
+    beaten = sorted(masses)[1] if len(masses) > 1 else math.inf
+    search = replace(best.search, sized=len(masses), refused=len(refused), next_sized_mass=beaten)
+    return replace(best, search=search)
 
 
 def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:

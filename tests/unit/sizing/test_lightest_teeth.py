@@ -192,13 +192,31 @@ def test_of_the_lightest_gears_that_are_sized_in_full_the_lightest_transmission_
     """Shafts and carriers count, too: as many are sized as there are combinations; each again with its teeth given."""
     design = parse(chain(kinds, 4.2 ** len(kinds), most=21))
     first, every = size(design), size(edited(design, {"teeth.sized": 1000}))
-    least, count = math.inf, 0
+    masses = []
     for choice in choose_teeth(every.design, build_train(every.design)):
         changes = {}
         for name, record in design.stages.items():
             parts = ("sun", "planet") if isinstance(record, Planetary) else ("pinion", "wheel")
             table = "planetaries" if isinstance(record, Planetary) else "pairs"
             changes |= {f"{table}.{name}.{part}_teeth": choice.teeth[f"{name}.{part}"] for part in parts}
-        least, count = min(least, size(edited(design, changes)).mass), count + 1
-    assert count > 2 and every.mass == pytest.approx(least, rel=1e-9)
+        masses.append(size(edited(design, changes)).mass)
+    least, second, *others = sorted(masses)
+    assert others and every.mass == pytest.approx(least, rel=1e-9)
     assert every.mass <= first.mass
+    assert (every.search.sized, every.search.refused) == (len(masses), 0)
+    assert every.search.next_sized_mass == pytest.approx(second, rel=1e-9)
+    assert (first.search.sized, first.search.next_sized_mass) == (1, math.inf)
+    assert f": {len(masses)} sized in full; the next is {second / least - 1.0:.2%} heavier" in repr(every)
+
+
+@pytest.mark.parametrize(("kinds", "most"), [("pp", 21), ("sp", 21), ("ss", 21), ("ppp", 19)])
+def test_as_many_are_sized_in_full_as_are_asked_for_and_none_that_is_heavier_goes_first(kinds: str, most: int):
+    """What leaves the same to later stages is kept as often as is asked for: all are there, 7 are their first."""
+    design = parse(chain(kinds, 4.2 ** len(kinds), most=most))
+    train = build_train(design)
+    every, some = (choose_teeth(edited(design, {"teeth.sized": count}), train) for count in (1000, 7))
+    assert len(every) == min(every[0].search.combinations, 1000) > 7
+    assert [choice.teeth for choice in some] == [choice.teeth for choice in every[:7]]
+    assert len({tuple(choice.teeth.items()) for choice in every}) == len(every)
+    assert some[0].search.next_mass == pytest.approx(every[0].search.next_mass, rel=1e-12)
+    assert some[0].search.combinations == every[0].search.combinations

@@ -67,7 +67,7 @@ def _sizing(sizing: Any) -> Iterator[str]:
         f"{text(sizing.rated_power, 'power')} rated, worst margin {sizing.worst_margin:.3f}"
     )
     yield f"teeth {_listed(f'{gear} {teeth}' for gear, teeth in sizing.teeth.items())}; cases {_listed(sizing.flows)}"
-    yield from _chosen(sizing.search)
+    yield from _chosen(sizing.search, sizing.mass)
     yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
 
 
@@ -87,13 +87,23 @@ def _sizings(sizings: Any) -> Iterator[str]:
     yield "next: sizings.columns[name], sizings.at(row), sizings.reasons"
 
 
-def _chosen(search: Any) -> Iterator[str]:
+def _chosen(search: Any, mass: float) -> Iterator[str]:
     if search is None:
         return
     proof = "proven" if search.proven else "not proven: too many to hold"
-    heavier = search.next_mass / search.gear_mass - 1.0
-    following = f"; the next is {heavier:.2%} heavier" if math.isfinite(heavier) else ""
-    yield f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
+    if search.sized + search.refused == 1:
+        following = _next(search.gear_mass, search.next_mass)
+        yield f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
+        return
+    refused = f", {search.refused} refused" if search.refused else ""
+    sized = f"{search.sized} sized in full{refused}{_next(mass, search.next_sized_mass)}"
+    yield f"the lightest of those with the lightest gears of {search.combinations:,.0f} combinations ({proof}): {sized}"
+
+
+def _next(mass: float, heavier: float) -> str:
+    """Say how much heavier the next one is; nothing where there is none."""
+    more = heavier / mass - 1.0
+    return f"; the next is {more:.2%} heavier" if math.isfinite(more) else ""
 
 
 def _system(system: Any) -> Iterator[str]:

@@ -178,23 +178,28 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
 
 
 def _known(search: _Search, front: Front, later: Sequence[Task]) -> float:
-    """Return the mass of the gears of a train that a narrow search finds from a front; infinite where it finds none."""
+    """Return the mass of gears that as many trains as are sized in full do not exceed; infinite where they are fewer.
+
+    A narrow search finds them from a front.
+    """
+    wanted = search.design.teeth.sized
     try:
-        narrow = _searched(search, front, later, beam=BEAM)
+        narrow = _searched(search, front, later, beam=max(BEAM, wanted))
     except DesignError:
         return math.inf
-    return float(aligned(narrow.front, search.design).mass.min())
+    mass = aligned(narrow.front, search.design).mass
+    return float(np.partition(mass, wanted - 1)[wanted - 1]) if len(mass) >= wanted else math.inf
 
 
 @dataclass(frozen=True)
 class _MayWin:
-    """Tells the choices that may become lighter than a train that is known."""
+    """Tells the choices that may become as light as the trains that are known."""
 
     search: _Search
     later: tuple[Task, ...]
     """Stages to come."""
     limit: float
-    """Mass of the gears of that train [kg]."""
+    """Mass of the gears of the heaviest of those trains [kg]."""
     tables: dict[tuple[str, ...], list[Branch]] = field(default_factory=dict)
     """Shafts that a front knows -> the least masses beyond them."""
 

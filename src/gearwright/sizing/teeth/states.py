@@ -1,4 +1,4 @@
-"""What partial choices leave to the stages after them: of those that leave the same, only the lightest is kept.
+"""What partial choices leave to the stages after them: of those that leave the same, the lightest are kept.
 
 This is dynamic programming: the teeth of a stage reach others by the speeds of shafts, by gears that two stages share,
 and by modules that several have together, and by nothing else.
@@ -38,7 +38,7 @@ class Needs(NamedTuple):
     groups: frozenset[str]
     """Whose modules are not settled yet."""
     kept: int = 1
-    """How many of the lightest that leave the same; more than one only of whole combinations [-]."""
+    """How many of the lightest that leave the same [-]."""
     every: bool = False
     """All teeth and numbers of planets tell choices apart: only whole trains are held against some of the rules."""
 
@@ -67,7 +67,7 @@ def needs_of(later: Sequence[Task], design: Design, *, kept: int = 1) -> Needs:
             gears |= {str(gear_of(task.name, side, task.stage)) for side in SIDES if task.stage.shared(side)}
         if task.twin:
             gears |= set(gears_of(task.twin, task.stage))
-    return Needs(frozenset(shafts), frozenset(gears), frozenset(groups))
+    return Needs(frozenset(shafts), frozenset(gears), frozenset(groups), kept)
 
 
 def lightest(front: Front, needs: Needs) -> Front:
@@ -77,9 +77,9 @@ def lightest(front: Front, needs: Needs) -> Front:
         front: Choices, those of the fewest teeth first.
         needs: What the stages after them read.
     """
-    if needs.kept > 1:
-        return _several(front, needs.kept)
     state, mass = states_of(front, needs), front.mass
+    if needs.kept > 1:
+        return _several(front, state, needs.kept)
     count = int(state.max()) + 1
     least = np.full(count, np.inf)
     np.minimum.at(least, state, mass)
@@ -96,16 +96,20 @@ def lightest(front: Front, needs: Needs) -> Front:
     return replace(kept, tally={**tally, "second": second[state[chosen]]})
 
 
-def _several(front: Front, kept: int) -> Front:
-    """Return the lightest whole combinations of a front; the first of them stands for those that are left out."""
-    if len(front) <= kept:
+def _several(front: Front, state: Ints, kept: int) -> Front:
+    """Return so many of the lightest of every state; the lightest stands for those that are left out."""
+    order = np.lexsort((front.mass, state))
+    begins = np.flatnonzero(np.diff(state[order], prepend=-1))
+    begin = np.repeat(begins, np.diff(begins, append=len(order)))
+    light = np.arange(len(order)) - begin < kept
+    if light.all():
         return front
-    order = np.argsort(front.mass, kind="stable")
-    chosen = front.take(order[:kept])
-    combinations, second = chosen.tally["combinations"].copy(), chosen.tally["second"].copy()
-    combinations[0] += front.tally["combinations"][order[kept:]].sum()
-    second[0] = min(second[0], front.mass[order[kept]], front.tally["second"][order[kept:]].min())
-    return replace(chosen, tally={"combinations": combinations, "second": second})
+    combinations, second = front.tally["combinations"].copy(), front.tally["second"].copy()
+    gone, first = order[~light], order[begin[~light]]
+    np.add.at(combinations, first, front.tally["combinations"][gone])
+    np.minimum.at(second, first, np.minimum(front.mass[gone], front.tally["second"][gone]))
+    places = np.sort(order[light])
+    return replace(front.take(places), tally={"combinations": combinations[places], "second": second[places]})
 
 
 def states_of(front: Front, needs: Needs) -> Ints:
