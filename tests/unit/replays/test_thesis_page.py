@@ -3,10 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
 import typer
 from typer.testing import CliRunner
 
 from gearwright.cli.commands.replay import thesis
+from gearwright.errors import DesignError
 from gearwright.replays.pulvirenti.errata import errata, printed_claims
 from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
 from html_checks import stands_alone
@@ -32,6 +34,17 @@ def test_the_page_is_the_same_at_every_run():
 def test_the_page_of_the_documentation_is_what_the_command_writes():
     """After a change of a number: gearwright replay pulvirenti --out docs/theory/thesis.md."""
     assert DOCS.read_text(encoding="utf-8") == thesis_markdown()
+
+
+def test_figures_of_chapter_4_are_refused_without_its_page():
+    with pytest.raises(DesignError, match="give --chapter-4"):
+        thesis(figures=Path("figures"))
+
+
+def test_a_folder_that_cannot_be_is_refused_before_the_minutes_of_chapter_4(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(DesignError, match="cannot be written"):
+        thesis(chapter_4=tmp_path / "file" / "page.md")
 
 
 def test_the_command_prints_the_verdicts_and_writes_the_page(tmp_path):

@@ -142,7 +142,7 @@ def test_rotation_lasts_two_seconds_and_the_wheels_let_go_in_them():
 
 
 @pytest.mark.parametrize(
-    ("name", "speeds", "height"), [("to-climb", (None, 170.0), 35.0), ("slower", (275.0, 220.0), 17e3)]
+    ("name", "speeds", "height"), [("to-climb", (None, 170.0), 35.0), ("to-descent", (275.0, 220.0), 17e3)]
 )
 def test_a_change_of_speed_on_the_level_is_work_over_drag(name, speeds, height):
     part, flight = Part(name), flown()
@@ -190,7 +190,7 @@ def test_a_cruise_by_power_settles_where_thrust_is_drag():
         changes=(
             ("phases.cruise.tas_kt", None),
             ("phases.cruise.power_kw", 1200.0),
-            ("phases.slower.from_tas_kt", None),
+            ("phases.to-descent.from_tas_kt", None),
         )
     )
     part = Part("cruise", flight)

@@ -18,6 +18,7 @@ from gearwright.cli.ends import ended_well
 from gearwright.cli.options import JsonOption
 from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.cli.terminal.sections import Sections
+from gearwright.errors import DesignError, Problem
 from gearwright.writing import make_folder, write_bytes, write_text
 
 PAGE_RESOLUTION = 110.0
@@ -37,8 +38,12 @@ def thesis(
 ) -> None:
     """Hold the claims of the thesis against what its corrected equations give, or fly its chapter 4 again."""
     if chapter_4 is not None:
+        for folder in (chapter_4.parent, figures or chapter_4.parent):
+            make_folder(folder)  # before the minutes that it takes
         _chapter(chapter_4, figures)
         return
+    if figures is not None:
+        raise DesignError([Problem("--figures", "these are figures of chapter 4; give --chapter-4 PAGE.md, too")])
     from gearwright.replays.pulvirenti.claims import claims
     from gearwright.replays.pulvirenti.errata import errata as all_errata
     from gearwright.replays.pulvirenti.page import claims_table, errata_table, thesis_markdown, thesis_page
@@ -77,7 +82,6 @@ def _chapter(page: Path, figures: Path | None) -> None:
     write_text(page, chapter_markdown(chapter))
     show(f"wrote {page} and {len(images)} figures beside it")
     if figures is not None:
-        make_folder(figures)
         for number, (window, panel) in FIGURES.items():
             figure = chapter_figure(sides, window, (panel,), stiffness=STIFFNESS[number])
             write_figure(figure, figures / f"{number}.svg")
@@ -131,7 +135,6 @@ def wang(
 ) -> None:
     """Hold the claims of the paper on a face-gear split torque against what gearwright computes."""
     from gearwright.dynamics.sharing import sharing_problem, sharing_study
-    from gearwright.errors import DesignError, Problem
     from gearwright.render.pages.sharing import sharing_page
     from gearwright.replays import paper_on
     from gearwright.replays.wang.words import claims_table

@@ -116,9 +116,10 @@ def _line(row: Range) -> str:
 def _stopped(window: DynamicWindow) -> str:
     """Return whether a sudden stop comes to rest."""
     assert window.trace.drive is not None  # every window has drives
-    if window.rest is not None:
-        return f"At rest {window.rest - window.rules.event_at:.3g} s after the event"
     speed = abs(float(window.trace.drive.of("brake speed")["mean"][-1])) * 30.0 / math.pi
+    if window.rest is not None:
+        after = window.rest - window.rules.event_at
+        return f"At rest {after:.3g} s after the event, but for {speed:.2g} rpm that friction needs to hold it"
     return (
         f"Not at rest: what is held still turns at {speed:.4g} rpm; give a longer window, more torque, or lag_s for"
         " machines that fail"
