@@ -98,7 +98,7 @@ def test_other_trains_have_the_same_bits_together_and_alone(name):
     assert_alone(design, axes, every=4)
 
 
-def test_a_method_that_is_not_computed_together_is_computed_alone():
-    design = edited(parse(HYBRID), {"gears.rating": "iso6336"})
+def test_a_search_that_is_not_made_together_is_made_alone():
+    design = edited(parse(HYBRID), {"teeth.sized": 3})
     sizings = size_many(design, {"carriers.fill": drawn(0.4, 0.8, 14)})
     assert sizings.sized.any() and not sizings.together.any()
