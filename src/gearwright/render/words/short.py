@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from types import MappingProxyType
@@ -10,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gearwright.render.tables.sizing.teeth import chosen_teeth
 from gearwright.units import text
 
 FIRST = 6
@@ -67,7 +67,7 @@ def _sizing(sizing: Any) -> Iterator[str]:
         f"{text(sizing.rated_power, 'power')} rated, worst margin {sizing.worst_margin:.3f}"
     )
     yield f"teeth {_listed(f'{gear} {teeth}' for gear, teeth in sizing.teeth.items())}; cases {_listed(sizing.flows)}"
-    yield from _chosen(sizing.search, sizing.mass)
+    yield from filter(None, [chosen_teeth(sizing)])
     yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
 
 
@@ -85,25 +85,6 @@ def _sizings(sizings: Any) -> Iterator[str]:
     yield f"columns {_listed(sizings.columns)}"
     yield from (f"row {row}: {reason[: 2 * LONGEST]}" for row, reason in list(sizings.reasons.items())[:2])
     yield "next: sizings.columns[name], sizings.at(row), sizings.reasons"
-
-
-def _chosen(search: Any, mass: float) -> Iterator[str]:
-    if search is None:
-        return
-    proof = "proven" if search.proven else "not proven: too many to hold"
-    if search.sized + search.refused == 1:
-        following = _next(search.gear_mass, search.next_mass)
-        yield f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
-        return
-    refused = f", {search.refused} refused" if search.refused else ""
-    sized = f"{search.sized} sized in full{refused}{_next(mass, search.next_sized_mass)}"
-    yield f"the lightest of those with the lightest gears of {search.combinations:,.0f} combinations ({proof}): {sized}"
-
-
-def _next(mass: float, heavier: float) -> str:
-    """Say how much heavier the next one is; nothing where there is none."""
-    more = heavier / mass - 1.0
-    return f"; the next is {more:.2%} heavier" if math.isfinite(more) else ""
 
 
 def _system(system: Any) -> Iterator[str]:

@@ -162,8 +162,8 @@ def table_text(table: Table) -> RenderableType:
         grid.add_column(_head(column), justify="right" if right else "left", no_wrap=right)
     for row in table.rows:
         grid.add_row(*map(_shown, row))
-    legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in table.marks]
-    below = " ".join([*([table.note] if table.note else []), *(f"{words}." for words in legend)])
+    legend = " ".join(f"{MARKS[mark][0]} {MARKS[mark][1]}." for mark in table.marks)
+    below = "\n".join(filter(None, [table.note, legend]))
     return Group(grid, Text(f"{below}\n", style="dim")) if below else grid
 
 

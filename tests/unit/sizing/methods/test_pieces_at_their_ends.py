@@ -240,6 +240,19 @@ def test_static_strength_of_one_gear_by_hand(gear):
     assert found.yielding_safety == (None if gear else near(900e6 / (300e6 / 1.8)))
 
 
+def test_a_soft_wheel_bears_more_once_by_what_its_hard_mate_works_into_it():
+    """σ_HG = σ_Hlim Z_NT Z_W = 600 · 1.6 · (1.05 − (0.95 · 150 − 130)/680) MPa; the mate itself does not harden."""
+    steels = (
+        GearSteel("hard", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6),
+        GearSteel("soft", Treatment.THROUGH_HARDENED, "MQ", 150.0, 600e6, 200e6),
+    )
+    roots = [SimpleNamespace(stress=300e6, section=SimpleNamespace(stress_correction=1.8)) for _ in steels]
+    found = static_strength(SimpleNamespace(stresses=(1000e6, 950e6)), roots, steels, 1)  # type: ignore[arg-type]
+    hardening = 1.05 - (0.95 * 150.0 - 130.0) / 680.0
+    assert found.work_hardening == near(hardening)
+    assert found.contact_limit == near(600e6 * 1.6 * hardening)
+
+
 def test_flanks_and_roots_of_bevels_have_their_own_roughness():
     own = rating("iso10300")
     rules = own.rules.iso6336.model_copy(update={"flank_roughness": 3e-6, "root_roughness": 17e-6})

@@ -13,6 +13,7 @@ from gearwright.render.tables.sizing.materials import materials_table
 from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.render.tables.sizing.places import place_tables
 from gearwright.render.tables.sizing.planets import planet_table
+from gearwright.render.tables.sizing.teeth import chosen_teeth
 from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing, planet_positions
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
@@ -79,7 +80,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "speeds": table("Speeds that deviate from those asked", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),
         "passing": passing_table(sizing),
-        "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
+        "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark, note=_searched(sizing)),
         "meshes": table("Mesh forces", sizing.meshes, _mesh_fields(sizing), note="Forces of one mesh."),
         "rating": table("Mesh rating", sizing.meshes,
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
@@ -104,6 +105,12 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
                       note=NOT_IN_THE_MASS),
     }  # fmt: skip
+
+
+def _searched(sizing: Sizing) -> str:
+    """Say of how many combinations the teeth are the lightest."""
+    chosen = chosen_teeth(sizing)
+    return f"Teeth: {chosen}." if chosen else ""
 
 
 def _unequal(sizing: Sizing) -> str:

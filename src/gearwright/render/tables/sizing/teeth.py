@@ -1,0 +1,30 @@
+"""How the teeth of a sizing were chosen, in a sentence."""
+
+import math
+
+from gearwright.sizing import Sizing
+
+
+def chosen_teeth(sizing: Sizing) -> str:
+    """Return among how many combinations the teeth were chosen and what the next costs; nothing where all are given.
+
+    Args:
+        sizing: As sized.
+    """
+    search = sizing.search
+    if search is None:
+        return ""
+    proof = "proven" if search.proven else "not proven: too many to hold"
+    if search.sized + search.refused == 1:
+        following = _next(search.gear_mass, search.next_mass)
+        return f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
+    refused = f", {search.refused} refused" if search.refused else ""
+    sized = f"{search.sized} sized in full{refused}{_next(sizing.mass, search.next_sized_mass)}"
+    lightest = f"those with the lightest gears of {search.combinations:,.0f} combinations ({proof})"
+    return f"the lightest of {lightest}: {sized}"
+
+
+def _next(mass: float, heavier: float) -> str:
+    """Say how much heavier the next one is; nothing where there is none."""
+    more = heavier / mass - 1.0
+    return f"; the next is {more:.2%} heavier" if math.isfinite(more) else ""
