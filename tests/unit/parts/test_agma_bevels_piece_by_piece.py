@@ -6,8 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.parts.agma2003 import BevelStrength, MeanSection
+from gearwright.parts.agma2003 import AgmaBevelDuty, AgmaBevelMaking, BevelStrength, MeanSection
 from gearwright.parts.agma2003.bending import bending_geometry, effective_face, load_point
+from gearwright.parts.agma2003.mesh import bevel_factors
 from gearwright.parts.agma2003.pitting import pitting_geometry
 from gearwright.parts.agma2003.rating import rate_with_factors
 from gearwright.parts.bevel import BevelPair, BevelTooth
@@ -146,3 +147,12 @@ def test_stresses_of_agma_2003_with_no_factor_of_one():
         limits = s_at * k_l * turned / (1.05 * 1.25), s_ac * c_l * hard / (1.05 * 1.12)
         assert (found.bending_limit, found.contact_limit) == (near(limits[0]), near(limits[1]))
         assert (found.bending_safety, found.contact_safety) == (near(limits[0] / bending), near(limits[1] / contact))
+
+
+def test_the_speed_of_a_bevel_pinion_is_that_of_its_outer_pitch_circle():
+    """V = 0.063 m · 180 rad/s / 2 = 5.67 m/s = 1116 ft/min; Q_v = 11: B = 0.25, A = 92: K_v = ((92 + √V)/92)^0.25."""
+    making = AgmaBevelMaking((BevelStrength(200e6, 1e9),) * 2)
+    found = bevel_factors(SPIRAL, AgmaBevelDuty(150.0, -180.0, 3.6e6), making)
+    assert found.speed == near(5.67)
+    assert found.tangential_force == near(2.0 * 150.0 / 0.063)
+    assert found.dynamic == near(((92.0 + math.sqrt(5.67 / (0.3048 / 60.0))) / 92.0) ** 0.25)
