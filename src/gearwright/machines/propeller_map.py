@@ -11,7 +11,7 @@ from gearwright.errors import DesignError, Problem
 
 INSIDE, OUTSIDE = 0, 1
 """Status of a look-up."""
-_SAME_ANGLE = 1e-6
+SAME_ANGLE = 1e-6
 """Difference of blade angles that is rounding [rad]."""
 
 
@@ -148,7 +148,7 @@ def governs(chart: PropellerMap, advance_ratio: float, angle: float) -> bool:
     """
     angles, row = _row(chart, advance_ratio, chart.power)
     rise = angles[_rising(row)]
-    return bool(rise[0] - _SAME_ANGLE <= angle <= rise[-1] + _SAME_ANGLE)
+    return bool(rise[0] - SAME_ANGLE <= angle <= rise[-1] + SAME_ANGLE)
 
 
 def angle_near(chart: PropellerMap, advance_ratio: float, power: float, near: float) -> float:

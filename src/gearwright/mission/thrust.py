@@ -16,7 +16,7 @@ from gearwright.units import GRAVITY
 
 LARGEST_LIFT = 10.0
 """Lift coefficient that no wing has, whatever its flaps [-]: beyond it a phase is no flight."""
-_ROUNDS = 8
+SQUEEZED_ROUNDS = 8
 """Rounds in which the factor of compressibility settles: it hardly changes with the thrust [-]."""
 
 
@@ -212,7 +212,7 @@ def _refuse_no_flight(moment: Moment, borne: Borne) -> None:
 def _incompressible(name: str, moment: Moment, advance: Advance, thrust: float) -> float:
     """Return the C_T of the map that compressibility brings down to a thrust coefficient."""
     estimate = thrust
-    for _ in range(_ROUNDS):
+    for _ in range(SQUEEZED_ROUNDS):
         estimate = thrust / _factor(name, moment, advance, estimate)
     return estimate
 

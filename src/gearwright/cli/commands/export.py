@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
@@ -85,15 +86,7 @@ def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
 
 
-def _rexs(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    return _rexs_of(sizing, "1.7")
-
-
-def _rexs_16(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    return _rexs_of(sizing, "1.6")
-
-
-def _rexs_of(sizing: Sizing, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
+def _rexs(sizing: Sizing, _: Wanted, *, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
     from gearwright.exchange import to_rexs
 
     file = to_rexs(sizing, version=version)
@@ -108,15 +101,7 @@ def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return content, "the sizing; gw.load reads it"
 
 
-def _fmu(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    return _fmu_of(sizing, wanted, "2.0")
-
-
-def _fmu_3(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    return _fmu_of(sizing, wanted, "3.0")
-
-
-def _fmu_of(sizing: Sizing, wanted: Wanted, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
+def _fmu(sizing: Sizing, wanted: Wanted, *, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
     from gearwright.exchange import to_fmu
 
     file = to_fmu(sizing, wanted.case, version=version, step=wanted.step)
@@ -136,9 +121,8 @@ def _csv(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.exchange.tables import to_csv
 
     text = to_csv(sizing)
-    return text.encode(
-        "utf-8-sig"
-    ), f"{text.count(chr(10)) - 1} values of every table, a line each with unit and source"
+    words = f"{text.count(chr(10)) - 1} values of every table, a line each with unit and source"
+    return text.encode("utf-8-sig"), words
 
 
 def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
@@ -160,10 +144,10 @@ FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
     "html": _html,
     "json": _json,
-    "rexs": _rexs,
-    "rexs-1.6": _rexs_16,
-    "fmu": _fmu,
-    "fmu-3.0": _fmu_3,
+    "rexs": partial(_rexs, version="1.7"),
+    "rexs-1.6": partial(_rexs, version="1.6"),
+    "fmu": partial(_fmu, version="2.0"),
+    "fmu-3.0": partial(_fmu, version="3.0"),
     "xlsx": _xlsx,
     "csv": _csv,
     "svg": _svg,

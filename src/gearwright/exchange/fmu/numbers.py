@@ -9,23 +9,26 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import PROPELLER, Arrays, Entries, Schedules, Series, System
-from gearwright.exchange.fmu.ports import MachinePort, body_number, has_factor, inputs_start, kinds_of, ports_of
+from gearwright.exchange.fmu.ports import MachinePort, Port, body_number, has_factor, inputs_start, kinds_of
 
 WIDTH = 6
 """Numbers in a line of text."""
 
 
-def numbers_text(system: System, machines: Sequence[MachinePort], *, start: Floats, step: float) -> str:
+def numbers_text(
+    system: System, machines: Sequence[MachinePort], ports: Sequence[Port], *, start: Floats, step: float
+) -> str:
     """Return all that `model.h` reads of a system, but version and token.
 
     Args:
         system: Bodies, lines, loads, drives.
         machines: Whose torques or speeds are given from outside.
+        ports: Its variables.
         start: State at time 0: q, q̇, states of drives.
         step: Of the integration [s].
     """
     arrays, drives = system.arrays, system.arrays.drives
-    kinds, names = kinds_of(drives), [port.name for port in ports_of(system, machines) if port.causality == "input"]
+    kinds, names = kinds_of(drives), [port.name for port in ports if port.causality == "input"]
     counts = {
         "COORDINATES": len(arrays.mass),
         "LINE_COUNT": len(arrays.stiffness),

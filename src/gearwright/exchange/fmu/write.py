@@ -123,7 +123,7 @@ def fmu_of_system(
     step = default_step(system.arrays) if step is None else step
     check_step(system.arrays, step)
     ports = ports_of(system, machines)
-    numbers = numbers_text(system, machines, start=_start(system, start), step=step)
+    numbers = numbers_text(system, machines, ports, start=_start(system, start), step=step)
     sources = _sources(numbers, version)
     identifier = _identifier(name)
     token = _token(sources, ports, name)

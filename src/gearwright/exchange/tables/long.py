@@ -53,11 +53,24 @@ def lines(tables: Mapping[str, Table]) -> Iterator[Line]:
             label = row[0].text
             for place, (column, cell) in enumerate(zip(table.columns, row, strict=True)):
                 if cell.value is not None and (place or len(row) == 1):
-                    yield (table.title, label, *_described(column, cell))
+                    header, symbol, unit, equation, source = heading_of(column)
+                    yield (table.title, label, header, symbol, value_of(cell), unit, cell.mark, equation, source)
 
 
-def _described(column: Column, cell: Cell) -> Line:
-    value = cell.value if cell.is_number else cell.text
-    origin = column.origin
-    equation, source = ("", "") if origin is None else (origin.equation, origin.source)
-    return column.header or column.name, column.symbol, value, column.unit, cell.mark, equation, source
+def heading_of(column: Column) -> tuple[str, str, str, str, str]:
+    """Return header, symbol, unit, equation and source of a column; empty where there is none.
+
+    Args:
+        column: Of a table.
+    """
+    equation, source = ("", "") if column.origin is None else (column.origin.equation, column.origin.source)
+    return column.header or column.name, column.symbol, column.unit, equation, source
+
+
+def value_of(cell: Cell) -> object:
+    """Return a number as it is, anything else as it is shown.
+
+    Args:
+        cell: Of a table.
+    """
+    return cell.value if cell.is_number else cell.text

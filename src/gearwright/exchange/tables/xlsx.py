@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from gearwright.errors import Problem, install, refuse
-from gearwright.exchange.tables.long import all_tables
+from gearwright.exchange.tables.long import all_tables, heading_of, value_of
 from gearwright.render.grid.table import MARKS, Table
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
@@ -62,17 +62,8 @@ def _names(tables: Iterable[str]) -> dict[str, str]:
 
 def _sheet(sheet: Any, table: Table, styles: Mapping[str, Any]) -> None:
     """Write a table: headings, symbols, units, equations, sources, then its rows."""
-    columns = table.columns
-    origins = [column.origin for column in columns]
-    head = [
-        (table.title,),
-        tuple(column.header or column.name for column in columns),
-        tuple(column.symbol for column in columns),
-        tuple(column.unit for column in columns),
-        tuple("" if origin is None else origin.equation for origin in origins),
-        tuple("" if origin is None else origin.source for origin in origins),
-    ]
-    rows = [tuple(cell.value if cell.is_number else cell.text for cell in row) for row in table.rows]
+    head = [(table.title,), *zip(*map(heading_of, table.columns), strict=True)]
+    rows = [tuple(map(value_of, row)) for row in table.rows]
     _write(sheet, head[:4], styles["bold"])
     _write(sheet, head[4:], styles["small"], start=4)
     _write(sheet, rows, None, start=len(head))

@@ -11,7 +11,7 @@ from gearwright.catalogue.propellers import ALL_STATES, MAPS, hamilton_standard_
 from gearwright.lanes import rebound
 from gearwright.machines import Blades, Charts, PropellerMap, chart_reading
 from gearwright.machines.chart_reading import STATIC_FADE, Look
-from gearwright.machines.propeller_map import _SAME_ANGLE
+from gearwright.machines.propeller_map import SAME_ANGLE
 
 _READING = rebound(chart_reading)
 _SLACK = 1e-9
@@ -117,7 +117,7 @@ def governs_along(chart: PropellerMap, ratio: Floats, angle: Floats) -> Bools:
     """
     start, end = _rises(chart, chart.power, _cell(chart, ratio))
     least, most = chart.blade_angle[start], chart.blade_angle[end]
-    return np.asarray((least - _SAME_ANGLE <= angle) & (angle <= most + _SAME_ANGLE))
+    return np.asarray((least - SAME_ANGLE <= angle) & (angle <= most + SAME_ANGLE))
 
 
 def _rises(chart: PropellerMap, table: Floats, cell: _Cell) -> tuple[Ints, Ints]:

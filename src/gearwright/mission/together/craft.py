@@ -15,7 +15,7 @@ from gearwright.mission import forces
 from gearwright.mission.course import Course
 from gearwright.mission.forces import Attitude, friction_of, polar_of
 from gearwright.mission.profile import Stretch
-from gearwright.mission.thrust import _ROUNDS, LARGEST_LIFT
+from gearwright.mission.thrust import LARGEST_LIFT, SQUEEZED_ROUNDS
 from gearwright.mission.together.charts import angle_along, governs_along, power_and_thrust, squeezed_along
 from gearwright.units import GRAVITY
 
@@ -137,7 +137,7 @@ def angle_for_thrusts(blades: Any, course: Course, craft: Craft, thrust: Floats)
     ratio, tips = course.true_airspeed / (turns * blades.diameter), math.pi * turns * blades.diameter
     wanted = thrust / (course.air.density * turns**2 * blades.diameter**4)
     estimate, outside = wanted, np.zeros(len(wanted), bool)
-    for _ in range(_ROUNDS):
+    for _ in range(SQUEEZED_ROUNDS):
         mach, tip_mach = course.mach, tips / course.air.sound_speed
         factor = squeezed_along(blades.map_name, ratio, estimate, mach=mach, tip_mach=tip_mach)
         better, outside = wanted / factor.value, factor.outside

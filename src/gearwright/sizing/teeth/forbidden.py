@@ -135,11 +135,29 @@ def inside(front: Front, task: Task, ban: Ban) -> Bools:
         task: The stage.
         ban: One of its own.
     """
-    first, band = ban.factor * _rate(front, task, ban.band) / (2.0 * math.pi), ban.band
-    within = np.zeros(len(front), dtype=bool)
+    return taken(ban.band, ban.factor * _rate(front, task, ban.band) / (2.0 * math.pi))
+
+
+def taken(band: ForbiddenBand, frequency: Floats) -> Bools:
+    """Tell which frequencies a band takes, themselves or a multiple of them, shape (n,).
+
+    Args:
+        band: The band; at its ends a frequency is allowed.
+        frequency: Of teeth or planets that pass, shape (n,) [Hz].
+    """
+    within = np.zeros(len(frequency), dtype=bool)
     for harmonic in range(1, band.harmonics + 1):
-        within |= (harmonic * first > band.lowest) & (harmonic * first < band.highest)
+        within |= (harmonic * frequency > band.lowest) & (harmonic * frequency < band.highest)
     return within
+
+
+def ends_of(band: ForbiddenBand) -> str:
+    """Return the ends of a band in words.
+
+    Args:
+        band: The band.
+    """
+    return f"{text(band.lowest, 'frequency')} to {text(band.highest, 'frequency')}"
 
 
 def _rate(front: Front, task: Task, band: ForbiddenBand) -> Floats:
@@ -173,14 +191,13 @@ def _problem(path: str, task: Task, front: Front, name: str, teeth: int) -> Prob
     """Return what one band takes of the teeth of a stage."""
     own = [ban for ban in task.bans if ban.name == name]
     band = own[0].band
-    taken = np.any([inside(front, task, ban) for ban in own], axis=0)
+    within = np.any([inside(front, task, ban) for ban in own], axis=0)
     rates = np.concatenate([ban.factor * _rate(front, task, band) / (2.0 * math.pi) for ban in own])
     low, high = (text(float(end), "frequency") for end in (rates.min(), rates.max()))
-    ends = f"{text(band.lowest, 'frequency')} to {text(band.highest, 'frequency')}"
-    others = "" if bool(taken.all()) else ", other bands the rest"
+    others = "" if bool(within.all()) else ", other bands the rest"
     passing = "planets pass" if band.of == "planet-pass" else "teeth mesh"
     message = (
-        f"{ends} takes {taken.mean():.0%} of what {path} may have{others}: in {teeth} combinations its {passing} at"
-        f" {low} to {high}; narrow the band, limit its cases, or allow more in [teeth] or in the speeds"
+        f"{ends_of(band)} takes {within.mean():.0%} of what {path} may have{others}: in {teeth} combinations its"
+        f" {passing} at {low} to {high}; narrow the band, limit its cases, or allow more in [teeth] or in the speeds"
     )
     return Problem(f"teeth.forbidden.{name}", message)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
 
+import numpy as np
+
 from gearwright.errors import DesignError, Problem
+from gearwright.sizing.teeth.forbidden import ends_of, taken
 from gearwright.spec import Design, edited
 from gearwright.spec.design import cases_forbidding
 from gearwright.train import Train, Turning, build_train, passes, power_flow
-from gearwright.units import text
 
 Teeth = tuple[Mapping[str, int], Mapping[str, int]]
 """Gear -> tooth number, and planetary set -> number of planets where the design leaves it open [-]."""
@@ -55,10 +57,9 @@ def _is_clear(
         band = design.teeth.forbidden[name]
         for case in cases_forbidding(design, band):
             flow = power_flow(design, train, teeth, case, turning=turning)
-            for _, frequency in passes(design, train, teeth, flow, band.of):
-                multiples = (harmonic * frequency for harmonic in range(1, band.harmonics + 1))
-                if any(band.lowest < multiple < band.highest for multiple in multiples):
-                    return False
+            frequencies = [frequency for _, frequency in passes(design, train, teeth, flow, band.of)]
+            if taken(band, np.array(frequencies)).any():
+                return False
     return True
 
 
@@ -66,9 +67,9 @@ def _problems(design: Design, bands: Set[str], tried: int) -> Iterator[Problem]:
     most = "" if tried < TRIED else " lightest"
     for name in sorted(bands):
         band = design.teeth.forbidden[name]
-        ends = f"{text(band.lowest, 'frequency')} to {text(band.highest, 'frequency')}"
         message = (
-            f"none of the {tried}{most} trains that the rules of [teeth] allow keeps out of {ends} in every case, with"
-            " what else is forbidden; narrow the band, limit its cases, or allow more in [teeth] or in the speeds"
+            f"none of the {tried}{most} trains that the rules of [teeth] allow keeps out of {ends_of(band)} in every"
+            " case, with what else is forbidden; narrow the band, limit its cases, or allow more in [teeth] or in the"
+            " speeds"
         )
         yield Problem(f"teeth.forbidden.{name}", message)
