@@ -14,6 +14,7 @@ ALLOWED = {
     "catalogue/": "columns and printed digits of data files",
     "store/": "files of runs and values",
     "cli/": "arguments of commands, and text on the screen",
+    "exchange/openmdao/": "paths of a design file, as names of variables",
     "exchange/rexs/bodies.py": "names of components in files of other tools",
     "study/cases/": "paths and names of results that a study asks for",
     "replays/colibri/report/printed.py": "keys and digits of the report's own table",

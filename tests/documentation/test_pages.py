@@ -21,6 +21,7 @@ LONG = re.compile(r"\d+\.\d{9,}(?:e[-+]\d+)?")
 """Numbers to the last bit, in which processors differ."""
 BLOCK = re.compile(r'^```(?P<kind>toml title="(?P<file>[^"]+)"|console)\n(?P<text>.*?)^```$', re.DOTALL | re.MULTILINE)
 EXAMPLES = [
+    "how-to/openmdao.md",
     "how-to/python.md",
     "how-to/rotors.md",
     "theory/rotors.md",

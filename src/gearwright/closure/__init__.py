@@ -5,6 +5,7 @@ What is checked and how is for the layers below: sizing, dynamics, mission. What
 
 from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
+from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
 from gearwright.closure.wishes import Wishes
 
@@ -20,4 +21,5 @@ __all__ = [
     "Wishes",
     "close",
     "requirement_of",
+    "teeth_of",
 ]

@@ -29,7 +29,7 @@ from gearwright.spec.design import (
     levels_of,
     shares_of,
 )
-from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems
+from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems, standing_at
 from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
@@ -140,5 +140,6 @@ __all__ = [
     "records",
     "schema",
     "shares_of",
+    "standing_at",
     "value_at",
 ]

@@ -85,6 +85,39 @@ def entry_of(design: Design, path: str) -> Entry | None:
     return Entry(location, written.units.get(location), allowed_in(type(holder), location[-1]).numbers)
 
 
+class Standing(NamedTuple):
+    """What a path leads to."""
+
+    value: Any
+    """As it would be written there, in the unit of the path; None where nothing is written."""
+    suffix: str
+    """Of the unit; empty of what has none."""
+    whole: bool
+    """True where only whole numbers, texts or tables may stand."""
+
+
+def standing_at(record: Record, path: str) -> Standing:
+    """Return what a path leads to in a design or mission.
+
+    Args:
+        record: That has the entry.
+        path: Dotted path, with the unit in its last part.
+    """
+    written = Written()
+    if _set(type(record), _opened(record), path, 1.0, written) is not None or len(written.keys) != 1:
+        return Standing(None, "", whole=False)
+    (location,) = written.keys
+    stands, key = getattr(_held(record, location[:-1]), location[-1], None), written.units.get(location)
+    if key is not None and isinstance(stands, float):
+        stands = key.written(stands)
+    return Standing(stands, key.suffix if key else "", whole=not _takes_parts(written.fields[location].annotation))
+
+
+def _takes_parts(annotation: Any) -> bool:
+    """Tell whether numbers that are not whole may stand under an annotation."""
+    return annotation is float or any(map(_takes_parts, get_args(annotation)))
+
+
 def _held(content: Any, location: Location) -> Any:
     """Return what stands at a location."""
     for part in location:

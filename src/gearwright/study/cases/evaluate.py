@@ -28,7 +28,7 @@ def evaluate(
         case: Its inputs.
         fitted: What becomes of the design before it is changed; left out: it stays as it is.
     """
-    return row_of(study, case, lambda: _results(study, fitted(design), case.inputs))
+    return row_of(study, case, lambda: results_of(study, fitted(design), case.inputs))
 
 
 def row_of(study: Study, case: Case, computed: Callable[[], dict[str, Named]]) -> Row:
@@ -130,8 +130,18 @@ def _asks(study: Study, verb: str) -> bool:
     return any(name.partition(".")[0] == verb for name in study.asked)
 
 
-def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
-    """Return the results of every verb that a name asks for."""
+def results_of(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
+    """Return the results of every verb that a name asks for.
+
+    Args:
+        study: With its changes and what it asks for.
+        design: Where the case starts.
+        inputs: Of the case.
+
+    Raises:
+        DesignError: If the case cannot be sized or flown.
+        SolveError: If a computation does not succeed.
+    """
     asked = study.asked
     sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
     results = asked_results(sizing, asked)
@@ -174,7 +184,7 @@ def _result_problems(study: Study, designs: Mapping[str, Design]) -> list[Proble
     inputs = {path: value_at(path, axis, 0.5) for path, axis in study.axes.items()}
     for design in designs.values():
         try:
-            results = _results(study, design, inputs)
+            results = results_of(study, design, inputs)
         except GearwrightError:
             continue  # this one cannot be had; another may tell
         return [problem for name in study.asked for problem in _result_problem(study, results, name)]
