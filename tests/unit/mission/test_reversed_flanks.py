@@ -35,7 +35,7 @@ def test_the_ring_of_a_flight_that_brakes_a_little_in_descent_does_not_fail_with
     carrier = flight.history.propeller_power[k] / flight.history.propeller_speed[k]
     assert flight.meshes["second.planet-ring"].force[k] == pytest.approx(carrier / (2 * 5 * 0.15704), rel=5e-3)
     torque = flight.meshes["second.planet-ring"].torque
-    assert -torque.min() / torque.max() == pytest.approx(1661.0 / 9986.0, rel=1e-3)
+    assert -torque.min() / torque.max() == pytest.approx(1531.7 / 9986.0, rel=1e-3)
     damage = {row.gear: row.damage for row in gear_damage(flight) if row.mode == "bending"}
     assert 5e-4 < damage["second.ring"] < 2e-3
     assert damage["second.planet"] == pytest.approx(6.5e-4, rel=0.05)  # as before: a planet is an idler

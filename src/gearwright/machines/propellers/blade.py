@@ -20,10 +20,12 @@ HUB = 0.18
 """Radius ratio at which a generic blade begins [-]; an assumption."""
 ELEMENTS = 24
 """Elements of a generic blade."""
-TWIST_RATIO = 3.3349
+TWIST_RATIO = 2.3650
 """Advance ratio whose helix a generic blade's twist follows [-]; fitted to the charts, see theory page."""
+UNTWIST = 0.0982
+"""Angle by which the tip is coarser than that helix says, per radius [rad]; fitted."""
 
-WIDEST = 0.7009
+WIDEST = 0.7336
 """Radius ratio at which a generic blade is widest [-]; fitted."""
 
 
@@ -58,9 +60,9 @@ def generic_blade(blades: Blades) -> BladeShape:
     Args:
         blades: Number, activity factor, design lift.
 
-    Source: stated here: from 0.18 R, a chord that is widest at 0.70 R and rounds to the tip, scaled to the activity
-        factor; twist of a helix of advance ratio 3.3; design lift constant along the blade; thickness ratio from 0.24
-        at the hub to 0.05 at the tip.
+    Source: stated here: from 0.18 R, a chord that is widest at 0.73 R and rounds to the tip, scaled to the activity
+        factor; twist of a helix of advance ratio 2.4, less 0.10 rad a radius; design lift constant along the blade;
+        thickness ratio from 0.24 at the hub to 0.05 at the tip.
     """
     edges = np.linspace(HUB, 1.0, ELEMENTS + 1)
     radius, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
@@ -70,7 +72,9 @@ def generic_blade(blades: Blades) -> BladeShape:
         radius=radius,
         width=width,
         chord=outline,
-        twist=np.arctan(TWIST_RATIO / (math.pi * radius)) - math.atan(TWIST_RATIO / (math.pi * REFERENCE)),
+        twist=np.arctan(TWIST_RATIO / (math.pi * radius))
+        - math.atan(TWIST_RATIO / (math.pi * REFERENCE))
+        + UNTWIST * (radius - REFERENCE),
         design_lift=np.full(ELEMENTS, blades.design_lift / (1.0 - HUB**4)),
         thickness=0.05 + 0.19 * ((1.0 - radius) / (1.0 - HUB)) ** 2,
     )

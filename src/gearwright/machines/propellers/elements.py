@@ -45,6 +45,8 @@ class _Stream(NamedTuple):
     shape: BladeShape
     pitch: Floats
     """Angle of every element [rad]."""
+    turning: Floats
+    """Tangential speed over that of the tip [-]."""
     ratio: Floats
     """λ: axial over tangential speed [-]."""
     mach: Floats
@@ -86,9 +88,26 @@ def loads(
     """
     ratio, angle, mach = (np.asarray(value, dtype=float)[..., None] for value in (advance_ratio, pitch, tip_mach))
     ratio, angle, mach, _ = np.broadcast_arrays(ratio, angle, mach, shape.radius)
-    stream = _Stream(shape, angle + shape.twist, ratio / (math.pi * shape.radius), mach)
-    inflow = _inflow(stream)
-    return _loads(stream, inflow)
+    return loads_in(shape, ratio / math.pi, np.broadcast_to(shape.radius, ratio.shape), pitch=angle, tip_mach=mach)
+
+
+def loads_in(
+    shape: BladeShape, axial: Floats, turning: Floats, *, pitch: Floats | float, tip_mach: Floats | float = 0.0
+) -> Loads:
+    """Return thrust and power of blades whose elements meet the air at given speeds.
+
+    Args:
+        shape: The blades.
+        axial: Speed along the axis over that of the tip; points by elements [-].
+        turning: Speed along the turn over that of the tip, positive; points by elements [-].
+        pitch: Blade angle at three quarters of the radius [rad].
+        tip_mach: Of the tip's rotation [-].
+
+    Source: `loads`; every element with the stream that its own load makes.
+    """
+    axial, turning, angle, mach, _ = np.broadcast_arrays(axial, turning, pitch, tip_mach, shape.radius)
+    stream = _Stream(shape, angle + shape.twist, turning, axial / turning, mach)
+    return _loads(stream, _inflow(stream))
 
 
 def _inflow(stream: _Stream) -> Floats:
@@ -113,7 +132,7 @@ def _solidity(stream: _Stream, factor: Floats) -> Floats:
 def _balance(stream: _Stream, inflow: Floats) -> _Balance:
     """Return how far momentum and forces are from each other at an inflow angle."""
     shape, sine, cosine = stream.shape, np.sin(inflow), np.cos(inflow)
-    speed = stream.mach * shape.radius * np.hypot(1.0, stream.ratio)
+    speed = stream.mach * stream.turning * np.hypot(1.0, stream.ratio)
     force = shape.polar(stream.pitch - inflow, shape.design_lift, shape.thickness, speed)
     normal, tangential = force.lift * cosine - force.drag * sine, force.lift * sine + force.drag * cosine
     factor = _loss(shape, np.abs(sine))
@@ -151,9 +170,9 @@ def _loads(stream: _Stream, inflow: Floats) -> Loads:
     shape, balance = stream.shape, _balance(stream, inflow)
     sine, cosine, radius = np.sin(inflow), np.cos(inflow), shape.radius
     # Speeds over that of the tip; the stream's square from whichever of its parts is well known.
-    turning = radius / (1.0 + balance.swirl_load)
+    turning = stream.turning / (1.0 + balance.swirl_load)
     total = turning / np.maximum(cosine, 1e-12)
-    axial = stream.ratio * radius / np.where(np.abs(balance.through) < 1e-12, np.inf, balance.through)
+    axial = stream.ratio * stream.turning / np.where(np.abs(balance.through) < 1e-12, np.inf, balance.through)
     total = np.where(np.abs(sine) > cosine, np.abs(axial / sine), total)
     scale = shape.number * shape.chord * total**2 * math.pi**2 / 8.0
     thrust, power = scale * balance.normal, scale * balance.tangential * math.pi * radius
@@ -163,6 +182,6 @@ def _loads(stream: _Stream, inflow: Floats) -> Loads:
         element_thrust=thrust,
         element_power=power,
         inflow_angle=inflow,
-        axial=total * sine - stream.ratio * radius,
-        swirl=radius - total * cosine,
+        axial=total * sine - stream.ratio * stream.turning,
+        swirl=stream.turning - total * cosine,
     )

@@ -9,23 +9,25 @@ import numpy as np
 
 from gearwright.arrays import Floats
 
-LIFT_SLOPE = 0.7976 * 2.0 * math.pi
+LIFT_SLOPE = 0.8147 * 2.0 * math.pi
 """Of a section on a turning blade, part of a thin aerofoil's [1/rad]; fitted to the charts, see the theory page."""
-CAMBER_EFFECT = 0.8529
+CAMBER_EFFECT = 0.7988
 """Part of its design lift that a section has at no incidence [-]; fitted."""
-MOST_LIFT, LEAST_LIFT, CAMBER_STALL = 1.4305, -0.7259, 0.3
+MOST_LIFT, LEAST_LIFT, CAMBER_STALL = 1.3669, -0.6792, 0.3
 """Lift coefficients of a symmetric section at its stalls, and what a unit of design lift adds to both [-]; fitted."""
-STALL_WIDTHS = (0.0100, 0.0428)
+STALL_WIDTHS = (0.0070, 0.0369)
 """Angle over which attached flow parts, at the upper and the lower stall [rad]; fitted."""
 PLATE_DRAG = 1.25
 """Drag coefficient of a blade across the stream [-]: Viterna's 1.11 + 0.018 A for an aspect ratio A of 8."""
-FRICTION = 0.0020
+FRICTION = 0.0033
 """Coefficient of skin friction [-]; fitted."""
-POLAR = (0.0978, 0.1817)
-"""Drag per square of the lift's distance from that of least drag, above it and below [-]; fitted."""
-LEAST_DRAG = 0.7309
-"""Part of its design lift at which a section drags least [-]; fitted."""
-PARTED_DRAG = 0.1615
+POLAR = (0.1939, 0.3691)
+"""Drag per square of the lift beyond the bucket of least drag, above it and below [-]; fitted."""
+LEAST_DRAG = 0.8725
+"""Part of its design lift in the middle of that bucket [-]; fitted."""
+BUCKET = 0.1480
+"""Half the width of the bucket of least drag, as a lift coefficient [-]; fitted."""
+PARTED_DRAG = 0.0052
 """Drag that parted flow adds to that of the plate [-]; fitted."""
 HIGHEST_MACH = 0.80
 """Where the Prandtl-Glauert factor is held [-]."""
@@ -71,9 +73,10 @@ def section_loads(angle: Floats, design_lift: Floats, thickness: Floats, mach: F
     short = np.exp(np.minimum((below - angle) / STALL_WIDTHS[1], _FARTHEST))
     attached = 1.0 / (1.0 + beyond + short)
     parted = beyond * _parted_lift(angle, above, upper) - short * _parted_lift(-angle, -below, -lower)
-    distance = free - LEAST_DRAG * design_lift
+    offset = free - LEAST_DRAG * design_lift
+    distance = np.maximum(np.abs(offset) - BUCKET, 0.0)
     profile = 2.0 * FRICTION * (1.0 + 2.0 * thickness + 60.0 * thickness**4)
-    profile = profile + np.where(distance > 0.0, *POLAR) * distance**2 + _drag_rise(squeeze * free, thickness, mach)
+    profile = profile + np.where(offset > 0.0, *POLAR) * distance**2 + _drag_rise(squeeze * free, thickness, mach)
     plate = PARTED_DRAG + PLATE_DRAG * np.sin(angle) ** 2
     return SectionLoads(
         lift=attached * (squeeze * free + parted),
