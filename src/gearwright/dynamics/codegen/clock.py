@@ -13,7 +13,7 @@ from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.topology import topology
 from gearwright.dynamics.codegen.writer import table_width, wave_width
 from gearwright.dynamics.equations import speed_factors
-from gearwright.dynamics.model import Arrays
+from gearwright.dynamics.model import Arrays, planned
 
 Clock = Callable[[int, int], tuple[Floats, Floats]]
 """(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.
@@ -45,9 +45,9 @@ def clock(arrays: Arrays, h: float, steps: int) -> Clock:
         steps: Most steps of a block.
     """
     shape = topology(arrays)
-    waves, table = wave_width(shape), aligned(2 * steps + 1, table_width(shape))
-    factor = float(arrays.profile.factor[0])
+    waves, factor = wave_width(shape), float(arrays.profile.factor[0])
     if np.any(arrays.profile.factor != factor):
+        table = aligned(2 * steps + 1, table_width(shape))
         harmonics, unturned = _harmonics(arrays.tone_rate), waves_of(np.zeros(waves), waves)
 
         def ramped(first: int, count: int) -> tuple[Floats, Floats]:
@@ -55,16 +55,28 @@ def clock(arrays: Arrays, h: float, steps: int) -> Clock:
             return table, unturned
 
         return ramped
-    rate = arrays.tone_rate * factor
-    table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), rate), waves)
-    table[:, 2 * waves] = factor
+    rate, table = arrays.tone_rate * factor, _steady_table(arrays, h, steps)
+    if table.shape[1] == 2 * waves + 2:
+        return lambda first, _: (table, waves_of(rate * (first * h), waves))
+    loaded = aligned(*table.shape)  # of this run alone
+    loaded[:] = table
 
     def steady(first: int, count: int) -> tuple[Floats, Floats]:
-        if table.shape[1] > 2 * waves + 2:
-            _fill_loads(arrays, _times(first, h, count), table[:, 2 * waves + 2 :])
-        return table, waves_of(rate * (first * h), waves)
+        _fill_loads(arrays, _times(first, h, count), loaded[:, 2 * waves + 2 :])
+        return loaded, waves_of(rate * (first * h), waves)
 
     return steady
+
+
+@planned
+def _steady_table(arrays: Arrays, h: float, steps: int) -> Floats:
+    """Return the clock table of the first block at constant speed; loads are left out."""
+    shape = topology(arrays)
+    waves, table = wave_width(shape), aligned(2 * steps + 1, table_width(shape))
+    factor = float(arrays.profile.factor[0])
+    table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), arrays.tone_rate * factor), waves)
+    table[:, 2 * waves] = factor
+    return table
 
 
 def waves_of(angle: Floats, width: int) -> Floats:

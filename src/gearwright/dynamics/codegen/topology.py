@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.emit import CHUNK
-from gearwright.dynamics.model import Arrays, Drives, Entries, Series, stacked, weight_numbers
+from gearwright.dynamics.model import Arrays, Drives, Entries, Series, planned, stacked, weight_numbers
 
 
 class LineShape(NamedTuple):
@@ -75,6 +75,7 @@ class Topology(NamedTuple):
     """Of the drives."""
 
 
+@planned
 def topology(arrays: Arrays) -> Topology:
     """Return the structure of a system.
 
@@ -177,6 +178,7 @@ class Layout(NamedTuple):
     """σ."""
 
 
+@planned
 def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
     """Return where each number stands, and the numbers.
 

@@ -6,7 +6,7 @@ name where something runs through time: numba takes longer to load than statics 
 
 from gearwright.dynamics.equations.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.equations.instants import errors_at, speed_factors, stiffness_at
-from gearwright.dynamics.equations.linear import DampedModes, damped_modes, linear, state_matrix
+from gearwright.dynamics.equations.linear import DampedModes, damped_modes, damped_rates, linear, state_matrix
 from gearwright.dynamics.equations.modes import Modes, modes, split_rigid
 from gearwright.dynamics.equations.redundancy import Redundancy, line_forces, redundancy, slow_position
 from gearwright.dynamics.equations.reference import acceleration, dead_zone, line_state
@@ -22,6 +22,7 @@ __all__ = [
     "Work",
     "acceleration",
     "damped_modes",
+    "damped_rates",
     "dead_zone",
     "errors_at",
     "line_forces",

@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.arrays import Complexes, Floats
 from gearwright.dynamics.equations.modes import stiffness_matrix
-from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix
+from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix, planned
 
 
 class Linear(NamedTuple):
@@ -73,3 +73,14 @@ def damped_modes(system: Linear) -> DampedModes:
     shapes = vectors[: len(system.mass), chosen]
     length = np.sqrt(np.sum(system.mass[:, None] * np.abs(shapes) ** 2, axis=0))
     return DampedModes(values[chosen], shapes / length)
+
+
+@planned
+def damped_rates(arrays: Arrays, factor: float) -> Complexes:
+    """Return the eigenvalues of the damped modes at one speed [rad/s], shape (modes,).
+
+    Args:
+        arrays: The system's numbers.
+        factor: Speed over reference speed [-].
+    """
+    return damped_modes(linear(arrays, factor)).rate

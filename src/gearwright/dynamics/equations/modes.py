@@ -8,7 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, holding, line_matrix, refuse_not_finite
+from gearwright.dynamics.model import (
+    Arrays,
+    Labels,
+    System,
+    finite_numbers,
+    holding,
+    line_matrix,
+    planned,
+    refuse_not_finite,
+)
 from gearwright.showing import Shown
 from gearwright.train.algebra import row_and_null_space
 from gearwright.verbs import verb
@@ -45,6 +54,7 @@ class Modes(Shown):
                 first = last
 
 
+@planned
 def split_rigid(arrays: Arrays) -> tuple[Floats, Floats]:
     """Return mass-normalised rigid and elastic motions: bases of what stretches no line, and of the rest.
 

@@ -39,6 +39,7 @@ from gearwright.dynamics.model.finite import check_finite, finite_numbers, refus
 from gearwright.dynamics.model.flatten import profile_of
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
+from gearwright.dynamics.model.plan import kept, plan_of, planned
 from gearwright.dynamics.model.planetary import PIN, add_planetary
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, rotational
 from gearwright.dynamics.model.rotors import (
@@ -133,8 +134,11 @@ __all__ = [
     "face_push_direction",
     "finite_numbers",
     "holding",
+    "kept",
     "line_matrix",
     "own_groups",
+    "plan_of",
+    "planned",
     "points_of",
     "profile_of",
     "push_direction",

@@ -164,7 +164,7 @@ def _warnings(system: System, duration: float) -> list[str]:
     """Return what of a trajectory never comes to rest."""
     left = unbalanced(system)
     speeds_up = [f"at the start {left}; the train speeds up or slows down"] if left else []
-    return [*endless(system, 2.0 * np.pi / duration), *speeds_up]
+    return [*endless(system.arrays, 2.0 * np.pi / duration), *speeds_up]
 
 
 def _errors(systems: Sequence[System], found: Ensemble, other: Ensemble) -> tuple[list[Error], int]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import WORKS, Work, stored_energy, unbalanced
-from gearwright.dynamics.model import Arrays, System, check_finite, refuse_not_finite
+from gearwright.dynamics.model import Arrays, System, check_finite, kept, plan_of, refuse_not_finite
 from gearwright.dynamics.motion.accuracy import (
     CHAOTIC,
     COARSER,
@@ -112,7 +113,8 @@ def simulate(
         DesignError: Method, step, duration or outputs that cannot be.
         SolveError: If the motion diverges, with time, line and value.
     """
-    check_finite(system)
+    system = replace(system, arrays=plan_of(system.arrays))
+    kept(system.arrays, (check_finite,), lambda: check_finite(system))
     method, reason = _method(system.arrays, method)
     state, outputs = _start(system, start), outputs or Outputs()
     pace = pace_of(system, method, step, state)
@@ -120,12 +122,20 @@ def simulate(
         pace = pace._replace(step=whole_step(duration, pace.step))
     run = marched(system, method, pace, duration, start=state, outputs=outputs, progress=progress)
     run, error, exponent, short = _verified(run, step, duration, progress)
-    left, slack = unbalanced(system), slack_lines(system, state[: len(system.arrays.mass)])
+    left, slack = _standing(system, state[: len(system.arrays.mass)])
     notes = [reason, *short]
-    notes += endless(system, 2.0 * np.pi / duration)
+    notes += endless(system.arrays, 2.0 * np.pi / duration)
     notes += [f"at the start {left}; the train speeds up or slows down"] if left else []
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
     return _trace(run, Ran(method, error, exponent, (*notes, *_notes(run))))
+
+
+def _standing(system: System, position: Floats) -> tuple[str, tuple[str, ...]]:
+    """Return what the loads leave over at the start, in words, and the lines of a start at which no tooth touches."""
+    names = system.labels.coordinates, system.labels.lines
+    left = kept(system.arrays, (unbalanced, *names), lambda: unbalanced(system))
+    slack = kept(system.arrays, (slack_lines, *names, position.tobytes()), lambda: slack_lines(system, position))
+    return left, slack
 
 
 def _verified(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations import damped_modes, linear, statics
-from gearwright.dynamics.model import System
+from gearwright.dynamics.equations import damped_rates, statics
+from gearwright.dynamics.model import Arrays, System, kept, planned
 from gearwright.dynamics.motion.record import RUNAWAY
 from gearwright.errors import SolveError
 
@@ -23,7 +23,7 @@ def equilibrium(system: System) -> Floats:
     Raises:
         SolveError: If a line would carry more than any gear comes near, with the line and its load.
     """
-    found = statics(system, balance="accelerate")
+    found = kept(system.arrays, (statics,), lambda: statics(system, balance="accelerate"))
     place = int(np.argmax(np.abs(found.force))) if len(found.force) else -1
     if place >= 0 and not abs(found.force[place]) < RUNAWAY:
         line, force = system.labels.lines[place], found.force[place]
@@ -34,17 +34,18 @@ def equilibrium(system: System) -> Floats:
     return found.position
 
 
-def endless(system: System, width: float) -> list[str]:
+@planned
+def endless(arrays: Arrays, width: float) -> list[str]:
     """Return what to say of modes without damping that a tone meets: their force grows as long as the run lasts.
 
     Args:
-        system: Bodies, lines, loads.
+        arrays: The system's numbers.
         width: Distance of a mode from a tone below which they meet [rad/s].
     """
-    arrays, notes = system.arrays, dict[str, None]()
+    notes = dict[str, None]()
     used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
     for factor in {float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))}:
-        rates = damped_modes(linear(arrays, factor)).rate
+        rates = damped_rates(arrays, factor)
         for rate in rates[-rates.real < UNDAMPED * np.abs(rates)]:
             if np.any(np.abs(np.abs(arrays.tone_rate[used] * factor) - rate.imag) < width):
                 hertz = rate.imag / (2.0 * np.pi)

@@ -156,7 +156,7 @@ def _closed(system: System, start: Floats, period: float, steps: int) -> Floats:
         found, gap = _newton(system, left, period, steps)
         if gap < CLOSED:
             return found
-    reasons = [*endless(system, LOCKED / period), *filter(None, [unbalanced(system)])]
+    reasons = [*endless(system.arrays, LOCKED / period), *filter(None, [unbalanced(system)])]
     missed = (
         f"no motion of period {period:.4g} s closed, neither in {ROUNDS} rounds of Newton's method nor after "
         f"{SETTLING} periods; the gap is {gap:.1e}: try a multiple of the period, or simulate"

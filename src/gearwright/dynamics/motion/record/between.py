@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
@@ -56,13 +58,21 @@ class Between:
         """Look into the outermost intervals, the end first: rows on one side are too few for the others' way."""
         if len(rows) < 2:
             return
-        nodes = np.arange(float(len(rows)))
-        here = END[nodes[-1] >= END]
-        force = np.array([lagrange(nodes, theta) for theta in here]) @ rows
-        off = np.abs(np.array([lagrange(nodes[:-1], theta) for theta in here]) @ rows[:-1] - force)
+        through, less = _ways(len(rows))
+        force = through @ rows
+        off = np.abs(less @ rows[:-1] - force)
         self._keep(place, np.max(force, axis=0), np.min(force, axis=0), np.max(np.abs(force) + off, axis=0))
 
     def _keep(self, place: int, high: Floats, low: Floats, bound: Floats) -> None:
         np.maximum(self.high[place], high, out=self.high[place])
         np.minimum(self.low[place], low, out=self.low[place])
         np.maximum(self.bound, bound, out=self.bound)
+
+
+@cache
+def _ways(count: int) -> tuple[Floats, Floats]:
+    """Return the weights of so many rows from an end at the places of `END`, and those of all but the last row."""
+    nodes = np.arange(float(count))
+    here = END[nodes[-1] >= END]
+    through, less = (np.array([lagrange(nodes[:past], theta) for theta in here]) for past in (count, count - 1))
+    return through, less

@@ -42,6 +42,31 @@ class Outputs:
         check_fields(self)
 
 
+class Kept:
+    """Rows of the record at evenly spaced steps."""
+
+    def __init__(self, steps: range, width: int) -> None:
+        self.steps, self.taken = steps, 0
+        self.table = np.empty((len(steps), width))
+
+    def take(self, first: int, record: Floats) -> None:
+        """Take what falls on the steps.
+
+        Args:
+            first: Step of the first row; blocks follow each other.
+            record: Shape (steps, at least so many columns).
+        """
+        if self.taken < len(self.steps):
+            rows = record[self.steps[self.taken] - first : self.steps.stop - first : self.steps.step]
+            self.table[self.taken : self.taken + len(rows)] = rows[:, : self.table.shape[1]]
+            self.taken += len(rows)
+
+    @property
+    def rows(self) -> tuple[Ints, Floats]:
+        """Steps that were taken, and their rows."""
+        return np.array(self.steps[: self.taken], dtype=np.int64), self.table[: self.taken]
+
+
 class Recorder:
     """Keeps samples, windows, statistics and checkpoints of one run."""
 
@@ -58,7 +83,8 @@ class Recorder:
         self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
         self.first_force, self.last_force = np.zeros((2, len(system.labels.lines)))
         self.between = Between(len(system.labels.lines), self.edges, BLOCK)
-        self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
+        stretches = [(0, steps + 1, self.stride), *((*span, 1) for span in self.spans)]
+        self.kept = [Kept(range(*stretch), self.past) for stretch in stretches]
         self.points: list[tuple[int, Floats]] = []
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
         self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
@@ -88,12 +114,11 @@ class Recorder:
             SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
         minimum, maximum, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
-        if not (np.max(maximum) < RUNAWAY and np.min(minimum) > -RUNAWAY and np.all(np.isfinite(square))):
+        if not (maximum.max() < RUNAWAY and minimum.min() > -RUNAWAY and np.isfinite(square).all()):
             self._diverged(first, record)
         self._check_maps(first, record, summary)
-        self._keep(0, first, record, range(-(-first // self.stride) * self.stride, first + len(record), self.stride))
-        for number, (start, stop) in enumerate(self.spans, start=1):
-            self._keep(number, first, record, range(max(start, first), min(stop, first + len(record))))
+        for part in self.kept:
+            part.take(first, record)
         begin = int(np.searchsorted(self.edges, first, side="right")) - 1
         for place in range(max(begin, 0), len(self.edges) - 1):
             low, high = max(int(self.edges[place]), first), min(int(self.edges[place + 1]), first + len(record))
@@ -103,7 +128,7 @@ class Recorder:
             self._count(place, summary if len(rows) == len(record) else summary_of(rows))
             if self.orders is not None:
                 self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
-        self._watch(first, record)
+        self._watch(first, record, summary[0])
         self.marks.take(first, record)
         forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
         self.between.take(first, forces)
@@ -138,9 +163,6 @@ class Recorder:
             f"{forces[row, column]:.3g}; {fix}"
         )
 
-    def _keep(self, number: int, first: int, record: Floats, steps: range) -> None:
-        self.kept[number] += [(step, record[step - first, : self.past].copy()) for step in steps]
-
     def _count(self, place: int, summary: Floats) -> None:
         minimum, maximum, total, square = summary[:, self.size : self.past]
         self.sums[0, place] += total
@@ -148,11 +170,12 @@ class Recorder:
         np.minimum(self.minimum[place], minimum, out=self.minimum[place])
         np.maximum(self.maximum[place], maximum, out=self.maximum[place])
 
-    def _watch(self, first: int, record: Floats) -> None:
+    def _watch(self, first: int, record: Floats, minimum: Floats) -> None:
         if len(self.gaps):
-            open_ = record[:, 2 * self.size + len(self.system.labels.lines) + self.gaps] <= 0.0
-            new = np.any(open_, axis=0) & (self.lost < 0)
-            self.lost[new] = first + np.argmax(open_[:, new], axis=0)
+            columns = 2 * self.size + len(self.system.labels.lines) + self.gaps
+            new = (minimum[columns] <= 0.0) & (self.lost < 0)
+            if new.any():
+                self.lost[new] = first + np.argmax(record[:, columns[new]] <= 0.0, axis=0)
 
     def samples(self, number: int = 0) -> Samples:
         """Return the evenly spaced instants (0) or a window (1, 2, …).
@@ -160,10 +183,9 @@ class Recorder:
         Args:
             number: Which.
         """
-        rows = self.kept[number]
         size, lines = self.size, len(self.system.labels.lines)
-        table = np.array([row for _, row in rows]).reshape(-1, self.past)
-        time = np.array([step for step, _ in rows]) * self.step
+        steps, table = self.kept[number].rows
+        time: Floats = steps * np.float64(self.step)
         ends = [size, 2 * size, 2 * size + lines, 2 * size + 2 * lines]
         position, velocity, force, deflection, drive = np.split(table, ends, axis=1)
         return Samples(time, position, velocity, force, deflection, self.system.labels, drive)

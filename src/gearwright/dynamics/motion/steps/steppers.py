@@ -26,7 +26,7 @@ from gearwright.dynamics.codegen import (
     topology,
 )
 from gearwright.dynamics.equations import linear
-from gearwright.dynamics.model import Arrays
+from gearwright.dynamics.model import Arrays, kept
 from gearwright.dynamics.motion.record import BLOCK
 from gearwright.dynamics.motion.steps import exact
 from gearwright.errors import SolveError
@@ -47,7 +47,7 @@ def blank_record(arrays: Arrays, steps: int) -> Floats:
         arrays: The system's numbers.
         steps: Rows.
     """
-    return aligned(steps, record_width(topology(arrays)))
+    return aligned(steps, kept(arrays, (record_width,), lambda: record_width(topology(arrays))))
 
 
 def blank_summary(width: int) -> Floats:
@@ -86,7 +86,7 @@ def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) ->
 def _generated(arrays: Arrays, h: float) -> Stepper:
     shape = topology(arrays)
     layout, numbers = parameters(arrays, h)
-    code, width = compiled(shape, layout), record_width(shape)
+    code, width = kept(arrays, (compiled,), lambda: compiled(shape, layout)), record_width(shape)
     now = clock(arrays, h, BLOCK)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
@@ -101,7 +101,8 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
     # Loaded here because the generated code does without it, and compiling it the first time takes seconds.
     from gearwright.dynamics.equations import kernel
 
-    instants, width = (kernel.empty_instant(arrays), kernel.empty_instant(arrays)), record_width(topology(arrays))
+    width = record_width(topology(arrays))
+    instants = kernel.empty_instant(arrays), kernel.empty_instant(arrays)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         kernel.runge_kutta(arrays, instants, first, h, record, state)

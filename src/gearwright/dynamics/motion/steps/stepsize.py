@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations import damped_modes, linear
-from gearwright.dynamics.model import CLUTCH, Arrays, entry_matrix, line_matrix, top_rate
+from gearwright.dynamics.equations import damped_rates
+from gearwright.dynamics.model import CLUTCH, Arrays, entry_matrix, line_matrix, planned, top_rate
 from gearwright.errors import DesignError, Problem
 
 STABLE = 2.78
@@ -83,6 +83,7 @@ class Accuracy:
             raise DesignError([Problem("step", message)])
 
 
+@planned
 def fastest_rate(arrays: Arrays) -> float:
     """Return a bound on the fastest rate |λ| of the system [rad/s], every stiffness at its top.
 
@@ -135,6 +136,7 @@ def _largest(matrix: Floats) -> float:
     return float(np.linalg.eigvalsh(matrix)[-1])
 
 
+@planned
 def default_step(arrays: Arrays, asked: Accuracy = Accuracy()) -> float:
     """Return the step for explicit integration [s]: for the harmonics, the fastest mode, and modes that may ring.
 
@@ -159,7 +161,7 @@ def _ringing_step(arrays: Arrays, excited: float, asked: Accuracy) -> float:
     slowest, quickest = float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))
     step = np.inf
     for factor in {slowest, quickest}:
-        rate = damped_modes(linear(arrays, factor)).rate
+        rate = damped_rates(arrays, factor)
         rings = rate[np.abs(rate) <= EXCITED * excited]
         damping = np.maximum(-rings.real / np.abs(rings), LEAST_DAMPING)
         step = min(step, float(np.min((240.0 * AIM * asked.value * damping) ** 0.25 / np.abs(rings), initial=np.inf)))
