@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from gearwright.closure import Wishes, close
+    from gearwright.closure import Wishes, close, nearest_variant
     from gearwright.dynamics import (
         Model,
         Outputs,
@@ -112,6 +112,7 @@ _VERBS = {
     "mix": "mission",
     "modes": "dynamics",
     "named_results": "sizing",
+    "nearest_variant": "closure",
     "parse": "spec",
     "periodic": "dynamics",
     "phase_forces": "mission",
@@ -201,6 +202,7 @@ __all__ = [
     "mix",
     "modes",
     "named_results",
+    "nearest_variant",
     "parse",
     "periodic",
     "phase_forces",

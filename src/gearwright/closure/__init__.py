@@ -7,6 +7,7 @@ from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
+from gearwright.closure.variants import Tried, Variant, Variants, nearest_variant
 from gearwright.closure.wishes import Wishes
 
 __all__ = [
@@ -17,9 +18,13 @@ __all__ = [
     "Round",
     "StageLife",
     "Step",
+    "Tried",
     "Unmet",
+    "Variant",
+    "Variants",
     "Wishes",
     "close",
+    "nearest_variant",
     "requirement_of",
     "teeth_of",
 ]

@@ -90,7 +90,8 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
 
 
 def _closed(design: Design, state: Settled, peaks: list[Check]) -> Closed:
-    asked, (written, sizing, _) = state.task.wishes, written_out(state.proportioned)
+    asked = state.task.wishes
+    written, sizing, _ = written_out(state.proportioned, asked.left_out)
     checks = [*sizing.checks, *peaks, *resonance_checks(sizing)]
     checks = [*wanted(checks, asked.left_out), state.converged]
     judged = accepted(checks, sizing.design.waivers)

@@ -11,16 +11,14 @@ from gearwright.closure.closed import Round, Step
 from gearwright.closure.confirm import changes_of
 from gearwright.closure.loop import Settled, settled
 from gearwright.closure.proportion import Proportioned, proportioned, teeth_of
-from gearwright.closure.requirements import requirement_of
+from gearwright.closure.requirements import requirement_of, wanted
 from gearwright.errors import GearwrightError
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import edited
 from gearwright.spec.edit import Value
 
-OPEN = "bearings"
-"""Requirement for which they are chosen."""
-OF_PLANETS = (OPEN, "room of planets", "carriers")
+OF_PLANETS = ("bearings", "room of planets", "carriers")
 """Requirements that they must meet in their set."""
 ROLLING = (("cylindrical", 1), ("cylindrical", 2), ("integral", 1), ("needle", 1), ("ceramic", 1))
 """Kinds and numbers side by side that are tried first."""
@@ -56,8 +54,6 @@ def borne(state: Settled, tell: Callable[[str], None]) -> Settled:
         state: From the loop.
         tell: Called with what is being done.
     """
-    if OPEN in state.task.wishes.left_out:
-        return state
     chosen: dict[str, Value] = {}
     for stage in open_sets(state):
         tell(f"choosing what the planets of {stage} turn on")
@@ -81,14 +77,16 @@ def open_sets(state: Settled) -> list[str]:
     return [name for name, stage in state.task.design.planetaries.items() if stage.planet_bearing is None]
 
 
-def short_of(sizing: Sizing, stage: str) -> float:
+def short_of(sizing: Sizing, stage: str, left_out: frozenset[str]) -> float:
     """Return what planets, pins and bearings of a set lack of their limits [-].
 
     Args:
         sizing: As sized.
         stage: The set.
+        left_out: Requirements that do not count.
     """
-    return sum(1.0 - (check.margin or 0.0) for check in sizing.checks if _lacks(check, stage))
+    counted = wanted(sizing.checks, left_out)
+    return sum(1.0 - (check.margin or 0.0) for check in counted if _lacks(check, stage))
 
 
 def _lacks(check: Check, stage: str) -> bool:
@@ -98,7 +96,7 @@ def _lacks(check: Check, stage: str) -> bool:
 def _tried(state: Settled, stage: str) -> Iterator[Tried]:
     """Yield every kind at the size as it is, and on smaller modules with wider faces until one kind serves."""
     for module, own in _sizes(state, stage):
-        rows = [*_kinds(own, stage, module)]
+        rows = [*_kinds(own, stage, module, state.task.wishes.left_out)]
         yield from rows
         if any(row.short <= 0.0 for row in rows):
             return
@@ -121,7 +119,7 @@ def _sizes(state: Settled, stage: str) -> Iterator[tuple[float | None, Proportio
         yield value, own
 
 
-def _kinds(own: Proportioned, stage: str, module: float | None) -> Iterator[Tried]:
+def _kinds(own: Proportioned, stage: str, module: float | None, left_out: frozenset[str]) -> Iterator[Tried]:
     """Yield a set on every kind of bearing."""
     path = f"planetaries.{stage}"
     for rank, (kind, count) in enumerate(ROLLING + FILM):
@@ -134,4 +132,4 @@ def _kinds(own: Proportioned, stage: str, module: float | None) -> Iterator[Trie
             continue
         if module is not None:
             changes[f"{path}.module_mm"] = module
-        yield Tried(changes, short_of(sizing, stage), int(rank >= len(ROLLING)), sizing.mass)
+        yield Tried(changes, short_of(sizing, stage, left_out), int(rank >= len(ROLLING)), sizing.mass)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from gearwright.closure.requirements import without
 from gearwright.closure.stage_search import ROUNDING, StageSize, StageTask, lightest, sized_at
 from gearwright.closure.wishes import Wishes
 from gearwright.identity import Role
@@ -50,18 +51,20 @@ def proportioned(
     """
     first = size(design) if before is None else before
     own = edited(design, dict(teeth_of(design, first)))
-    sizes = dict(_sizes(trial_of(own, first), first, wishes, targets or {}))
+    sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
     return Proportioned(written, size(written), sizes)
 
 
-def written_out(found: Proportioned) -> Proportioned:
+def written_out(found: Proportioned, left_out: frozenset[str] = frozenset()) -> Proportioned:
     """Return a design with the diameters of its plain shafts and pins written as sized, too.
 
     Args:
         found: With modules and widths.
+        left_out: Requirements that do not count.
     """
-    whole = edited(found.design, dict(_diameters(found.sizing)))
+    free = without(found.design, left_out)
+    whole = edited(found.design, dict(_diameters(found.sizing if free is found.design else size(free))))
     return Proportioned(whole, size(whole), found.sizes)
 
 

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 from gearwright.checks import Check
 from gearwright.identity import Kind
+from gearwright.spec import Design, edited
+from gearwright.spec.edit import Value
 
 
 class Requirement(NamedTuple):
@@ -21,6 +23,8 @@ class Requirement(NamedTuple):
     """What the closure changes to meet it."""
     helps: str
     """What helps where that does not do."""
+    unasked: Mapping[str, Value] = MappingProxyType({})
+    """Rules of a design by which nothing is asked, where the sizing itself meets it."""
 
 
 _GEARS = (Kind.GEAR, Kind.MESH, Kind.STAGE)
@@ -43,6 +47,7 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
          "planets apart", "backlash", "face width", "cutter", "speed of K_V"), _GEARS,
         "tooth numbers, by the search of the sizing; the widest face that its rules allow",
         "other tooth numbers, profile shift, fewer planets, gears.iso6336.widest_diameters",
+        MappingProxyType({"gears.iso6336.widest_modules": 60.0, "gears.iso6336.widest_diameters": 3.0}),
     ),
     "rims": Requirement(("rim",), (), "nothing yet", "a thicker rim (rim_ratio, rim_thickness_ratio)"),
     "peaks": Requirement(
@@ -62,6 +67,7 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     "shafts": Requirement(
         ("Tresca", "fatigue", "yield", "slope", "first critical speed", "face load"), (Kind.SHAFT, Kind.MESH),
         "diameters, by the sizing", "a stronger shaft material, shorter spans",
+        MappingProxyType({"shafting.safety": 1.0}),
     ),
     "carriers": Requirement(
         ("", "pin", "plate"), (Kind.CARRIER,), "pins and plates, by the sizing",
@@ -111,3 +117,14 @@ def wanted(checks: Iterable[Check], left_out: frozenset[str]) -> list[Check]:
         left_out: Names of requirements that do not.
     """
     return [check for check in checks if not left_out or requirement_of(check) not in left_out]
+
+
+def without(design: Design, left_out: Iterable[str]) -> Design:
+    """Return a design whose rules ask nothing of what its sizing would meet by itself.
+
+    Args:
+        design: With its rules.
+        left_out: Names of requirements that do not count.
+    """
+    changes = {path: value for name in left_out for path, value in REQUIREMENTS[name].unasked.items()}
+    return edited(design, changes) if changes else design

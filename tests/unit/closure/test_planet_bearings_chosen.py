@@ -2,8 +2,6 @@
 
 from functools import cache
 
-import pytest
-
 from gearwright.closure import Outcome, Step, Wishes, close
 from gearwright.closure.planet_bearings import FILM, ROLLING
 from gearwright.reviews import review
@@ -96,9 +94,3 @@ def test_a_bearing_that_is_named_stays():
     found = close(named, wishes=Wishes(500 * HOUR, separate=False))
     assert bearing(found).kind == "plain"
     assert Step.BEAR not in [row.step for row in found.rounds]
-
-
-def test_without_the_requirement_no_bearing_is_named():
-    found = close(parse(SET), wishes=Wishes(5000 * HOUR, separate=False, left_out=frozenset({"bearings"})))
-    assert bearing(found) is None
-    assert found.mass != pytest.approx(closed().mass)

@@ -34,29 +34,42 @@ def close(
     rounds: Annotated[
         bool, typer.Option("--rounds", help="Show every round; left out: the first of each kind and the last")
     ] = False,
-    out: Annotated[Path | None, typer.Option(help="Write the closed design to this file")] = None,
+    variants: Annotated[
+        bool, typer.Option("--variants", help="Where it does not close: look for the nearest variant that does")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option(help="Write the closed design to this file, and a variant beside it")
+    ] = None,
     json: JsonOption = False,
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
-    from gearwright.closure import Outcome, Wishes
+    from gearwright.closure import Outcome, Wishes, nearest_variant
     from gearwright.closure import close as closed_by
     from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import close_answer
-    from gearwright.render.words.review import closure_text
+    from gearwright.render.words.review import closure_text, variants_text
     from gearwright.spec.text import design_text
     from gearwright.writing import write_text
 
     life = None if life_h is None else life_h * HOUR
     wishes = Wishes(life=life, rounded=not continuous, separate=not crossings)
+    say = _quiet if json else tell
     with placed_in(design):
-        closed = closed_by(design_of(design), wishes=wishes, tell=_quiet if json else tell)
+        own = design_of(design)
+        closed = closed_by(own, wishes=wishes, tell=say)
+        found = nearest_variant(own, closed, tell=say) if variants and closed.outcome is Outcome.OPEN else None
     if json:
-        show_answer("close", close_answer(closed), design=closed.design.name)
+        show_answer("close", close_answer(closed, found), design=closed.design.name)
     else:
         show(closure_text(closed, all_rounds=rounds))
-    if out is not None:
-        write_text(out, design_text(closed.design))
-        tell(f"wrote {out}")
+        if found is not None:
+            show(variants_text(found))
+    written = {} if out is None else {out: closed.design}
+    if out is not None and found is not None and found.nearest is not None:
+        written[out.with_stem(f"{out.stem}-variant")] = found.nearest.closed.design
+    for path, result in written.items():
+        write_text(path, design_text(result))
+        say(f"wrote {path}")
     if closed.outcome is Outcome.OPEN:
         raise typer.Exit(1)
 
@@ -82,6 +95,8 @@ def show_equal_life(designs: Mapping[str, Design], life_h: float, *, out: Path |
     from gearwright.study import equal_life
     from gearwright.writing import write_text
 
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
     rows = equal_life(designs, wishes=Wishes(life_h * HOUR), tell=_quiet if json else tell)
     if json:
         show_answer("compare closed", EqualLifeAnswer(life_h * HOUR, rows))
@@ -89,4 +104,5 @@ def show_equal_life(designs: Mapping[str, Design], life_h: float, *, out: Path |
         show(table_text(equal_life_table(rows, f"Closed for {life_h:g} h")))
     for row in rows if out is not None else ():
         if row.file and out is not None:
-            write_text(out / f"{row.design}.toml", row.file)
+            name = f"{row.design}-variant" if row.variant else row.design
+            write_text(out / f"{name}.toml", row.file)

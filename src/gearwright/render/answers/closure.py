@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearwright.closure import Closed, Outcome, Round, StageLife, Unmet
+from gearwright.closure import Closed, Outcome, Round, StageLife, Tried, Unmet, Variants
 from gearwright.render.answers.review import Factor, ReviewedCheck, reviewed_check
 from gearwright.spec.text import design_text
 from gearwright.study.running.equal_life import EqualLife
@@ -21,6 +21,17 @@ class UnmetRequirement:
     kept: str
     """What the design gives and the closure does not change; empty where nothing."""
     helps: str
+
+
+@dataclass(frozen=True)
+class VariantAnswer:
+    """The nearest variant that meets everything."""
+
+    what: str
+    """What was changed of what the design gives."""
+    complete_mass: Mass
+    design_file: str
+    """The closed variant as TOML."""
 
 
 @dataclass(frozen=True)
@@ -50,15 +61,20 @@ class CloseAnswer:
     """The worst first."""
     design_file: str
     """The closed design as TOML."""
+    variant: VariantAnswer | None
+    """None where the design closes, none was looked for, or none closes."""
+    tried: tuple[Tried, ...]
+    """Variants that do not close."""
 
 
-def close_answer(closed: Closed) -> CloseAnswer:
+def close_answer(closed: Closed, variants: Variants | None = None) -> CloseAnswer:
     """Return what `gearwright close --json` answers.
 
     Args:
         closed: From `close`.
+        variants: From `nearest_variant`; None where none were looked for.
     """
-    first = closed.worst
+    first, nearest = closed.worst, None if variants is None else variants.nearest
     return CloseAnswer(
         outcome=closed.outcome,
         worst=None if first is None else first.name,
@@ -74,6 +90,10 @@ def close_answer(closed: Closed) -> CloseAnswer:
         rounds=closed.rounds,
         checks=tuple(reviewed_check(check) for check in closed.checks),
         design_file=design_text(closed.design),
+        variant=None
+        if nearest is None
+        else VariantAnswer(nearest.what, nearest.closed.whole.total, design_text(nearest.closed.design)),
+        tried=() if variants is None else variants.tried,
     )
 
 

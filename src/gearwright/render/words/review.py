@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.closure import Closed, Round
+from gearwright.closure import Closed, Round, Variants
 from gearwright.closure.life import LONGEST
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
@@ -45,6 +45,27 @@ def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
         grid.add_row(name, value)
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
     return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), Text(), grid)
+
+
+def variants_text(found: Variants) -> RenderableType:
+    """Return the nearest variant that meets everything, and what was tried before it.
+
+    Args:
+        found: From `nearest_variant`.
+    """
+    grid = Grid(show_header=False)
+    grid.add_column("what", no_wrap=True)
+    grid.add_column("value")
+    for row in found.tried:
+        grid.add_row(row.what, f"does not meet {row.why}")
+    if found.nearest is None:
+        return Group(grid, Text("no variant that was tried meets everything."))
+    nearest = found.nearest
+    grid.add_row(nearest.what, f"{nearest.closed.outcome}, complete mass {text(nearest.closed.whole.total, 'mass')}")
+    changes = "; ".join(
+        f"{path} = {'(left out)' if value is None else value}" for path, value in nearest.changes.items()
+    )
+    return Group(grid, Text(f"The nearest variant: {changes}."))
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:

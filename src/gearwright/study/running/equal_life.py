@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from gearwright.checks import Check
-from gearwright.closure import Closed, Wishes, close
+from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
 from gearwright.errors import DesignError, Problem
-from gearwright.reviews import Review, Verdict, review
+from gearwright.reviews import Verdict, review
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running.compare import comparison_of
 from gearwright.units import Life, Mass, Ratio
@@ -43,6 +43,8 @@ class EqualLife:
     """Margin of the worst check of the review [-]."""
     file: str = ""
     """The closed design as TOML."""
+    variant: str = ""
+    """What was changed of what the design gives, as it does not close itself; empty where it is as it was named."""
 
 
 @verb
@@ -53,6 +55,8 @@ def equal_life(
     tell: Callable[[str], None] | None = None,
 ) -> tuple[EqualLife, ...]:
     """Return designs closed for one life, the lightest that meet everything first, then those that do not.
+
+    A design that does not close has its nearest variant that does in a row of its own (`nearest_variant`).
 
     Args:
         designs: Name -> design; left out: the architectures of the shipped study.
@@ -65,7 +69,9 @@ def equal_life(
         say = None if tell is None else _named(tell, name)
         try:
             closed = close(design, wishes=asked, tell=say)
-            rows.append(_row(name, closed, review(parse(design_text(closed.design)))))
+            rows.append(_row(name, closed))
+            if closed.outcome is Outcome.OPEN and (variant := nearest_variant(design, closed, tell=say).nearest):
+                rows.append(replace(_row(name, variant.closed), variant=variant.what))
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=_order))
@@ -79,7 +85,9 @@ def _order(row: EqualLife) -> tuple[bool, float]:
     return row.verdict not in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR)), row.complete_mass or float("inf")
 
 
-def _row(name: str, closed: Closed, judged: Review) -> EqualLife:
+def _row(name: str, closed: Closed) -> EqualLife:
+    """Return the row of a closed design, judged by a review of its text alone."""
+    judged = review(parse(design_text(closed.design)))
     whole, shortest = closed.whole, next(iter(closed.lives), None)
     low, high = whole.band
     return EqualLife(
