@@ -8,7 +8,6 @@ from journal_film import solved
 
 from gearwright.parts.bearings import (
     attitude_angle,
-    eccentricity_of,
     film_load,
     friction_variable,
     narrow_load,
@@ -56,11 +55,6 @@ def test_the_wide_limit_by_hand():
 def test_petroff_is_the_friction_of_a_film_without_load():
     """f F = 2 π² … : f/ψ So → π as ε → 0."""
     assert float(friction_variable(0.02, 1.0) * film_load(0.02, 1.0)) == near(math.pi, rel=2e-3)
-
-
-def test_the_eccentricity_bears_its_load():
-    ratios, wanted = np.array([0.2, 0.5, 1.0, 1.9]), np.array([0.3, 1.0, 4.0, 9.0])
-    assert film_load(eccentricity_of(wanted, ratios), ratios) == near(wanted, rel=1e-9)
 
 
 def test_more_load_presses_the_film_thinner_at_every_width():

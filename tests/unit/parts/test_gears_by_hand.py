@@ -36,9 +36,9 @@ from gearwright.parts.gears.hertz import (
     module_hertz,
 )
 from gearwright.parts.gears.internal_interference import (
+    assembly_room,
     interference,
     involute_clearance,
-    radial_assembly_gap,
     tip_clearance_angle,
 )
 from gearwright.parts.gears.involute import involute_angle
@@ -457,4 +457,4 @@ def test_a_pinion_is_put_in_radially_where_its_tips_stay_in_their_spaces(pair):
         corner = 2.0 * PI * j / -two.teeth + PI / -two.teeth - half_angle_at(two, two.tip_radius)
         gaps.append(two.tip_radius * math.sin(corner) - aside)
     assert gaps
-    assert radial_assembly_gap(pair) == pytest.approx(min(gaps))
+    assert assembly_room(pair).clearance == pytest.approx(min(gaps))

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import simulate
-from gearwright.dynamics.motion import followed, with_profile
+from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.machines import Governor
 from gearwright.mission import fly, governed_window, trim_at
-from gearwright.mission.windows import fly_window, window_step
+from gearwright.mission.windows import fly_window
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import GovernorRules, WindowRules, parse_mission, read
@@ -94,7 +94,7 @@ def test_the_speed_profile_does_not_change_the_motion_of_constant_stiffness():
     rules = WindowRules(phase="cruise", at=605.0, duration=2.0, event="motor-cut", event_at=0.2, stiffness="constant")
     window = fly_window(flight, "cut", rules)
     fixed = with_profile(window.system, [(0.0, float(window.system.arrays.profile.factor[0]))])
-    other = simulate(fixed, 2.0, step=window_step(window.system))
+    other = simulate(fixed, 2.0, step=1.0 / fastest_rate(window.system.arrays))
     one, two = (trace.samples.drive("propeller speed") for trace in (window.trace, other))
     assert np.interp(window.trace.samples.time, other.samples.time, two) == pytest.approx(one, abs=1e-4)
 

@@ -4,7 +4,7 @@ The quasi-steady flight around them is in `mission`.
 """
 
 from gearwright.mission.windows.governed import Trim, Window, governed_window, rotor_at, trim_at
-from gearwright.mission.windows.window import DynamicWindow, fly_window, window_outputs, window_rules, window_step
+from gearwright.mission.windows.window import DynamicWindow, fly_window, window_outputs, window_rules
 
 __all__ = [
     "DynamicWindow",
@@ -16,5 +16,4 @@ __all__ = [
     "trim_at",
     "window_outputs",
     "window_rules",
-    "window_step",
 ]

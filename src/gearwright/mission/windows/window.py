@@ -13,8 +13,8 @@ from gearwright.arrays import Floats
 from gearwright.dynamics import Outputs, System, Trace, simulate
 from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
-from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix, top_rate
-from gearwright.dynamics.motion import fastest_rate, followed, with_profile
+from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix
+from gearwright.dynamics.motion import followed, with_profile
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_near, blade_angles, governs, limit_cycle
@@ -31,10 +31,6 @@ from gearwright.spec import GovernorRules, WindowRules
 from gearwright.units import Time
 from gearwright.verbs import verb
 
-STEPS_PER_CYCLE = 1.6
-"""Steps in a cycle of the highest stiffness harmonic: line forces within 1e-3, in a quarter of the default steps."""
-STABLE = 1.0
-"""Step times fastest rate [-], as in `dynamics.stepsize`."""
 BINS = 400
 """Time bins of a window's statistics."""
 CLOSE_CYCLES = 4.0
@@ -147,17 +143,6 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
     joints = {joint.name for joint in flight.sizing.train.joints}
     if rules.clutch is not None and rules.clutch not in joints:
         raise DesignError([Problem(f"{at}.clutch", f"no such clutch: {rules.clutch}; {near(rules.clutch, joints)}")])
-
-
-def window_step(system: System) -> float:
-    """Return the step of a window: two for each cycle of the highest harmonic, and as the fastest mode allows [s].
-
-    Args:
-        system: Bodies, lines, drives.
-    """
-    excited = top_rate(system.arrays) / (2.0 * math.pi)
-    stable = STABLE / fastest_rate(system.arrays)
-    return min(stable, 1.0 / (STEPS_PER_CYCLE * excited)) if excited else stable
 
 
 def window_outputs(system: System, rules: WindowRules) -> Outputs:

@@ -48,7 +48,6 @@ from gearwright.parts.bearings.modified_life import (
 )
 from gearwright.parts.bearings.plain import (
     attitude_angle,
-    eccentricity_of,
     film_load,
     film_speed,
     friction_variable,
@@ -115,7 +114,6 @@ __all__ = [
     "contamination_factor",
     "deep_groove_factors",
     "dynamic_rating",
-    "eccentricity_of",
     "ellipse_ratio",
     "equivalent_load",
     "fatigue_load_limit",

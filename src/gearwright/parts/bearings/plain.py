@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.arrays import Floats
 
 LEAST_ECCENTRICITY, MOST_ECCENTRICITY = 0.02, 0.98
-"""Range of ε that the fit of the load covers [-]; an eccentricity outside is answered by its end."""
+"""Range of ε that the fit of the load covers [-]."""
 NARROWEST, WIDEST = 0.1, 2.0
 """Range of B/D that the fits cover [-]."""
 _WIDE = (-0.4882, 0.6227)
@@ -22,8 +22,6 @@ _BLEND = ((0.9411, -0.0074, 0.0723, -0.1745), (0.0617, -0.1662, -0.0681), (-0.00
 before 1, B/D and (B/D)²."""
 _FLOW = (0.8956, -0.0313, -0.0329, 0.1428)
 _ATTITUDE = (-0.4589, 2.2464, -3.037, 1.3529, 0.0599, -0.8336)
-_HALVINGS = 44
-"""Of the range of ε, until it is known to rounding [-]."""
 TAYLOR = 41.3
 """Of the Reynolds number at which vortices begin between cylinders of which one turns [-] (Taylor 1923)."""
 
@@ -72,24 +70,6 @@ def film_load(eccentricity: Floats, width_ratio: Floats) -> Floats:
     free, once, twice = (np.polynomial.polynomial.polyval(eps, np.array(row)) for row in _BLEND)
     joined = free + ratio * once + ratio**2 * twice
     return np.asarray((narrow_load(eps, ratio) ** -joined + wide**-joined) ** (-1.0 / joined))
-
-
-def eccentricity_of(load: Floats, width_ratio: Floats) -> Floats:
-    """Return the eccentricity that bears a Sommerfeld number, ε [-]; the end of the fit's range beyond it.
-
-    Args:
-        load: So = p ψ²/(η ω) [-].
-        width_ratio: B/D [-].
-
-    Source: inverse of `film_load` by halving.
-    """
-    asked, ratio = np.broadcast_arrays(np.asarray(load, dtype=np.float64), np.asarray(width_ratio, dtype=np.float64))
-    low, high = np.full(asked.shape, LEAST_ECCENTRICITY), np.full(asked.shape, MOST_ECCENTRICITY)
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        over = film_load(middle, ratio) > asked
-        low, high = np.where(over, low, middle), np.where(over, middle, high)
-    return np.asarray(0.5 * (low + high))
 
 
 def attitude_angle(eccentricity: Floats, width_ratio: Floats) -> Floats:

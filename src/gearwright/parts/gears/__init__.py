@@ -31,7 +31,6 @@ from gearwright.parts.gears.internal_interference import (
     interference,
     involute_clearance,
     involute_room,
-    radial_assembly_gap,
     tip_clearance_angle,
     tip_room,
 )
@@ -115,7 +114,6 @@ __all__ = [
     "module_hertz",
     "module_lewis",
     "pressure_angle_at",
-    "radial_assembly_gap",
     "reduced_modulus",
     "reference_centre",
     "ring_inertia",

@@ -157,21 +157,6 @@ def passing_tip(pair: GearPair, j: int, halves: tuple[float, float]) -> PassingT
     return PassingTip((angle <= 0.5 * math.pi) & (lateral <= outer) & beyond, room)
 
 
-def radial_assembly_gap(pair: GearPair) -> float:
-    """Return the least gap between pinion and ring teeth when the pinion is moved radially into mesh.
-
-    Args:
-        pair: An internal pair.
-
-    Returns:
-        Least tangential gap over the pinion's tips [m]; negative: the pinion must be put in axially.
-
-    Source: `assembly_room`.
-    """
-    room = assembly_room(pair)
-    return math.inf if room is None else room.clearance
-
-
 def interference(pair: GearPair) -> tuple[Problem, ...]:
     """Return what keeps an internal pair from running, in words; empty when nothing does.
 
