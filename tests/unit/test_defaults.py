@@ -32,7 +32,8 @@ FACTORS_OF_ONE = """
     single_contact_factors.profile_factor windage_power_dawson.enclosure BearingGeometry.rows Seat.side_by_side
     deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
     PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
-    PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure
+    PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure TransverseTooth.side
+    TeethSearch.sized Proportions.share
 """
 """Factors, counts and senses that leave a formula as it is."""
 
@@ -59,7 +60,9 @@ NOTHINGS = """
     add_body.damping_ratio add_rotor.damping_ratio add_gear_contact.damping add_gear_contact.backlash
     Model.mesh.damping Model.mesh.backlash Model.shaft.damping Model.support.damping Model.load.constant
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
-    ClassDamage.within.start
+    ClassDamage.within.start TransverseTooth.helix_angle TransverseTooth.profile_shift TransverseTooth.tip_alteration
+    TransverseTooth.shaper pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
+    JointSizing.speed on_film.fastest Seat.speed Task.deviation ClutchDrive.carried
 """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
@@ -68,11 +71,12 @@ NO = """
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
+    Needs.every PropellerDrive.beyond
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
     " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims Ask.reverse"
-    " quality_of.reverse"
+    " quality_of.reverse section_stress.notch section_stresses.notch"
 )
 PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers"
 PAIRS_OF_NOTHING = """
@@ -83,7 +87,7 @@ PAIRS_OF_NOTHING = """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque
     MachineDrive.highest_power Member.support Item.limit room_between.enough solid_room.enough Unloaded.bending_margin
-    Unloaded.contact_margin
+    Unloaded.contact_margin TeethSearch.next_sized_mass
 """
 """What is straight, rigid or without a limit."""
 
@@ -128,6 +132,18 @@ OF_STANDARDS = {
     # λ_M 45 W/(m K), ρ_M 7800 kg/m³, c_M 440 J/(kg K).
     "FilmMesh.thermal": math.sqrt(45.0 * 7800.0 * 440.0),
     "GearBlank.rim_ratio": 5.0, "rectangular_curve.step": 0.75,
+    # Bearing steel of 7850 kg/m³; splines bear on three of four flanks; ISO/TR 14179-1: 0.0011, 0.003737 N m/mm a seal.
+    "rolling_weights.density": 7850.0, "Proportions.density": 7850.0, "spline_pressure.share": 0.75,
+    "spline_length.share": 0.75, "bearing_torque_constant.friction": 0.0011,
+    "seal_power_14179_1.torque_per_mm": 0.003737,
+    # SKF: K_rs = 3e-8 of a bath; MIL-PRF-23699: 26 and 5 mm²/s at 40 and 100 °C, 950 kg/m³.
+    "bearing_torque_skf.replenishment": 3e-8, "oil_viscosity.grade": (26e-6, 5e-6), "Oil.grade": (26e-6, 5e-6),
+    "Oil.density": 950.0, "oil_flow.density": 950.0,
+    # ISO 6336-1: steel on steel at F_t K_A/b of 100 N/mm.
+    "mesh_stiffness_iso6336.specific_load": 1e5, "mesh_stiffness_iso6336.elastic_moduli": (206e9, 206e9),
+    # Neither a force along a shaft nor a radius of a flank.
+    "din743_safety.axial": (0.0, 0.0, 0.0), "ToothContact.radii": (math.inf, math.inf),
+    "wall_of.fitted": (0.107, 0.05, 1.23),  # fitted: benchmarks/gearbox_masses.py --fit
     # Eight harmonics of a stiffness, forty slices of a shaft.
     "mesh_stiffness_energy.harmonics": 8, "mesh_curve_iso6336.harmonics": 8, "mesh_stiffness_kuang_yang.harmonics": 8,
     "rectangular_curve.harmonics": 8, "lumped_shaft.pieces": 40,
@@ -183,15 +199,11 @@ def test_what_is_left_out_is_neutral_or_a_standards_number(meaning):
     assert wrong == {}
 
 
-RATING = ("iso6336", "agma2001", "agma2003", "bevel", "scuffing", "micropitting")
-
-
-def test_every_number_that_a_rating_takes_where_nothing_is_said_is_in_these_tables():
-    rooms = [f"gearwright.parts.{room}" for room in RATING] + ["gearwright.sizing.rating"]
+def test_every_number_that_is_taken_where_nothing_is_said_is_in_these_tables():
     told = {name for names in WANTED.values() for name in names}
     untold = {
         name
-        for room in rooms
+        for room in ROOMS
         for found in pkgutil.walk_packages(importlib.import_module(room).__path__, f"{room}.")
         for owner, thing in vars(importlib.import_module(found.name)).items()
         if getattr(thing, "__module__", "") == found.name and not owner.startswith("_")

@@ -81,7 +81,7 @@ def test_loads_of_one_sense_need_one_system_and_no_load_gives_no_torque(hybrid):
 
 
 def test_losses_that_may_leave_several_states_are_not_solved_together(hybrid):
-    """Nine tenths of the power lost in every mesh: what rows feel reaches a half, and is left to the search for states."""
+    """Nine tenths of the power are lost in every mesh: what rows feel reaches a half, where several states may be."""
     _, train, turning = hybrid
     turn = turning.turn({"propeller": turning.senses["output"] * 1.0}, [])
     part = np.full((1, len(train.meshes)), 0.9)
