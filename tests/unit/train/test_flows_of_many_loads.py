@@ -1,5 +1,8 @@
 """Torques of many loads at once against those of each alone, and what stages give to shafts, in watts."""
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -12,7 +15,9 @@ from gearwright.train import (
     can_be_along,
     power_flow,
     shaft_powers,
-)
+    speed_range,
+    tooth_ratio_range,
+)  # fmt: skip
 
 near = pytest.approx
 
@@ -100,3 +105,55 @@ def test_stages_give_shafts_what_machines_take_and_planets_and_ground_are_none_o
         ("second", "output"): near(1200e3, rel=1e-12),
     }
     assert GROUND not in {shaft for _, shaft in powers}
+
+
+def test_the_residual_of_a_flow_is_what_its_powers_leave_open_over_what_comes_in(hybrid):
+    """100 and 50 kW in, 120 kW out, nothing lost by these meshes: 30/150; without any power nothing is open."""
+    design, train, _ = hybrid
+    flow = power_flow(design, train, TEETH, "driven", efficiency={"first": 1.0, "second": 1.0})
+    powers = {"turbine": 100e3, "electric": 50e3, "propeller": -120e3}
+    assert replace(flow, machine_powers=powers).residual == near(0.2, rel=1e-12)
+    assert replace(flow, machine_powers={**powers, "propeller": -160e3}).residual == near(1.0 / 15.0, rel=1e-12)
+    assert replace(flow, machine_powers={"turbine": 0.4, "propeller": -0.3}).residual == near(0.25, rel=1e-6)
+    assert replace(flow, machine_powers=dict.fromkeys(powers, 0.0)).residual == 0.0
+
+
+RANGED = """\
+schema = 1
+name = "a pair of bounded ratio and one of given teeth"
+shafts = ["fast", "middle", "slow"]
+[turbines.turbine]
+shaft = "fast"
+power_kw = 100
+speed_rpm = 6000
+[propellers.propeller]
+shaft = "slow"
+speed_rpm = 1000
+diameter_m = 2
+[pairs.first]
+pinion = "fast"
+wheel = "middle"
+ratio = 2.5
+[planetaries.second]
+sun = "middle"
+ring = "ground"
+carrier = "slow"
+planets = 5
+"""
+
+
+def test_a_shaft_turns_within_what_its_stages_leave_between_known_speeds():
+    """Behind a ratio of 2.5 it has one speed; before a set 1 + z_r/z_s times the carrier's, as teeth allow."""
+    design = parse(RANGED)
+    fast, slow = 600.0, 100.0
+    low, high = tooth_ratio_range(design.planetaries["second"], design, sun=150)
+    least, most = 1.0 + low, 1.0 + high
+    assert 2.0 < least < most < math.inf
+    assert speed_range("middle", design, {"slow": slow}, sun=150) == near((slow * least, slow * most))
+    assert speed_range("middle", design, {"fast": fast}, sun=150) == near((fast / 2.5, fast / 2.5))
+    both = speed_range("middle", design, {"fast": fast, "slow": slow}, sun=150)
+    assert both == near((max(240.0, slow * least), min(240.0, slow * most)))
+    assert speed_range("slow", design, {"middle": fast}, sun=150) == near((fast / most, fast / least))
+    assert speed_range("fast", design, {"middle": fast}, sun=150) == near((2.5 * fast, 2.5 * fast))
+    assert speed_range("slow", design, {"fast": fast}, sun=150) == speed_range("middle", design, {}, sun=150)
+    assert speed_range("middle", design, {}, sun=150) == (0.0, math.inf)

@@ -1,0 +1,109 @@
+"""Pieces of the complete mass by hand: what planets turn on, seals, sensors and drives, how uncertainties add."""
+
+import math
+from functools import cache
+
+import pytest
+
+import gearwright as gw
+from gearwright.catalogue import bearings
+from gearwright.parts.bearings import BearingKind
+from gearwright.sizing.mass import CompleteMass, MassItem
+from gearwright.sizing.mass.beside import requirement_of
+from gearwright.sizing.mass.calibration import Calibration
+from gearwright.sizing.mass.details import detail_items
+from gearwright.sizing.mass.duties import seat_duties
+from gearwright.sizing.mass.planet_bores import planet_bores
+from gearwright.sizing.mass.rolling_mass import loaded_mass, rating_for, similar
+from gearwright.spec import edited
+
+near = pytest.approx
+
+
+@cache
+def sized(name, changes=()):
+    return gw.size(edited(gw.read(name), dict(changes)))
+
+
+def test_a_planet_turns_on_the_bearing_that_its_load_asks_for_within_its_rim():
+    """0.69 π/4 b 7850 (D² − d²) = m(C), at least 0.08 d of section and at most d_p − 2 (1.2 · 2.25 + 1.25) m."""
+    sizing = sized("in-line-h2")
+    duties = list(seat_duties(sizing))
+    pins = {carrier.stage: carrier.pin_diameter for carrier in sizing.carriers}
+    bores = planet_bores(sizing, duties)
+    assert bores
+    for gear in sizing.gears:
+        if gear.name not in bores:
+            continue
+        bore, pin = bores[gear.name], pins[gear.part.name]
+        rating = max(duty.rating for duty in duties if duty.seat.part.name == gear.part.name)
+        wanted = math.sqrt(pin**2 + loaded_mass(rating) / (0.69 * math.pi / 4.0 * gear.face_width * 7850.0))
+        room = gear.pitch_diameter - 2.0 * 3.95 * gear.module
+        outside = max(min(max(wanted, 1.16 * pin), room), pin)
+        assert bore.bearing_diameter == near(outside)
+        assert bore.mass == near(0.69 * math.pi / 4.0 * gear.face_width * 7850.0 * (outside**2 - pin**2))
+        assert bore.crowded == (wanted > outside) and not bore.named
+        assert bore.equal == gear.bodies
+
+
+def test_similar_bearings_weigh_by_their_loads_and_bores():
+    """Means over the catalogue: C/m^(2/3) of all cylindrical roller bearings from 30 mm, m/d³ of the light quarter."""
+    rollers = [size for size in bearings().values() if size.kind == BearingKind.CYLINDRICAL and size.bore >= 0.03]
+    logs = [math.log(size.dynamic_rating / size.mass ** (2.0 / 3.0)) for size in rollers]
+    assert similar().by_load == near(math.exp(sum(logs) / len(logs)))
+    bores = sorted(math.log(size.mass / size.bore**3) for size in rollers)
+    place = 0.25 * (len(bores) - 1)
+    below = int(place)
+    assert similar().by_bore == near(
+        math.exp(bores[below] + (place - below) * (bores[below + 1] - bores[below])), rel=1e-9
+    )
+    assert loaded_mass(2.0**2 * similar().by_load) == near(8.0)  # twice as large in all: four times C, eight times m
+    assert rating_for(10e3, 3600.0 * 1e3, 2.0 * math.pi * 1e6 / 3.6e6) == near(10e3)  # one million turns in all
+    assert rating_for(10e3, 3600.0 * 1e3, -2.0 * math.pi * 1e9 / 3.6e6) == near(10e3 * 1000.0**0.3)
+
+
+def test_details_are_seals_sensors_drives_and_a_share_of_the_rest():
+    """40 kg/m² d² a machine, 0.8 kg of sensors, 1.5 kg an accessory's drive, here 7 % of 30 kg; each ± half."""
+    sizing = sized("in-line-h2", (("housing.accessory_drives", 2),))
+    counted = [
+        MassItem("wheel", "gears", 3, 10.0, 0.1, "", ""),
+        MassItem("oil", "lubrication", 1, 99.0, 0.1, "", ""),
+        MassItem("lid", "details", 1, 99.0, 0.1, "", ""),
+    ]
+    items = {item.part: item for item in detail_items(sizing, counted, Calibration(0.1, 0.07, 1.2))}
+    diameters = {shaft.name: shaft.diameter for shaft in sizing.shafts}
+    for machine in sizing.machines:
+        assert items[f"{machine.name} seal"].total == near(40.0 * diameters[machine.shaft] ** 2)
+    assert items["accessory drives"].total == near(3.0)
+    assert items["fasteners and small parts"].total == near(2.1)
+    assert "sensors" not in items or items["sensors"].total == near(0.8)
+    assert {item.uncertainty for item in items.values()} == {0.5}
+
+
+def test_parts_of_a_group_err_alike_and_groups_apart():
+    """s = √((10 · 0.1 + 2 · 20 · 0.3)² + (30 · 0.2)²), m = 80 kg, factor 1 + s/m."""
+    parts = (
+        MassItem("pinion", "gears", 1, 10.0, 0.1, "", ""),
+        MassItem("wheel", "gears", 2, 20.0, 0.3, "", ""),
+        MassItem("case", "housing", 1, 30.0, 0.2, "", ""),
+    )
+    mass = CompleteMass("any", parts, 1.05)
+    assert mass.total == near(80.0)
+    assert mass.deviation == near(math.hypot(10.0 * 0.1 + 40.0 * 0.3, 6.0))
+    assert mass.factor == near(1.0 + mass.deviation / 80.0)
+    assert mass.band == near((80.0 / mass.factor, 80.0 * mass.factor))
+    assert CompleteMass("any", parts, 1.5).factor == 1.5
+    assert mass.of("gears") == near(50.0) and mass.of("details") == 0.0
+
+
+def test_weights_by_statistics_are_asked_with_the_fastest_engine_and_the_largest_load():
+    sizing = sized("in-line-h2")
+    flow, machines = sizing.reference, sizing.design.machines
+    need = requirement_of(sizing)
+    powers = flow.machine_powers
+    engines = [abs(flow.speeds[machines[name].shaft]) for name in powers if powers[name] > 0.0]
+    largest = min(powers, key=powers.get)
+    assert len(engines) > 1 and powers[largest] < 0.0
+    assert need.power == sizing.rated_power
+    assert need.engine_speed == max(engines)
+    assert need.propeller_speed == abs(flow.speeds[machines[largest].shaft])
