@@ -7,6 +7,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.exchange.rexs import LARGEST
+from mounted_designs import PAIR
 from rexs_database import EXAMPLES
 from shipped_work import sized
 
@@ -38,6 +39,32 @@ def said(text, folder):
 def pair():
     """Return the plain file of a shipped design with two pairs."""
     return without_own(gw.to_rexs(sized("e-axle")).content).decode()
+
+
+def test_bearings_and_places_come_back_from_what_rexs_itself_says(tmp_path):
+    before = gw.parse(PAIR)
+    after = read(without_own(gw.to_rexs(gw.size(before)).content), tmp_path).design
+    for name, seat in before.bearings.items():
+        again = after.bearings[name]
+        assert (again.shaft, again.kind, again.locates, again.radial) == (
+            seat.shaft,
+            seat.kind,
+            seat.locates,
+            seat.radial,
+        )
+        assert again.position == pytest.approx(seat.position, rel=1e-12)
+        assert again.designation in {bearing.designation for bearing in gw.size(before).bearings}
+    (pinion,) = [place for name, place in after.layout["input"].places.items() if name.endswith(".pinion")]
+    assert pinion.position == pytest.approx(0.090, rel=1e-9)
+
+
+def test_bearings_with_which_nothing_can_be_sized_are_left_out_with_the_reason():
+    """The gearbox of SEW has a shaft in three bearings, and a pinion cut into its shaft below the bearings' bore."""
+    found = gw.from_rexs(EXAMPLES / "sew_3stage_1.0.rexs")
+    assert {seat.shaft for seat in found.design.bearings.values()} == {"ANW-4", "ABW-54"}
+    assert any("3 radial bearings of RW5-36 are not read" in note for note in found.assumed)
+    assert any("bearings of RW3-5 are not taken, for" in note and "root circle" in note for note in found.assumed)
+    assert any("rolling_bearing_with_catalog_geometry[32] and 4 more" in entry for entry in found.not_read)
 
 
 @pytest.mark.parametrize("design", gw.shipped_designs())

@@ -12,6 +12,7 @@ from gearwright.arrays import Floats
 from gearwright.catalogue import materials
 from gearwright.exchange.rexs.asking import Asking
 from gearwright.exchange.rexs.bodies import Bodies
+from gearwright.exchange.rexs.document import Component
 from gearwright.exchange.rexs.gearing import Gear, Gearing
 
 Table = dict[str, Any]
@@ -61,8 +62,25 @@ def read_layout(asking: Asking, bodies: Bodies, gearing: Gearing, gears: Mapping
     for shaft, angle in _angles(asking, gearing, shafts, gears).items():
         layout.setdefault(shaft, {})["angle_rad"] = angle
     if layout:
-        asking.notes.append("diameters of shafts are not read: gearwright sizes shafts of one diameter")
+        asking.notes.append("diameters of shafts are not read: gearwright sizes shafts itself")
     return layout
+
+
+def lone_shafts(asking: Asking, bodies: Bodies, gearing: Gearing, layout: Table) -> dict[str, Component]:
+    """Return shaft of the layout -> its component, of those that are one component along +u.
+
+    Args:
+        asking: The document.
+        bodies: What of it turns as one.
+        gearing: Its gears and stages.
+        layout: As read so far.
+    """
+    components = asking.document.of_kind("shaft")
+    alone = {name: [part for part in components if bodies.name_of(part.number) == name] for name in gearing.shafts}
+    return {
+        name: parts[0] for name, parts in alone.items()
+        if len(parts) == 1 and "length_m" in layout.get(name, {}) and _axis(asking, [parts[0].number]) is not None
+    }  # fmt: skip
 
 
 def _angles(

@@ -17,6 +17,8 @@ FORMER = {
     "mesh_load_factor_iso_6336_2019": ("mesh_load_factor_iso_6336_2006",),
     "allowable_stress_number_contact_iso_6336_2016": ("endurance_limit_flank",),
     "nominal_stress_number_tooth_root_iso_6336_2016": ("endurance_limit_root",),
+    "catalogue_designation": ("name",),
+    "radial_static_load_rating": ("static_capacity",),
 }
 """Attribute -> names that it had in former versions, or that others write for it."""
 GEOMETRY = {"reference_component_for_position", "w_axis_vector"}

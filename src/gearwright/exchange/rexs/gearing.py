@@ -60,6 +60,8 @@ class Gearing:
     stages: dict[str, tuple[int, ...]] = field(default_factory=dict)
     """Stage of the design -> ids of its stages in the document."""
     clutches: dict[str, Table] = field(default_factory=dict)
+    machines: dict[int, str] = field(default_factory=dict)
+    """Load -> the machine of the design that it is."""
     engaged: dict[str, tuple[bool, ...]] = field(default_factory=dict)
     """Clutch -> whether it holds, load case by load case."""
 

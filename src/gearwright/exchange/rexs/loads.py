@@ -59,6 +59,7 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
         asking.notes.append(f"line {component.line}: {component.path} has a torque of 0 in every case; it is left out")
         del loads[load]
     names = {load: bodies.new_name(asking.document.components[load]) for load in loads}
+    gearing.machines |= names
     others = [load for load in loads if load not in known]
     if not _is_enough(asking, loads, known, others, cases):
         return {}

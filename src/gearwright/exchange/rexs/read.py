@@ -8,17 +8,19 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.exchange.rexs.arrangement import read_layout, read_materials, read_service
+from gearwright.exchange.rexs.arrangement import lone_shafts, read_layout, read_materials, read_service
 from gearwright.exchange.rexs.asking import Asking
 from gearwright.exchange.rexs.bodies import bodies_of
 from gearwright.exchange.rexs.gearing import gears_of
 from gearwright.exchange.rexs.loads import read_clutches, read_loads, read_oil
+from gearwright.exchange.rexs.mounting import Mounting, read_mounting, with_places
 from gearwright.exchange.rexs.own import own_design, own_labels
 from gearwright.exchange.rexs.parsing import document_of
 from gearwright.exchange.rexs.sound import unsound
 from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
 from gearwright.exchange.rexs.stated import Stated, read_stated
 from gearwright.reading import text_of
+from gearwright.sizing import size
 from gearwright.spec import Design, build, design_text, parse
 from gearwright.verbs import verb
 
@@ -84,16 +86,37 @@ def _design(asking: Asking, source: str) -> tuple[Design, Mapping[int, str]]:
     asking.used |= {unit.number for unit in units}
     name = next((asking.text(unit, "model_name") or unit.name for unit in units), "") or "gearbox"
     rules = read_materials(asking, gearing, gears)
+    layout = read_layout(asking, bodies, gearing, gears)
+    mounting = read_mounting(asking, bodies, gearing, lone_shafts(asking, bodies, gearing, layout))
     table: dict[str, Any] = {
         "schema": 1, "name": name, "description": f"Read from {Path(source).name}: REXS {document.version}"
         f" of {document.application or 'an unnamed tool'}",
         "shafts": gearing.shafts, "pairs": gearing.pairs, "planetaries": gearing.planetaries,
         "clutches": gearing.clutches,
-        "gears": rules, "layout": read_layout(asking, bodies, gearing, gears),
+        "gears": rules, "layout": layout,
         "oil": read_oil(asking), "service": read_service(asking) if "rating" in rules else {},
     }  # fmt: skip
     _refuse(asking, source)
-    return _made({key: value for key, value in (table | loads).items() if value}, source), gearing.labels
+    whole = {key: value for key, value in (table | loads).items() if value}
+    return _mounted(asking, whole, mounting, source), gearing.labels
+
+
+def _mounted(asking: Asking, table: Mapping[str, Any], mounting: Mounting, source: str) -> Design:
+    """Return a design with what sits where on its shafts, shaft by shaft as far as it can then be sized."""
+    best, table = _made(table, source), dict(table)
+    wishes = [("places on the shafts", with_places(table, mounting), frozenset[int]())]
+    wishes += [(f"bearings of {name}", {"bearings": seats}, read) for name, seats, read in mounting.shafts]
+    for what, wish, read in wishes:
+        wanted = table | wish | {"bearings": {**table.get("bearings", {}), **wish.get("bearings", {})}}
+        try:
+            design = _made({key: value for key, value in wanted.items() if value}, source)
+            size(design)
+        except DesignError as error:
+            asking.notes.append(f"{what} are not taken, for {error.problems[0]}")
+            continue
+        best, table = design, wanted
+        asking.used |= read
+    return best
 
 
 def _refuse(asking: Asking, source: str) -> None:

@@ -16,6 +16,15 @@ OWN = ("custom_gearwright_design", "custom_gearwright_gear", "custom_gearwright_
 """Attributes of gearwright's own, as REXS lets applications have them: the design as TOML, and the gear and the mesh
 row of it that a component is."""
 DESIGN, GEAR, MESH = OWN
+BEARING_TYPES = {
+    "deep-groove": "radial_grooved_ball_bearing",
+    "cylindrical": "radial_roller_bearing",
+    "taper": "radial_tapered_roller_bearing",
+    "four-point": "four_point_contact_ball_bearing",
+}
+"""Kind of a bearing in a design -> in REXS."""
+ABSORBS = {"none": "no_direction", "both": "both_directions", "first": "negative", "second": "positive"}
+"""Where a bearing holds its shaft in a design -> in REXS."""
 
 
 class Unit(NamedTuple):

@@ -6,17 +6,10 @@ import numpy as np
 
 from gearwright.exchange.rexs.sheet import Value
 from gearwright.exchange.rexs.task import Task, placed
+from gearwright.exchange.rexs.words import ABSORBS, BEARING_TYPES
 from gearwright.shape import Stand
 from gearwright.sizing import CarrierSizing, ShaftSizing
 from gearwright.spec import GROUND
-
-_TYPES = {
-    "deep-groove": "radial_grooved_ball_bearing",
-    "cylindrical": "radial_roller_bearing",
-    "taper": "radial_tapered_roller_bearing",
-    "four-point": "four_point_contact_ball_bearing",
-}
-_ABSORBS = {"none": "no_direction", "both": "both_directions", "first": "negative", "second": "positive"}
 
 
 def write_shafts(task: Task) -> None:
@@ -74,8 +67,8 @@ def _bearings(task: Task) -> None:
     for bearing in task.sizing.bearings:
         seat = task.sizing.design.bearings[bearing.name]
         number = task.sheet.add("rolling_bearing_with_catalog_geometry", bearing.name, {
-            "catalogue_designation": bearing.designation, "bearing_type": _TYPES[seat.kind],
-            "axial_force_absorption": _ABSORBS[seat.locates], "radial_force_absorption": seat.radial,
+            "catalogue_designation": bearing.designation, "bearing_type": BEARING_TYPES[seat.kind],
+            "axial_force_absorption": ABSORBS[seat.locates], "radial_force_absorption": seat.radial,
             "inner_diameter": bearing.inner_diameter, "outer_diameter": bearing.outer_diameter, "width": bearing.width,
             "radial_dynamic_load_rating": bearing.dynamic_rating, "radial_static_load_rating": bearing.static_rating,
             "nominal_rating_life_time_iso_281_2007": bearing.life,
