@@ -1,4 +1,4 @@
-"""Files of other tools, written from what gearwright computes and read into what it designs: REXS, FMUs of simulators.
+"""Files of other tools, written from what gearwright computes and read into what it designs: REXS, FMUs, STEP, tables.
 
 Solids as GLB are `shape`'s, drawings `render`'s, runs and values `store`'s.
 """

@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.parts.gears import Blank
 from gearwright.shape.shafts import IN_LINE, Run
-from gearwright.shape.solids import Surface, arms, bearing, tube
+from gearwright.shape.solids import Solid, arms, bearing, tube
 from gearwright.shape.stands import Axes, Stand
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.sizing.arranged import Body
@@ -19,10 +19,10 @@ LEAST_RING = 5e-4
 """Room between pin and planet below which nothing is drawn in it [m]."""
 
 
-def plate_surface(
+def plate_solid(
     sizing: Sizing, carrier: CarrierSizing, body: Body, axes: Axes,
     planets: Sequence[Stand], runs: Sequence[Run], segments: int,
-) -> Surface:  # fmt: skip
+) -> Solid:  # fmt: skip
     """Return the plate of a carrier: arms to its pins, with a hole for what goes through it.
 
     Args:
@@ -55,7 +55,7 @@ def _through(sizing: Sizing, run: Run, axes: Axes, body: Body, own: str) -> floa
     return max(radii, default=0.0) * (1.0 if run.shaft == own else CLEAR)
 
 
-def pin_surface(carrier: CarrierSizing, plate: Body, steps: Sequence[Stand], axes: Axes, segments: int) -> Surface:
+def pin_solid(carrier: CarrierSizing, plate: Body, steps: Sequence[Stand], axes: Axes) -> Solid:
     """Return a pin from the far end of its planet through the plate.
 
     Args:
@@ -63,7 +63,6 @@ def pin_surface(carrier: CarrierSizing, plate: Body, steps: Sequence[Stand], axe
         plate: The plate's envelope.
         steps: Of the planet on it.
         axes: Where it is drawn about.
-        segments: Corners of a circle.
     """
     ends = [
         float((step.axes.origin - axes.origin) @ axes.along) + sign * step.gear.face_width / 2.0
@@ -72,12 +71,10 @@ def pin_surface(carrier: CarrierSizing, plate: Body, steps: Sequence[Stand], axe
     near = [float((np.asarray(plate.origin) + far * np.asarray(plate.direction) - axes.origin) @ axes.along)
             for far in (0.0, plate.length)]  # fmt: skip
     span = (min(*ends, *near), max(*ends, *near))
-    return tube(span, carrier.pin_diameter / 2.0, (carrier.pin_bore or 0.0) / 2.0, segments)
+    return tube(span, carrier.pin_diameter / 2.0, (carrier.pin_bore or 0.0) / 2.0)
 
 
-def planet_bearing(
-    carrier: CarrierSizing, gear: GearSizing, blank: Blank, halves: int, segments: int
-) -> Surface | None:
+def planet_bearing(carrier: CarrierSizing, gear: GearSizing, blank: Blank, halves: int) -> Solid | None:
     """Return the envelope of what a planet turns on; None where there is no room between planet and pin.
 
     Args:
@@ -85,9 +82,8 @@ def planet_bearing(
         gear: The planet.
         blank: Its body.
         halves: 2 of a double-helical planet.
-        segments: Corners of a circle.
     """
     inner, outer = carrier.pin_diameter / 2.0, blank.bore_radius
     if outer - inner < LEAST_RING:
         return None
-    return bearing(inner, outer, halves * gear.face_width, segments)
+    return bearing(inner, outer, halves * gear.face_width)

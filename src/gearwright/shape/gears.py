@@ -10,7 +10,7 @@ from typing import NamedTuple
 from gearwright.identity import Role
 from gearwright.parts.bevel import Hand
 from gearwright.parts.gears import Blank, TransverseTooth, transverse_form, widest_rounding
-from gearwright.shape.solids import Fineness, Surface, bevel_gear, disc_gear, face_wheel, loop_of, ring_gear
+from gearwright.shape.solids import Fineness, Solid, bevel_gear, disc_gear, face_wheel, loop_of, ring_gear
 from gearwright.shape.stands import Stand
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, hand_of, is_internal, kind_of, meshes_of
 from gearwright.sizing import GearSizing, Sizing
@@ -74,9 +74,7 @@ def tooth_of(sizing: Sizing, gear: GearSizing) -> TransverseTooth:
     )  # fmt: skip
 
 
-def gear_surface(
-    sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[str, Blank], *, fine: Fineness
-) -> Surface:
+def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[str, Blank], *, fine: Fineness) -> Solid:
     """Return the solid of a gear.
 
     Args:
@@ -99,8 +97,8 @@ def gear_surface(
     levels = _levels(gear, leaning, fine.layer, halves=halves_of(gear))
     if tooth.side < 0:
         outside = max(gear.pitch_diameter / 2.0 + gear.rim, tooth.root_radius + WALL * gear.module)
-        return ring_gear(loop, levels, outside, 3 * fine.circle)  # thin walls lose most by chords
-    return disc_gear(loop, levels, _walled(_seated(sizing, stand, blanks), gear, halves_of(gear)), fine.circle)
+        return ring_gear(loop, levels, outside)
+    return disc_gear(loop, levels, _walled(_seated(sizing, stand, blanks), gear, halves_of(gear)))
 
 
 def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) -> list[tuple[float, float]]:

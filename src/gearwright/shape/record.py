@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import PartId
-from gearwright.shape.solids import Surface
+from gearwright.shape.solids import Solid, Surface, surface_of
 from gearwright.shape.stands import Axes
 from gearwright.showing import Shown
 
@@ -26,7 +26,7 @@ class Node:
     look: str
     """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing."""
     surface: str
-    """Of the scene's surfaces; empty of what only carries others."""
+    """Of the scene's solids and surfaces; empty of what only carries others."""
     axes: Axes
     """Where it stands in space at rest, z along its own axis."""
     phase: float
@@ -43,8 +43,10 @@ class Scene(Shown):
 
     name: str
     """Of the design."""
-    surfaces: Mapping[str, Surface]
-    """What nodes show; equal bodies share one."""
+    solids: Mapping[str, Solid]
+    """What nodes are; equal bodies share one."""
+    segments: int
+    """Corners of a circle in its triangles [-]."""
     nodes: tuple[Node, ...]
     """Carriers before what is on them."""
     cases: tuple[str, ...]
@@ -56,6 +58,11 @@ class Scene(Shown):
     def by_name(self) -> Mapping[str, Node]:
         """Name -> node."""
         return {node.name: node for node in self.nodes}
+
+    @cached_property
+    def surfaces(self) -> Mapping[str, Surface]:
+        """Name of a solid -> its triangles."""
+        return {name: surface_of(solid, self.segments) for name, solid in self.solids.items()}
 
     @property
     def box(self) -> tuple[Floats, Floats]:

@@ -11,13 +11,13 @@ import numpy as np
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
-from gearwright.shape.carriers import pin_surface, planet_bearing, plate_surface
+from gearwright.shape.carriers import pin_solid, planet_bearing, plate_solid
 from gearwright.shape.contacts import contacts_of
-from gearwright.shape.gears import Leaning, gear_surface, leanings, tooth_of
+from gearwright.shape.gears import Leaning, gear_solid, leanings, tooth_of
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import Run, bearing_bodies, bearing_surface, runs, shaft_surface, tie_surface, ties
-from gearwright.shape.solids import Fineness, Surface
+from gearwright.shape.shafts import Run, bearing_bodies, bearing_solid, runs, shaft_solid, tie_solid, ties
+from gearwright.shape.solids import Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
@@ -29,17 +29,18 @@ from gearwright.verbs import verb
 DETAILS: Mapping[str, Fineness] = {
     "fine": Fineness(3, 5, 60, 0.06, 6),
     "coarse": Fineness(2, 2, 30, 0.2, 3),
+    "smooth": Fineness(8, 10, 90, 0.03, 6),
 }
 """Level of detail -> how finely surfaces are cut."""
 
 
 @verb
-def scene(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> Scene:
+def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine") -> Scene:
     """Return a sized gearbox as solids: teeth of the true tool, bodies as weighed, shafts, carriers, bearings.
 
     Args:
         sizing: As sized.
-        detail: ``fine``, or ``coarse`` with a third of the triangles.
+        detail: ``fine``, ``coarse`` with a third of the triangles, or ``smooth`` with the points that splines need.
 
     >>> import gearwright as gw
     >>> scene = gw.scene(gw.size(gw.read("in-line-h2")))
@@ -55,7 +56,7 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> Scen
     task = _Task(sizing, DETAILS[detail], stands, leaning, phases, gear_blanks(sizing), drawn)
     nodes = [*_carriers(task), *_gears(task), *_shafts(task), *_on_pins(task), *_bearings(task), *_ties(task)]
     words = (*approximations(sizing, phases), *shortened)
-    return Scene(sizing.design.name, task.surfaces, tuple(nodes), tuple(sizing.flows), words)
+    return Scene(sizing.design.name, task.solids, task.fine.circle, tuple(nodes), tuple(sizing.flows), words)
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ class _Task:
     phases: Phases
     blanks: Mapping[str, Blank]
     runs: tuple[Run, ...]
-    surfaces: dict[str, Surface] = field(default_factory=dict)
+    solids: dict[str, Solid] = field(default_factory=dict)
 
     def spins(self, node: str, carrier: str = "") -> dict[str, float]:
         """Return load case -> speed of a node about its own axis, against a carrier [rad/s]."""
@@ -84,7 +85,7 @@ def _carriers(task: _Task) -> Iterator[Node]:
         body = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
         axes, label = axes_at(set_frame(sizing, carrier.stage), middle_of(body)), str(carrier.part)
         own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
-        task.surfaces[label] = plate_surface(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
+        task.solids[label] = plate_solid(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
         yield Node(label, carrier.part, "carrier", label, axes, 0.0, task.spins(carrier.shaft))
 
 
@@ -96,8 +97,8 @@ def _gears(task: _Task) -> Iterator[Node]:
         if _faces_back(sizing, task, stand):  # built with its tips towards −z
             axes, phase = _flipped(axes), -phase
         key = f"{stand.gear.name} {lean.hand:+.0f}" if lean.hand else stand.gear.name
-        if key not in task.surfaces:
-            task.surfaces[key] = gear_surface(sizing, stand, lean, task.blanks, fine=task.fine)
+        if key not in task.solids:
+            task.solids[key] = gear_solid(sizing, stand, lean, task.blanks, fine=task.fine)
         spins = task.spins(stand.node, stand.carrier)
         if axes is not stand.axes:
             spins = {case: -speed for case, speed in spins.items()}
@@ -127,7 +128,7 @@ def _shafts(task: _Task) -> Iterator[Node]:
         frame, part = task.sizing.arrangement.frames[run.shaft], PartId(Kind.SHAFT, run.shaft)
         middle = (run.steps[0][0] + run.steps[-1][1]) / 2.0
         label = f"shaft {run.shaft}"
-        task.surfaces[label] = shaft_surface(run, middle, task.fine.circle)
+        task.solids[label] = shaft_solid(run, middle)
         place = np.asarray(frame.origin) + middle * np.asarray(frame.along)
         yield Node(label, part, "shaft", label, axes_at(frame, place), 0.0, task.spins(run.shaft))
 
@@ -147,13 +148,13 @@ def _on_pins(task: _Task) -> Iterator[Node]:
             steps = [other for other in task.stands if (other.node, other.place) == (stand.node, stand.place)]
             plate = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
             key = f"{stand.node} pin"
-            task.surfaces.setdefault(key, pin_surface(carrier, plate, steps, stand.axes, task.fine.circle))
+            task.solids.setdefault(key, pin_solid(carrier, plate, steps, stand.axes))
             yield Node(f"{stand.node} pin {stand.place + 1}", carrier.part, "pin", key, stand.axes, 0.0, still, on)
         blank = task.blanks[stand.gear.name]
-        ring = planet_bearing(carrier, stand.gear, blank, halves_of(stand.gear), task.fine.circle)
+        ring = planet_bearing(carrier, stand.gear, blank, halves_of(stand.gear))
         if ring is not None:
             key, part = f"{stand.gear.name} bearing", stand.gear.part._replace(kind=Kind.BEARING)
-            task.surfaces.setdefault(key, ring)
+            task.solids.setdefault(key, ring)
             yield Node(f"{stand.name} bearing", part, "bearing", key, stand.axes, 0.0, still, on)
 
 
@@ -161,7 +162,7 @@ def _bearings(task: _Task) -> Iterator[Node]:
     frames = task.sizing.arrangement.frames
     for part, body in bearing_bodies(task.sizing):
         label = f"bearing {part}"
-        task.surfaces[label] = bearing_surface(body, task.fine.circle)
+        task.solids[label] = bearing_solid(body)
         axes = axes_at(frames[body.shaft], middle_of(body))
         yield Node(label, part, "bearing", label, axes, 0.0, dict.fromkeys(task.sizing.flows, 0.0))
 
@@ -171,7 +172,7 @@ def _ties(task: _Task) -> Iterator[Node]:
         shaft = tie.ring.shafts[0]
         frame, label = task.sizing.arrangement.frames[shaft], f"{tie.ring.name} tie"
         hub = next((run.steps[0][2] for run in task.runs if run.shaft == shaft), 0.0)
-        task.surfaces[label] = tie_surface(tie, tooth_of(task.sizing, tie.ring).root_radius, hub, task.fine.circle)
+        task.solids[label] = tie_solid(tie, tooth_of(task.sizing, tie.ring).root_radius, hub)
         place = np.asarray(frame.origin) + tie.middle * np.asarray(frame.along)
         spins = task.spins(shaft) if shaft != GROUND else dict.fromkeys(task.sizing.flows, 0.0)
         yield Node(label, tie.ring.part, "tie", label, axes_at(frame, place), 0.0, spins)

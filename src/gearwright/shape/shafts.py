@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.identity import Kind, PartId
-from gearwright.shape.solids import Surface, bearing, bell, stepped
+from gearwright.shape.solids import Solid, bearing, bell, stepped
 from gearwright.shape.stands import set_frame
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arranged import Body
@@ -130,15 +130,14 @@ def _in_line(sizing: Sizing, shaft: str, other: str) -> float | None:
     return far if beside < IN_LINE and tilt < IN_LINE else None
 
 
-def shaft_surface(run: Run, middle: float, segments: int) -> Surface:
+def shaft_solid(run: Run, middle: float) -> Solid:
     """Return the solid of a shaft about its middle.
 
     Args:
         run: As drawn.
         middle: Place that becomes z = 0, from its first end [m].
-        segments: Corners of a circle.
     """
-    return stepped([(low - middle, high - middle, radius) for low, high, radius in run.steps], run.bore, segments)
+    return stepped([(low - middle, high - middle, radius) for low, high, radius in run.steps], run.bore)
 
 
 class Tie(NamedTuple):
@@ -179,29 +178,27 @@ def ties(sizing: Sizing) -> Iterator[Tie]:
         yield Tie(ring, span[1] if side > 0.0 else span[0], (first, first + side * thick), middle)
 
 
-def tie_surface(tie: Tie, root: float, hub: float, segments: int) -> Surface:
+def tie_solid(tie: Tie, root: float, hub: float) -> Solid:
     """Return the solid of a tie about the middle of its ring.
 
     Args:
         tie: Where it lies.
         root: Radius of the ring's roots [m].
         hub: Radius of the shaft [m].
-        segments: Corners of a circle.
     """
     outside = tie.ring.pitch_diameter / 2.0 + tie.ring.rim
     inside = outside - TIE_WALL * (outside - root)
     disc = (tie.disc[0] - tie.middle, tie.disc[1] - tie.middle)
-    return bell((inside, outside), tie.start - tie.middle, disc, hub, segments)
+    return bell((inside, outside), tie.start - tie.middle, disc, hub)
 
 
-def bearing_surface(body: Body, segments: int) -> Surface:
+def bearing_solid(body: Body) -> Solid:
     """Return the envelope of a bearing.
 
     Args:
         body: Where it stands.
-        segments: Corners of a circle.
     """
-    return bearing(body.bore, body.radius, body.length, segments)
+    return bearing(body.bore, body.radius, body.length)
 
 
 def bearing_bodies(sizing: Sizing) -> Iterator[tuple[PartId, Body]]:

@@ -19,7 +19,7 @@ from gearwright.parts.gears import (
     transverse_form,
 )
 from gearwright.shape import DETAILS, edges_of, scene, solid_masses
-from gearwright.shape.solids import bevel_gear, disc_gear, face_wheel, loop_of, ring_gear, stepped
+from gearwright.shape.solids import bevel_gear, disc_gear, face_wheel, loop_of, ring_gear, stepped, surface_of
 from gearwright.shipped import shipped_designs
 from shipped_work import sized
 
@@ -84,7 +84,7 @@ def test_a_gear_has_the_volume_of_its_teeth_and_its_body(beta):
     blank = Blank(root, 0.8 * root, 0.4 * root, 0.25 * root, 0.02, 0.006)
     levels = [(place, place * math.tan(beta) / tooth.pitch_radius) for place in np.linspace(-0.01, 0.01, 21)]
     form = transverse_form(tooth, fillet=30, flank=30)
-    solid = disc_gear(loop_of(form, 40), levels, blank, 720)
+    solid = surface_of(disc_gear(loop_of(form, 40), levels, blank), 720)
     teeth = 40 * 2.0 * np.trapezoid(form[1] * form[0], form[0]) + math.pi * root**2
     body = math.pi * ((0.8 * root) ** 2 - (0.4 * root) ** 2) * 0.014 + math.pi * (0.25 * root) ** 2 * 0.02
     # Straight lines between the points: circles of 720 corners lose 1e-5, teeth of 60 points and slices of 1 mm less
@@ -98,7 +98,8 @@ def test_a_gear_has_the_volume_of_its_teeth_and_its_body(beta):
 
 def test_a_ring_has_the_volume_of_its_wall_and_its_teeth():
     tooth = TransverseTooth(90, 2e-3, side=-1, shaper=30)
-    solid = ring_gear(loop_of(transverse_form(tooth, fillet=20, flank=20), 90), [(-0.01, 0.0), (0.01, 0.0)], 0.1, 720)
+    loop = loop_of(transverse_form(tooth, fillet=20, flank=20), 90)
+    solid = surface_of(ring_gear(loop, [(-0.01, 0.0), (0.01, 0.0)], 0.1), 720)
     wall = math.pi * (0.1**2 - tooth.root_radius**2) * 0.02
     teeth = tooth_area(CylindricalGear(-90, 2e-3, 0.02)) * 0.02
     assert wall + teeth < solid.volume < wall + 1.06 * teeth  # fillets
@@ -108,7 +109,7 @@ def test_a_ring_has_the_volume_of_its_wall_and_its_teeth():
 def test_bevel_teeth_fill_the_cones_of_their_blank(side):
     """Between root and tip cones, by Pappus about half of the space: teeth and gaps are alike on the pitch cone."""
     pair = BevelPair((14, 43), 9e-3, 0.06, math.radians(35.0))
-    solid = bevel_gear(pair, side, hand=1.0, bore=0.02, fine=FINE)
+    solid = surface_of(bevel_gear(pair, side, hand=1.0, bore=0.02, fine=FINE), FINE.circle)
     assert edges_of(solid).open == 0
     height = pair.addenda[side] * pair.outer_cone_distance / pair.mean_cone_distance
     reach = pair.outer_diameters[side] / 2.0 + height * math.cos(pair.pitch_angles[side])
@@ -117,13 +118,13 @@ def test_bevel_teeth_fill_the_cones_of_their_blank(side):
 
 def test_a_face_gear_is_a_rack_on_its_pitch_cylinder():
     pinion = TransverseTooth(32, 1.6e-3)
-    solid = face_wheel(pinion, 124, width=0.02, bore=0.02, fine=FINE)
+    solid = surface_of(face_wheel(pinion, 124, width=0.02, bore=0.02, fine=FINE), FINE.circle)
     assert edges_of(solid) == (0, 0)
     assert solid.points[:, 2].min() == pytest.approx(-1.6e-3)
 
 
 def test_a_shaft_has_the_volume_of_its_steps():
-    solid = stepped([(0.0, 0.1, 0.02), (0.1, 0.15, 0.03)], 0.01, 720)
+    solid = surface_of(stepped([(0.0, 0.1, 0.02), (0.1, 0.15, 0.03)], 0.01), 720)
     volume = math.pi * (0.1 * (0.02**2 - 0.01**2) + 0.05 * (0.03**2 - 0.01**2))
     assert solid.volume == pytest.approx(volume, rel=2e-5)  # of 720 corners
     assert edges_of(solid) == (0, 0)

@@ -32,8 +32,8 @@ def export(
         str,
         typer.Option(
             "--to",
-            help="glb: solids that turn; html: a page on which they do; rexs, rexs-1.6: REXS; fmu, fmu-3.0: FMI 2.0 and"
-            " 3.0; xlsx, csv: every table; svg, dxf: the general arrangement; json: the sizing",
+            help="glb: solids that turn; html: a page on which they do; step: solids for CAD; rexs, rexs-1.6: REXS;"
+            " fmu, fmu-3.0: FMI; xlsx, csv: every table; svg, dxf: the general arrangement; json: the sizing",
         ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
@@ -43,7 +43,7 @@ def export(
         float | None, typer.Option("--step", help="Of fmu's integration [s]; left out: that of simulate")
     ] = None,
 ) -> None:
-    """Export a sized design: solids as GLB, a page on which it turns, REXS, its dynamics as FMU, the sizing as JSON."""
+    """Export a sized design: solids as GLB or STEP, a page on which it turns, REXS, its dynamics as FMU, JSON."""
     from gearwright.cli.designs import placed_in, sized
 
     _refuse_unknown(to)
@@ -84,6 +84,13 @@ def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
 
     content = turning(sizing, detail=wanted.detail).encode()
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
+
+
+def _step(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.step import to_step
+
+    file = to_step(sizing)
+    return file.content, f"STEP AP214, {file.bodies} bodies of {file.solids} solids, {len(file.content) / 1e6:.1f} MB"
 
 
 def _rexs(sizing: Sizing, _: Wanted, *, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
@@ -143,6 +150,7 @@ _DRAWN = "the general arrangement; gearwright draw writes every sheet"
 FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
     "html": _html,
+    "step": _step,
     "json": _json,
     "rexs": partial(_rexs, version="1.7"),
     "rexs-1.6": partial(_rexs, version="1.6"),

@@ -5,6 +5,7 @@ Which bodies a gearbox has, and where they stand, is for `shape`.
 
 from gearwright.shape.solids.crossed import Fineness, bevel_form, bevel_gear, face_thickness, face_wheel, spiral_turn
 from gearwright.shape.solids.round_bodies import arms, bearing, bell, stepped, tube
+from gearwright.shape.solids.solid import Section, Solid, surface_of
 from gearwright.shape.solids.surface import Edges, Surface, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
@@ -12,6 +13,8 @@ __all__ = [
     "Edges",
     "Fineness",
     "Loop",
+    "Section",
+    "Solid",
     "Surface",
     "arms",
     "bearing",
@@ -26,5 +29,6 @@ __all__ = [
     "ring_gear",
     "spiral_turn",
     "stepped",
+    "surface_of",
     "tube",
 ]

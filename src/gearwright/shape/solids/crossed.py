@@ -19,8 +19,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelPair
 from gearwright.parts.gears import BasicRack, TransverseTooth, transverse_form
-from gearwright.shape.solids.surface import Surface, around_hole, joined, revolved
-from gearwright.shape.solids.toothed import Loop, Section, cap, loop_of, ring_of, wall
+from gearwright.shape.solids.solid import Section, Solid
+from gearwright.shape.solids.toothed import Loop, loop_of
 
 RIM = 1.2
 """Metal behind the roots over the depth of the teeth [-] (AGMA 2001-D04, backup ratio without loss of strength)."""
@@ -45,7 +45,7 @@ class Fineness(NamedTuple):
     """Sections along the face of a bevel or face gear, less one [-]."""
 
 
-def bevel_gear(pair: BevelPair, side: int, *, hand: float, bore: float, fine: Fineness) -> Surface:
+def bevel_gear(pair: BevelPair, side: int, *, hand: float, bore: float, fine: Fineness) -> Solid:
     """Return a bevel gear with its body.
 
     Args:
@@ -71,7 +71,7 @@ def bevel_gear(pair: BevelPair, side: int, *, hand: float, bore: float, fine: Fi
     toe, heel = (
         _below(cone, mean, far, float(loop.radius.min()) - RIM * depth * far / mean, loop.radius.min()) for far in ends
     )
-    return _backed(sections, loop, toe, heel, slope=cone, bore=bore, web=WEB * pair.face_width, segments=fine.circle)
+    return _backed(sections, loop, toe, heel, bore=bore, web=WEB * pair.face_width)
 
 
 def bevel_form(pair: BevelPair, side: int, *, fillet: int, flank: int) -> tuple[Floats, Floats]:
@@ -120,7 +120,7 @@ def _below(cone: float, mean: float, far: float, height: float, least: float) ->
     return (far - mean) * math.cos(cone) - height * math.sin(cone), far * math.sin(cone) + height * math.cos(cone)
 
 
-def face_wheel(pinion: TransverseTooth, teeth: int, *, width: float, bore: float, fine: Fineness) -> Surface:
+def face_wheel(pinion: TransverseTooth, teeth: int, *, width: float, bore: float, fine: Fineness) -> Solid:
     """Return the wheel of a face-gear pair whose shaper has the teeth of the pinion.
 
     Args:
@@ -143,7 +143,7 @@ def face_wheel(pinion: TransverseTooth, teeth: int, *, width: float, bore: float
     rim = RIM * (root + pinion.rack.addendum * pinion.module)
     loop = Loop(sections[0].radius, sections[0].angle, corner)
     toe, heel = (root + 0.4 * rim, float(inner)), (root + rim, float(outer))
-    return _backed(sections, loop, toe, heel, slope=math.pi / 2.0, bore=bore, web=0.6 * rim, segments=fine.circle)
+    return _backed(sections, loop, toe, heel, bore=bore, web=0.6 * rim)
 
 
 def pointed_radius(pinion: TransverseTooth, teeth: int) -> float:
@@ -186,14 +186,10 @@ def _face_section(pinion: TransverseTooth, teeth: int, radius: float) -> Section
 
 def _backed(
     sections: Sequence[Section], loop: Loop, toe: tuple[float, float], heel: tuple[float, float],
-    *, slope: float, bore: float, web: float, segments: int,
-) -> Surface:  # fmt: skip
+    *, bore: float, web: float,
+) -> Solid:  # fmt: skip
     """Return teeth with what is behind them: a rim from toe to heel, a plate, a hub about the bore."""
-    ahead = (math.cos(slope), math.sin(slope))
-    profile = _behind(toe, heel, around_hole(bore, segments), web)
-    ends = [cap(section, ring_of(profile[end][1], profile[end][0], segments), (sign * ahead[0], sign * ahead[1]), up=up)
-            for section, end, sign, up in ((sections[-1], 0, 1.0, True), (sections[0], -1, -1.0, False))]  # fmt: skip
-    return joined([wall(sections, loop.edges), *ends, revolved(profile, segments)])
+    return Solid(tuple(_behind(toe, heel, bore, web)), tuple(sections), loop.edges)
 
 
 def _behind(toe: tuple[float, float], heel: tuple[float, float], bore: float, web: float) -> list[tuple[float, float]]:

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from gearwright.parts.gears import Blank
-from gearwright.shape.solids.surface import Surface, around_hole, circle, revolved
+from gearwright.shape.solids.solid import Solid
+from gearwright.shape.solids.surface import circle
 from gearwright.shape.solids.toothed import Loop, disc_gear
 
 RING = 0.28
@@ -18,54 +19,49 @@ LEAST_HUB = 0.3
 """Radius of a carrier's plate between its arms over its outer one, at least [-]."""
 
 
-def tube(span: tuple[float, float], outer: float, bore: float, segments: int) -> Surface:
+def tube(span: tuple[float, float], outer: float, bore: float) -> Solid:
     """Return a cylinder with a bore, or without one.
 
     Args:
         span: Where it begins and ends [m].
         outer: Its radius [m].
         bore: Radius of its bore; 0: none [m].
-        segments: Corners of a circle.
     """
-    return stepped([(span[0], span[1], outer)], bore, segments)
+    return stepped([(span[0], span[1], outer)], bore)
 
 
-def stepped(steps: Sequence[tuple[float, float, float]], bore: float, segments: int) -> Surface:
+def stepped(steps: Sequence[tuple[float, float, float]], bore: float) -> Solid:
     """Return a shaft.
 
     Args:
         steps: Start, end [m] and radius [m] of each, without gaps.
         bore: Radius of its bore; 0: none [m].
-        segments: Corners of a circle.
     """
     way = [(steps[0][0], bore)]
     for start, end, radius in steps:
         way += [(start, max(radius, 1.05 * bore)), (end, max(radius, 1.05 * bore))]
     way.append((steps[-1][1], bore))
-    return revolved([*way, way[0]] if bore else way, segments)
+    return Solid(tuple([*way, way[0]] if bore else way))
 
 
-def bearing(bore: float, outer: float, width: float, segments: int) -> Surface:
+def bearing(bore: float, outer: float, width: float) -> Solid:
     """Return the envelope of a bearing: two rings, and between them what rolls.
 
     Args:
         bore: Radius [m].
         outer: Radius [m].
         width: [m].
-        segments: Corners of a circle.
     """
     section, half = outer - bore, width / 2.0
-    radii = (around_hole(bore, segments), bore + RING * section, outer - RING * section, outer)
+    radii = (bore, bore + RING * section, outer - RING * section, outer)
     inner = half * (1.0 - 2.0 * RECESS)
     way = [(-half, radii[0]), (-half, radii[1]), (-inner, radii[1]), (-inner, radii[2]), (-half, radii[2]),
            (-half, radii[3]), (half, radii[3]), (half, radii[2]), (inner, radii[2]), (inner, radii[1]),
            (half, radii[1]), (half, radii[0]), (-half, radii[0])]  # fmt: skip
-    return revolved(way, segments)
+    return Solid(tuple(way))
 
 
-def arms(
-    angles: Sequence[float], reach: float, thickness: float, *, bore: float, fill: float, segments: int
-) -> Surface:
+def arms(angles: Sequence[float], reach: float, thickness: float, *, bore: float, fill: float, segments: int) -> Solid:
     """Return the plate of a carrier, with as much of its disc left as its fill says.
 
     Args:
@@ -74,7 +70,7 @@ def arms(
         thickness: [m].
         bore: Radius of its bore; 0: none [m].
         fill: Share of the disc that is left [-].
-        segments: Corners of a circle.
+        segments: Corners of a circle, half as many as its outline has.
     """
     count = max(4 * segments // 2, 24 * len(angles))
     turn = circle(count)
@@ -89,10 +85,10 @@ def arms(
     radius = np.full(count, reach) if fill >= 1.0 else low + (reach - low) * share
     loop = Loop(radius, turn, np.zeros(count, dtype=bool))
     blank = Blank(reach, 0.0, bore, bore, thickness, thickness)
-    return disc_gear(loop, [(-thickness / 2.0, 0.0), (thickness / 2.0, 0.0)], blank, segments)
+    return disc_gear(loop, [(-thickness / 2.0, 0.0), (thickness / 2.0, 0.0)], blank)
 
 
-def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub: float, segments: int) -> Surface:
+def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub: float) -> Solid:
     """Return what ties a turning ring to its shaft: a wall beside the ring and a disc down to the shaft.
 
     Args:
@@ -100,9 +96,8 @@ def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub:
         ring: Where the ring ends [m].
         disc: Where the disc begins, and where it ends; beyond each other as the ring's end and the disc are [m].
         hub: Radius of the shaft [m].
-        segments: Corners of a circle.
     """
     sign = 1.0 if disc[1] > ring else -1.0
     way = [(ring, wall[0]), (ring, wall[1]), (disc[1], wall[1]), (disc[1], hub), (disc[0], hub), (disc[0], wall[0])]
     way.append(way[0])
-    return revolved(way if sign > 0.0 else way[::-1], segments)
+    return Solid(tuple(way if sign > 0.0 else way[::-1]))

@@ -1,0 +1,170 @@
+"""The exact form of a solid: surfaces of revolution about its axis, and walls through the outlines of its teeth."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeEdge,
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakeSolid,
+    BRepBuilderAPI_MakeWire,
+    BRepBuilderAPI_Sewing,
+)
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepGProp import BRepGProp
+from OCP.BRepLib import BRepLib
+from OCP.BRepOffsetAPI import BRepOffsetAPI_ThruSections
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
+from OCP.Geom import Geom_ConicalSurface, Geom_CylindricalSurface
+from OCP.GeomAbs import GeomAbs_CurveType
+from OCP.gp import gp_Ax1, gp_Ax3, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
+from OCP.GProp import GProp_GProps
+from OCP.ShapeFix import ShapeFix_Edge, ShapeFix_Face, ShapeFix_Shape
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopoDS import TopoDS
+
+from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
+from gearwright.shape.solids import Section, Solid
+
+Place = tuple[float, float]
+"""z and radius [m]."""
+FLAT, CURVED = 1e-3, 1e-2
+"""How far edges of neighbouring faces may lie apart that are sewn, of flat ends and of ends on cones [mm]."""
+_UP = gp_Dir(0.0, 0.0, 1.0)
+
+
+def made_of(solid: Solid) -> Any:
+    """Return a solid of Open CASCADE, in millimetres about z.
+
+    Args:
+        solid: What it is made of.
+    """
+    if not solid.sections:
+        return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
+    wires, wall = _wall(solid)
+    behind = BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
+    flat = _is_flat(solid.sections[0])
+    sewn = BRepBuilderAPI_Sewing(FLAT if flat else CURVED)
+    sewn.Add(wall)
+    sewn.Add(behind)
+    for end, place in zip((0, -1) if solid.inside else (-1, 0), (solid.profile[0], solid.profile[-1]), strict=True):
+        section, ring = solid.sections[end], _ring(behind, place)
+        loops = (ring, wires[end]) if solid.inside else (wires[end], ring)
+        sewn.Add(_flat_end(section, *loops) if flat else _round_end(section, *loops, place))
+    sewn.Perform()
+    body = BRepBuilderAPI_MakeSolid(
+        TopoDS.Shell(next(_parts(sewn.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)))
+    ).Solid()
+    BRepLib.OrientClosedSolid_s(body)
+    if BRepCheck_Analyzer(body).IsValid():
+        return body
+    mended = ShapeFix_Shape(body)
+    mended.Perform()
+    return mended.Shape()
+
+
+def volume_of(shape: Any) -> float:
+    """Return the volume of a solid of Open CASCADE [m³].
+
+    Open CASCADE integrates over ends with many teeth to 3 %; the solids themselves are exact to some hundredths of one.
+
+    Args:
+        shape: In millimetres.
+    """
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties)
+    return float(properties.Mass()) / MM**3
+
+
+def _axis() -> Any:
+    return gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), _UP)
+
+
+def _way(profile: Sequence[Place]) -> Any:
+    """Return straight lines in the plane of x and z; those that begin and end on the axis are closed along it."""
+    places = [profile[0]]
+    places += [there for here, there in pairwise(profile) if math.dist(here, there) > SAME]
+    if places[0] != places[-1] and places[0][1] == places[-1][1] == 0.0:
+        places.append(places[0])
+    wire = BRepBuilderAPI_MakeWire()
+    for here, there in pairwise(places):
+        ends = (gp_Pnt(MM * radius, 0.0, MM * height) for height, radius in (here, there))
+        wire.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
+    return wire.Wire()
+
+
+def _wall(solid: Solid) -> tuple[list[Any], Any]:
+    """Return the outlines at both ends, and flanks, fillets and lands between them."""
+    assert solid.edges is not None
+    pieces = pieces_of(solid.sections[0], solid.edges)
+    wires = [wire_of(section, pieces) for section in solid.sections]
+    first, last = solid.sections[0], solid.sections[-1]
+    if np.array_equal(first.angle, last.angle) and np.array_equal(first.radius, last.radius):
+        prism = BRepPrimAPI_MakePrism(wires[0], gp_Vec(0.0, 0.0, MM * float(last.height[0] - first.height[0])))
+        return [TopoDS.Wire(prism.FirstShape()), TopoDS.Wire(prism.LastShape())], prism.Shape()
+    loft = BRepOffsetAPI_ThruSections(False, len(wires) == 2, SAME * MM)
+    for wire in wires:
+        loft.AddWire(wire)
+    loft.CheckCompatibility(False)
+    loft.Build()
+    return wires, loft.Shape()
+
+
+def _parts(shape: Any, kind: Any) -> Iterator[Any]:
+    walk = TopExp_Explorer(shape, kind)
+    while walk.More():
+        yield walk.Current()
+        walk.Next()
+
+
+def _ring(behind: Any, place: Place) -> Any:
+    """Return the circle of a surface of revolution at a place, as a wire."""
+    for part in _parts(behind, TopAbs_ShapeEnum.TopAbs_EDGE):
+        edge = TopoDS.Edge(part)
+        curve = BRepAdaptor_Curve(edge)
+        if curve.GetType() == GeomAbs_CurveType.GeomAbs_Circle:
+            circle = curve.Circle()
+            found = (circle.Location().Z() / MM, circle.Radius() / MM)
+            if math.dist(found, place) < SAME:
+                return BRepBuilderAPI_MakeWire(edge).Wire()
+    raise AssertionError(f"no circle at {place}")
+
+
+def _is_flat(section: Section) -> bool:
+    return float(np.ptp(section.height)) < SAME
+
+
+def _flat_end(section: Section, outer: Any, inner: Any) -> Any:
+    plane = gp_Pln(gp_Pnt(0.0, 0.0, MM * float(section.height[0])), _UP)
+    face = BRepBuilderAPI_MakeFace(plane, outer, True)
+    face.Add(TopoDS.Wire(inner.Reversed()))
+    mended = ShapeFix_Face(face.Face())
+    mended.FixOrientation()
+    mended.Perform()
+    return mended.Face()
+
+
+def _round_end(section: Section, outer: Any, inner: Any, place: Place) -> Any:
+    """Return the end of teeth on a back cone, or on a cylinder about the axis."""
+    low, high = int(np.argmin(section.height)), int(np.argmax(section.height))
+    rise, out = float(section.height[high] - section.height[low]), float(section.radius[high] - section.radius[low])
+    if abs(out) < SAME:
+        surface = Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0.0, 0.0, 0.0), _UP), MM * float(section.radius[0]))
+    else:
+        base = gp_Ax3(gp_Pnt(0.0, 0.0, MM * place[0]), _UP)
+        surface = Geom_ConicalSurface(base, math.atan(out / rise), MM * place[1])
+    build = BRepBuilderAPI_MakeFace(surface, outer, True)
+    build.Add(TopoDS.Wire(inner.Reversed()))
+    face = build.Face()
+    for edge in _parts(face, TopAbs_ShapeEnum.TopAbs_EDGE):
+        ShapeFix_Edge().FixAddPCurve(TopoDS.Edge(edge), face, False)
+    mended = ShapeFix_Shape(face)
+    mended.Perform()
+    return mended.Shape()
