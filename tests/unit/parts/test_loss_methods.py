@@ -57,6 +57,11 @@ def test_outside_its_range_the_first_part_stays_at_the_nearest_end():
         assert iso_tr_14179_1_part(CONTACT, slow, OIL) == iso_tr_14179_1_part(CONTACT, fast, OIL)
     light, lighter = (DUTY._replace(line_load=load) for load in (1e3, 1e2))
     assert iso_tr_14179_1_part(CONTACT, light, OIL) == iso_tr_14179_1_part(CONTACT, lighter, OIL)
+    unit = load_intensity(CONTACT, 1e3) / 1e3
+    for end, inside in ((1.4e6, 1.45e6), (14e6, 13.5e6)):
+        beyond = end + (end - inside)
+        part = [iso_tr_14179_1_part(CONTACT, DUTY._replace(line_load=k / unit), OIL) for k in (beyond, end, inside)]
+        assert part[0] == near(part[1], rel=1e-12) and part[2] != near(part[1], rel=1e-4)
 
 
 def test_schlenks_part_is_his_friction_times_ohlendorfs_factor():

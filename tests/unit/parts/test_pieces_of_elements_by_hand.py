@@ -141,3 +141,17 @@ def test_pins_bend_as_cantilevers_and_a_bore_keeps_the_section_modulus():
     assert pin_bore(0.025, 0.001) == near(0.8 * 0.025)
     assert pin_bore(0.020, 0.020) == 0.0
     assert pin_mass(0.025, 0.030, 7850.0, bore=0.010) == near(7850.0 * 0.030 * PI / 4.0 * (0.025**2 - 0.010**2))
+
+
+def test_a_pull_adds_to_the_mean_of_bending_and_torsion():
+    """σ_mv = √((σ_bm + σ_zdm)² + 3 τ_tm²) lowers σ_bADK = σ_bWK − ψ σ_mv; d 30/40 mm, β_σ 2.2, K_V 1."""
+    section = ShaftSection(0.030, 0.040, Concentration(2.2, 1.6))
+    size, inner = 1.0 - 0.26 * math.log10(40.0 / 16.0), 1.0 - 0.2 * math.log10(30.0 / 7.5) / math.log10(20.0)
+    rough = 1.0 - 0.22 * (math.log10(size * 1000.0 / 20.0) - 1.0)
+    limit = size * 500e6 / (2.2 / inner + 1.0 / rough - 1.0)
+    resist, area = PI / 32.0 * 0.030**3, PI / 4.0 * 0.030**2
+    mean = math.hypot(150.0 / resist + 40e3 / area, math.sqrt(3.0) * 200.0 / (2.0 * resist))
+    held = limit - limit / (2.0 * size * 1000e6 - limit) * mean
+    load = SectionLoad(bending_amplitude=100.0, bending_mean=150.0, torque_mean=200.0)
+    found = din743_safety(load, section, STEEL, greatest=load, axial=AxialLoad(0.0, 40e3, 40e3))
+    assert found.fatigue == near(held / (100.0 / resist), rel=1e-9)
