@@ -3,7 +3,7 @@
 Solids as GLB are `shape`'s, drawings `render`'s, runs and values `store`'s.
 """
 
-from gearwright.exchange.fmu import FmuFile, fmu_of_system, to_fmu
+from gearwright.exchange.fmu import FmuFile, fmu_of_system, fmu_of_window, to_fmu
 from gearwright.exchange.rexs import VERSIONS, ImportedRexs, RexsFile, Stated, from_rexs, to_rexs
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "RexsFile",
     "Stated",
     "fmu_of_system",
+    "fmu_of_window",
     "from_rexs",
     "to_fmu",
     "to_rexs",

@@ -1,5 +1,7 @@
 """The command that writes a sized design for other tools."""
 
+import zipfile
+
 import pytest
 from typer.testing import CliRunner
 
@@ -75,11 +77,26 @@ def test_an_fmu_is_written_and_it_is_said_what_is_inside(folder, version):
     assert "steps of 1e-06 s" in answer.output
 
 
+def test_a_window_of_a_mission_is_written_as_an_fmu_with_its_drives(folder):
+    answer = export("in-line-h2", "--to", "fmu", "--mission", "thesis", "--window", "motor-cut")
+    assert "wrote in-line-h2-gearbox.fmu: FMI 2.0 co-simulation" in answer.output
+    with zipfile.ZipFile(folder / "in-line-h2-gearbox.fmu") as archive:
+        described = archive.read("modelDescription.xml").decode()
+    assert 'name="propeller.pitch"' in described and 'modelName="motor-cut"' in described
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (("pair.toml", "--to", "gbl"), r"'gbl' is not written; did you mean glb"),
         (("pair.toml", "--to", "json", "--step", "1e-6"), r"--step: it is of fmu and fmu-3.0"),
+        (("pair.toml", "--to", "csv", "--detail", "coarse"), r"--detail: it is of glb and html; leave it out with csv"),
+        (("pair.toml", "--to", "fmu", "--window", "gust"), r"--window: --mission and --window belong together"),
+        (
+            ("pair.toml", "--to", "fmu", "--case", "rated", "--mission", "thesis", "--window", "gust"),
+            r"or --case, or ne",
+        ),
+        (("in-line-h2", "--to", "fmu", "--mission", "thesis", "--window", "gusst"), r"gust"),
         (("pair.toml", "--to", "fmu", "--case", "cruse"), r"no case 'cruse'"),
         (("pair.toml", "--to", "glb", "--out", "no-folder/x.glb"), r"no-folder"),
         (("broken.toml", "--to", "glb"), r"turbine"),

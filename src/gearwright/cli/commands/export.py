@@ -24,6 +24,8 @@ class Wanted(NamedTuple):
     detail: Literal["fine", "coarse"]
     case: str | None
     step: float | None
+    mission: str | None
+    window: str | None
 
 
 def export(
@@ -37,20 +39,25 @@ def export(
         ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
-    detail: Annotated[Literal["fine", "coarse"], typer.Option(help="Of the solids of glb")] = "fine",
+    detail: Annotated[
+        Literal["fine", "coarse"] | None, typer.Option(help="Of the solids of glb and html; left out: fine")
+    ] = None,
     case: Annotated[str | None, typer.Option(help="Load case of fmu; left out: the design's first one")] = None,
     step: Annotated[
         float | None, typer.Option("--step", help="Of fmu's integration [s]; left out: that of simulate")
     ] = None,
+    mission: Annotated[str | None, typer.Option(help="Mission whose window is the fmu, with its drives")] = None,
+    window: Annotated[str | None, typer.Option(help="Window of that mission")] = None,
 ) -> None:
     """Export a sized design: solids as GLB or STEP, a page on which it turns, REXS, its dynamics as FMU, JSON."""
     from gearwright.cli.designs import placed_in, sized
 
     _refuse_unknown(to)
-    _refuse_unused(to, {"--case": case, "--step": step})
+    given = {"--detail": detail, "--case": case, "--step": step, "--mission": mission, "--window": window}
+    _refuse_unused(to, given)
     sizing = sized(design)
     with placed_in(design):
-        content, words = FORMATS[to](sizing, Wanted(detail, case, step))
+        content, words = FORMATS[to](sizing, Wanted(detail or "fine", case, step, mission, window))
     path = file or named_after(design, f"gearbox.{to.partition('-')[0]}")
     write_bytes(path, content)
     show(f"wrote {path}: {words}")
@@ -66,8 +73,13 @@ def _refuse_unknown(name: str) -> None:
 def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
     from gearwright.errors import Problem, refuse
 
-    unused = [option for option, value in given.items() if value is not None and not name.startswith("fmu")]
-    refuse(Problem(option, f"it is of fmu and fmu-3.0; leave it out with {name}") for option in unused)
+    takers = {option: ("glb", "html") if option == "--detail" else ("fmu", "fmu-3.0") for option in given}
+    unused = [option for option, value in given.items() if value is not None and name not in takers[option]]
+    refuse(Problem(option, f"it is of {' and '.join(takers[option])}; leave it out with {name}") for option in unused)
+    fix = "--mission and --window belong together, and a case is none of them"
+    named = [option for option in ("--case", "--mission", "--window") if given[option] is not None]
+    if named not in ([], ["--case"], ["--mission", "--window"]):
+        refuse([Problem(", ".join(named), f"{fix}; give both, or --case, or neither")])
 
 
 def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
@@ -109,9 +121,19 @@ def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
 
 
 def _fmu(sizing: Sizing, wanted: Wanted, *, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
-    from gearwright.exchange import to_fmu
+    from gearwright.exchange import fmu_of_window, to_fmu
 
-    file = to_fmu(sizing, wanted.case, version=version, step=wanted.step)
+    if wanted.mission is None or wanted.window is None:
+        file = to_fmu(sizing, wanted.case, version=version, step=wanted.step)
+    else:
+        from gearwright.cli.commands.mission import mission_of
+        from gearwright.mission import fly
+        from gearwright.mission.windows import begun_window
+
+        mission, folder = mission_of(wanted.mission)
+        file = fmu_of_window(
+            begun_window(fly(sizing, mission, folder=folder), wanted.window), version=version, step=wanted.step
+        )
     held = f"binary for {file.platform} and sources" if file.platform else f"sources only, as {file.missing}"
     variables = f"{len(file.ports)} variables, steps of {file.step:.3g} s"
     return file.content, f"FMI {file.version} co-simulation, {variables}, {len(file.content) / 1e3:.0f} kB: {held}"

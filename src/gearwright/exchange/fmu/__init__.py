@@ -5,6 +5,17 @@ What moves and by which laws is `dynamics`; here it is only written in another l
 
 from gearwright.exchange.fmu.compiling import COMPILERS, Binary, compiled
 from gearwright.exchange.fmu.ports import MachinePort, Port, ports_of
-from gearwright.exchange.fmu.write import FmuFile, fmu_of_system, to_fmu
+from gearwright.exchange.fmu.write import FmuFile, fmu_of_system, fmu_of_window, to_fmu
 
-__all__ = ["COMPILERS", "Binary", "FmuFile", "MachinePort", "Port", "compiled", "fmu_of_system", "ports_of", "to_fmu"]
+__all__ = [
+    "COMPILERS",
+    "Binary",
+    "FmuFile",
+    "MachinePort",
+    "Port",
+    "compiled",
+    "fmu_of_system",
+    "fmu_of_window",
+    "ports_of",
+    "to_fmu",
+]

@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
-from typing import get_args
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 
@@ -24,6 +24,9 @@ from gearwright.exchange.fmu.numbers import numbers_text
 from gearwright.exchange.fmu.ports import MachinePort, Port, ports_of
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
+
+if TYPE_CHECKING:
+    from gearwright.mission.windows import BegunWindow
 
 SHARED = ("model.h", "laws.h", "equations.h", "motion.h", "instance.h")
 """Sources that both versions of FMI use."""
@@ -139,6 +142,24 @@ def fmu_of_system(
     )
     content = _packed(described, sources, library)
     return FmuFile(content, version, ports, step, library.platform if library.content else "", library.missing)
+
+
+def fmu_of_window(
+    window: BegunWindow, *, version: Version = "2.0", step: float | None = None, binary: bool = True
+) -> FmuFile:
+    """Return a window of a mission as an FMU that begins as the window does: propeller, governor, machines, clutches.
+
+    Args:
+        window: From `begun_window`.
+        version: Of FMI.
+        step: Of the integration [s]; left out: that of `simulate`.
+        binary: False leaves out the binary.
+
+    Raises:
+        DesignError: No such version or step.
+        SolveError: What the system has and the FMU has no law for.
+    """
+    return fmu_of_system(window.system, name=window.name, version=version, step=step, start=window.start, binary=binary)
 
 
 def _start(system: System, start: tuple[Floats, Floats] | None) -> Floats:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics import Outputs, System, Trace, simulate
+from gearwright.dynamics import System, Trace, simulate
 from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
 from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix
@@ -25,18 +25,13 @@ from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.curves import value_at
 from gearwright.mission.windows.events import changed
 from gearwright.mission.windows.faults import caught, failing, freewheels
+from gearwright.mission.windows.kept import window_outputs
 from gearwright.mission.windows.stop import brake_drive, rest_time, seized, stream_map
 from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
 from gearwright.units import Time
 from gearwright.verbs import verb
 
-BINS = 400
-"""Time bins of a window's statistics."""
-CLOSE_CYCLES = 4.0
-"""Cycles of the slowest mesh at the end of a window of which every step is kept [-]."""
-START = 0.05
-"""Time from which on statistics look [s]: teeth that change their stiffness at once shake a train that was at rest."""
 NOTICED = 1e-4
 """Swing of a propeller's speed over the speed itself from which on it is called a limit cycle [-]."""
 MACHINE_EVENTS = ("motor-short-circuit", "engine-out")
@@ -67,6 +62,19 @@ class DynamicWindow(Shown):
     """Peak of every shaft beside what it is sized for, the worst first."""
     rest: Time | None = None
     """When a sudden stop has come to rest, from the window's start [s]; None where it has not."""
+
+
+class BegunWindow(NamedTuple):
+    """A window that has not moved yet."""
+
+    name: str
+    rules: WindowRules
+    back: Background
+    """What goes on around it."""
+    system: System
+    """With its drives, and the speed profile that the rigid pass found."""
+    start: tuple[Floats, Floats]
+    """q and q̇."""
 
 
 class _Blade(NamedTuple):
@@ -111,6 +119,27 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
         DesignError: The flight flies by schedules, or the window does not lie in its phase.
         SolveError: The propeller leaves its map.
     """
+    begun = begun_window(flight, name, rules)
+    rules, back, system = begun.rules, begun.back, begun.system
+    trace = simulate(system, rules.duration, start=begun.start, outputs=window_outputs(system, rules))
+    loads = dynamic_loads(flight.sizing, trace), shaft_loads(flight.sizing, trace)
+    cycle = None if back.brake else _cycle(back, trace)
+    return DynamicWindow(name, rules, back.start, system, trace, cycle, *loads, _rest(back, trace))
+
+
+@verb
+def begun_window(flight: Flight, name: str, rules: WindowRules | None = None) -> BegunWindow:
+    """Return a window before it moves, for simulators of others.
+
+    Args:
+        flight: As flown, with a propeller map.
+        name: Of the window.
+        rules: What happens in it; left out: those of the mission's window of this name.
+
+    Raises:
+        DesignError: The flight flies by schedules, or the window does not lie in its phase.
+        SolveError: The propeller leaves its map.
+    """
     rules = rules or window_rules(flight, name)
     _check(flight, name, rules)
     back = changed(background(flight, rules), rules)
@@ -120,10 +149,7 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
     governed = caught(back, rules, system)
     if governed is not None:
         system = followed(_system(governed, rules), rules.duration)
-    trace = simulate(system, rules.duration, start=state, outputs=window_outputs(system, rules))
-    loads = dynamic_loads(flight.sizing, trace), shaft_loads(flight.sizing, trace)
-    cycle = None if back.brake else _cycle(back, trace)
-    return DynamicWindow(name, rules, back.start, system, trace, cycle, *loads, _rest(back, trace))
+    return BegunWindow(name, rules, back, system, state)
 
 
 def _check(flight: Flight, name: str, rules: WindowRules) -> None:
@@ -143,24 +169,6 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
     joints = {joint.name for joint in flight.sizing.train.joints}
     if rules.clutch is not None and rules.clutch not in joints:
         raise DesignError([Problem(f"{at}.clutch", f"no such clutch: {rules.clutch}; {near(rules.clutch, joints)}")])
-
-
-def window_outputs(system: System, rules: WindowRules) -> Outputs:
-    """Return what is kept of a window: its time bins, and every step of its last cycles.
-
-    Bins begin when what changing stiffness shook at the start has died, at half the time of the event at the latest.
-
-    Args:
-        system: With its speed profile.
-        rules: Of the window.
-    """
-    turning = np.abs(system.arrays.tone_rate[system.arrays.tone_rate != 0.0])
-    last = 0 if rules.event == "sudden-stop" else -1  # a train at rest has no cycles
-    slowest = float(np.min(turning)) * float(system.arrays.profile.factor[last]) if len(turning) else 0.0
-    close = min(2.0 * math.pi * CLOSE_CYCLES / slowest, rules.duration) if slowest else min(0.02, rules.duration)
-    until = rules.duration if rules.event == "none" else rules.event_at
-    start = min(START, 0.5 * until) if len(turning) else 0.0
-    return Outputs(bins=BINS, start=start, windows=((rules.duration - close, rules.duration),))
 
 
 def _system(back: Background, rules: WindowRules) -> System:
