@@ -105,6 +105,8 @@ def chain(bodies: int) -> System:
         wave = Periodic({"0": 20}, (0.2, 0.1, 0.05))
         weights = {f"{number}": 0.05, f"{number + 1}": 0.05}
         model.mesh(f"{number}", weights, stiffness=1e8, damping=DampingRatio(0.05), variation=wave)
+    model.load("0", constant=100.0)
+    model.load(f"{bodies - 1}", constant=100.0 * (-1.0) ** bodies)
     return model.build()
 
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from gearwright.dynamics.codegen import blank_crests, crester
+from gearwright.dynamics.codegen import blank_crests, bring_crests
 
 
 def crests_of(table, cuts=()):
@@ -15,7 +15,7 @@ def crests_of(table, cuts=()):
     wide[:, :columns] = table
     crests, ends = blank_crests(wide.shape[1]), [2, *cuts, rows - 3]
     for first, stop in pairwise(ends):
-        crester(wide.shape[1])(wide, first, stop - first, crests)
+        bring_crests(wide, first, stop - first, crests)
     return crests[:4, :columns]
 
 

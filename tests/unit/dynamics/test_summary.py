@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.dynamics.codegen import summariser
+from gearwright.dynamics.codegen import summarise
 from gearwright.dynamics.motion import blank_summary, summary_of
 
 
@@ -13,7 +13,7 @@ def test_the_summary_is_that_of_plain_numpy(width, rows):
     """Least and greatest exactly; sums to rounding, since their order differs."""
     record = np.random.default_rng(width).normal(1.0, 3.0, (rows, width))
     found = blank_summary(width)
-    summariser(width)(record, found)
+    summarise(record, found)
     wanted = summary_of(record)
     assert np.array_equal(found[:2], wanted[:2])
     np.testing.assert_allclose(found[2:], wanted[2:], rtol=1e-12, atol=1e-12 * rows)
@@ -24,6 +24,6 @@ def test_a_value_that_is_no_number_shows_in_the_sums():
     record = np.ones((5, 8))
     record[2, 3] = np.nan
     found = blank_summary(8)
-    summariser(8)(record, found)
+    summarise(record, found)
     assert np.isnan(found[3, 3])
     assert np.all(np.isfinite(np.delete(found[3], 3)))

@@ -5,10 +5,10 @@ What is solved with it is decided in `motion`.
 
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.clock import clock, waves_of
-from gearwright.dynamics.codegen.crests import AFTER, BEFORE, blank_crests, crester, lagrange
+from gearwright.dynamics.codegen.crests import AFTER, BEFORE, blank_crests, bring_crests, lagrange
 from gearwright.dynamics.codegen.native import Compiled, compiled
 from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
-from gearwright.dynamics.codegen.summary import summariser
+from gearwright.dynamics.codegen.summary import summarise
 from gearwright.dynamics.codegen.topology import Topology, filled, parameter_rows, parameters, topology
 from gearwright.dynamics.codegen.writer import drive_width, record_width, table_width, wave_width
 
@@ -21,9 +21,9 @@ __all__ = [
     "Topology",
     "aligned",
     "blank_crests",
+    "bring_crests",
     "clock",
     "compiled",
-    "crester",
     "drive_width",
     "filled",
     "lagrange",
@@ -31,7 +31,7 @@ __all__ = [
     "parameters",
     "record_width",
     "recurrence",
-    "summariser",
+    "summarise",
     "table_width",
     "topology",
     "wave_width",

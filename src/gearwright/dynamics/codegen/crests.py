@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 
@@ -25,23 +25,26 @@ KEPT = ("hi", "lo", "hib", "lob", "p")
 """Greatest and least, the same with what they may be off by, and the last point before the next interval."""
 
 
-@lru_cache(maxsize=64)
-def crester(width: int) -> Callable[[Floats, int, int, Floats], None]:
-    """Return what brings crests up to date with some intervals between the rows of a table.
-
-    It takes the table, the first row and the number of intervals, and the crests as `blank_crests` makes them.
+def bring_crests(rows: Floats, first: int, count: int, crests: Floats) -> None:
+    """Bring crests up to date with some intervals between the rows of a table.
 
     Args:
-        width: Numbers in a row, whole vectors.
+        rows: Shape (rows, columns), whole vectors wide.
+        first: Row at which the first interval begins.
+        count: Intervals.
+        crests: As `blank_crests` makes them.
     """
-    engine = machine_code(_loop(width))
-    signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
-    function = signature(engine.get_function_address("crests"))
+    width = crests.shape[1]
+    if width:
+        _code()[0](count, address(rows) + 8 * width * (first - BEFORE), address(crests), width)
 
-    def bring(rows: Floats, first: int, count: int, crests: Floats, *, _code: object = engine) -> None:
-        function(count, address(rows) + 8 * width * (first - BEFORE), address(crests))
 
-    return bring
+@cache
+def _code() -> tuple[Callable[..., None], object]:
+    """Return the function, for tables of any width, and the engine that keeps it in memory."""
+    engine = machine_code(_loop())
+    signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+    return signature(engine.get_function_address("crests")), engine
 
 
 def blank_crests(width: int) -> Floats:
@@ -55,48 +58,41 @@ def blank_crests(width: int) -> Floats:
     return crests
 
 
-def _loop(width: int) -> str:
-    strips = range(width // CHUNK)
-    body = "\n".join(_strip(number, width) for number in strips)
-    return f"""declare <8 x double> @llvm.fabs.v8f64(<8 x double>)
+def _loop() -> str:
+    """Return the loop over eight columns after the other, and in it the loop over intervals.
 
-define void @crests(i64 %rows, ptr noalias %table, ptr noalias %crests) {{
-entry:
-  br label %before0
-{body}
-before{len(strips)}:
-  ret void
-}}"""
-
-
-def _strip(number: int, width: int) -> str:
-    """Return the loop over the intervals of eight columns; six rows and the crests stay in registers."""
-    rows, first = [f"%x{place}.{number}" for place in range(6)], CHUNK * number
-    before, phis = [], []
+    Six rows and the crests stay in registers.
+    """
+    rows = [f"%x{place}" for place in range(6)]
+    starts, before, phis = list[str](), list[str](), list[str]()
     for place, row in enumerate(rows[:5]):
-        before += [f"{row}at = getelementptr double, ptr %table, i64 {place * width + first}",
+        starts.append(f"{row}i = mul i64 %width, {place}")
+        before += [f"{row}j = add i64 {row}i, %first", f"{row}at = getelementptr double, ptr %table, i64 {row}j",
                    f"{row}a = load {VECTOR}, ptr {row}at, align 8"]  # fmt: skip
-        phis.append(f"{row} = phi {VECTOR} [{row}a, %before{number}], [{rows[place + 1]}, %head{number}]")
-    values, after = _interval(rows, {word: f"%{word}.{number}" for word in KEPT}, number)
+        phis.append(f"{row} = phi {VECTOR} [{row}a, %strip], [{rows[place + 1]}, %head]")
+    values, after = _interval(rows, {word: f"%{word}" for word in KEPT})
     for place, word in enumerate(KEPT):
-        name = f"%{word}.{number}"
-        before += [f"{name}at = getelementptr double, ptr %crests, i64 {place * width + first}",
-                   f"{name}a = load {VECTOR}, ptr {name}at, align 8"]  # fmt: skip
-        phis.append(f"{name} = phi {VECTOR} [{name}a, %before{number}], [{after[word]}, %head{number}]")
-    load = [f"%o{number} = mul i64 %i{number}, {width}", f"%f{number} = add i64 %o{number}, {5 * width + first}",
-            f"{rows[5]}at = getelementptr double, ptr %table, i64 %f{number}",
-            f"{rows[5]} = load {VECTOR}, ptr {rows[5]}at, align 8"]  # fmt: skip
-    ends = [f"%n{number} = add i64 %i{number}, 1", f"%m{number} = icmp slt i64 %n{number}, %rows",
-            f"br i1 %m{number}, label %head{number}, label %after{number}"]  # fmt: skip
-    stores = [f"store {VECTOR} {after[word]}, ptr %{word}.{number}at, align 8" for word in KEPT]
-    count = f"%i{number} = phi i64 [0, %before{number}], [%n{number}, %head{number}]"
+        starts.append(f"%{word}i = mul i64 %width, {place}")
+        before += [f"%{word}j = add i64 %{word}i, %first",
+                   f"%{word}at = getelementptr double, ptr %crests, i64 %{word}j",
+                   f"%{word}a = load {VECTOR}, ptr %{word}at, align 8"]  # fmt: skip
+        phis.append(f"%{word} = phi {VECTOR} [%{word}a, %strip], [{after[word]}, %head]")
+    load = ["%o = mul i64 %i, %width", "%f = add i64 %o, %x5i", "%g = add i64 %f, %first",
+            "%x5at = getelementptr double, ptr %table, i64 %g", f"%x5 = load {VECTOR}, ptr %x5at, align 8"]  # fmt: skip
+    stores = [f"store {VECTOR} {after[word]}, ptr %{word}at, align 8" for word in KEPT]
     return "\n".join([
-        f"before{number}:", *before, f"br label %head{number}", f"head{number}:", count, *phis, *load, *values, *ends,
-        f"after{number}:", *stores, f"br label %before{number + 1}",
+        "declare <8 x double> @llvm.fabs.v8f64(<8 x double>)", "",
+        "define void @crests(i64 %rows, ptr noalias %table, ptr noalias %crests, i64 %width) {",
+        "entry:", *starts, "%x5i = mul i64 %width, 5", "br label %strip",
+        "strip:", "%first = phi i64 [0, %entry], [%past, %after]", *before, "br label %head",
+        "head:", "%i = phi i64 [0, %strip], [%n, %head]", *phis, *load, *values,
+        "%n = add i64 %i, 1", "%m = icmp slt i64 %n, %rows", "br i1 %m, label %head, label %after",
+        "after:", *stores, f"%past = add i64 %first, {CHUNK}", "%more = icmp slt i64 %past, %width",
+        "br i1 %more, label %strip, label %end", "end:", "ret void", "}",
     ])  # fmt: skip
 
 
-def _interval(rows: list[str], kept: dict[str, str], number: int) -> tuple[list[str], dict[str, str]]:
+def _interval(rows: list[str], kept: dict[str, str]) -> tuple[list[str], dict[str, str]]:
     """Return the instructions of one interval between the third row and the fourth, and what is kept after it."""
     code, nodes = Emitter(CHUNK), np.arange(-BEFORE, AFTER + 1, dtype=np.float64)
     quarters = [_mixed(code, rows, lagrange(nodes, theta)) for theta in (0.25, 0.5, 0.75)]
@@ -107,8 +103,7 @@ def _interval(rows: list[str], kept: dict[str, str], number: int) -> tuple[list[
     for word, pick, reach in (("hi", code.larger, code.add), ("lo", code.smaller, code.subtract)):
         top = pick(pick(tops[0], tops[1]), pick(tops[2], tops[3]))
         after[word], after[f"{word}b"] = pick(top, kept[word]), pick(reach(top, off), kept[f"{word}b"])
-    lines = [line.replace("%v", f"%s{number}v") for line in code.lines]
-    return lines, {word: name.replace("%v", f"%s{number}v") for word, name in after.items()}
+    return code.lines, after
 
 
 def lagrange(nodes: Floats, theta: float) -> Floats:

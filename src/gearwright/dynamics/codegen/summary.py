@@ -1,10 +1,10 @@
-"""Summary: least, most, sum and sum of squares of each column of a record, by generated code for its width."""
+"""Summary: least, most, sum and sum of squares of each column of a record, by generated code."""
 
 from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, machine_code
@@ -14,50 +14,76 @@ STRIP = 4
 """Vectors of columns whose four statistics fit into the registers together."""
 
 
-@lru_cache(maxsize=64)
-def summariser(width: int) -> Callable[[Floats, Floats], None]:
-    """Return what brings a summary (least, most, sum, sum of squares of each column) up to date with a record.
+def summarise(record: Floats, summary: Floats) -> None:
+    """Bring a summary (least, most, sum, sum of squares of each column) up to date with a record.
 
     Args:
-        width: Numbers in a row, whole vectors.
+        record: Shape (rows, columns), whole vectors wide.
+        summary: Shape (4, columns).
     """
-    engine = machine_code(_summary_loop(width))
-    function = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)(
-        engine.get_function_address("summarise")
-    )
-
-    def summarise(record: Floats, summary: Floats, *, _code: object = engine) -> None:
-        function(len(record), address(record), address(summary))
-
-    return summarise
+    _code()[0](len(record), address(record), address(summary), summary.shape[1])
 
 
-def _summary_loop(width: int) -> str:
+@cache
+def _code() -> tuple[Callable[..., None], object]:
+    """Return the function, for records of any width, and the engine that keeps it in memory."""
+    engine = machine_code(_summary_loop())
+    signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+    return signature(engine.get_function_address("summarise")), engine
+
+
+def _summary_loop() -> str:
     """Return the function that goes over a record in strips of columns whose summary stays in registers."""
-    strips = [range(first, min(first + STRIP, width // CHUNK)) for first in range(0, width // CHUNK, STRIP)]
-    body = "\n".join(_strip(number, strip, width) for number, strip in enumerate(strips))
-    return f"""define void @summarise(i64 %rows, ptr noalias %record, ptr noalias %summary) {{
+    narrow = "\n".join(_call(chunks) for chunks in range(1, STRIP))
+    cases = " ".join(f"i64 {chunks}, label %narrow{chunks}" for chunks in range(1, STRIP))
+    functions = "\n\n".join(_strip(chunks) for chunks in range(1, STRIP + 1))
+    return f"""{functions}
+
+define void @summarise(i64 %rows, ptr noalias %record, ptr noalias %summary, i64 %width) {{
 entry:
-  br label %before0
-{body}
-before{len(strips)}:
+  %chunks = udiv i64 %width, {CHUNK}
+  br label %strip
+strip:
+  %first = phi i64 [0, %entry], [%past, %wide]
+  %gone = udiv i64 %first, {CHUNK}
+  %left = sub i64 %chunks, %gone
+  %more = icmp uge i64 %left, {STRIP}
+  br i1 %more, label %wide, label %rest
+wide:
+  call void @strip{STRIP}(i64 %rows, ptr %record, ptr %summary, i64 %width, i64 %first)
+  %past = add i64 %first, {STRIP * CHUNK}
+  br label %strip
+rest:
+  switch i64 %left, label %end [{cases}]
+{narrow}
+end:
   ret void
 }}"""
 
 
-def _strip(number: int, chunks: range, width: int) -> str:
+def _call(chunks: int) -> str:
+    return f"""narrow{chunks}:
+  call void @strip{chunks}(i64 %rows, ptr %record, ptr %summary, i64 %width, i64 %first)
+  br label %end"""
+
+
+def _strip(chunks: int) -> str:
+    """Return the function that goes over so many vectors of columns from a first column on."""
     words = ("lo", "hi", "su", "sq")
-    before, loop, after = [], [], []
-    for c in chunks:
-        for row, word in enumerate(words):
-            before.append(f"%{word}p{c} = getelementptr double, ptr %summary, i64 {row * width + CHUNK * c}")
+    before = [f"%{word}b = mul i64 %width, {row}" for row, word in enumerate(words)]
+    loop, after = list[str](), list[str]()
+    for c in range(chunks):
+        before.append(f"%c{c} = add i64 %first, {CHUNK * c}")
+        for word in words:
+            before.append(f"%{word}i{c} = add i64 %{word}b, %c{c}")
+            before.append(f"%{word}p{c} = getelementptr double, ptr %summary, i64 %{word}i{c}")
             before.append(f"%{word}a{c} = load {VECTOR}, ptr %{word}p{c}, align 8")
-            loop.append(f"%{word}{c} = phi {VECTOR} [%{word}a{c}, %before{number}], [%{word}n{c}, %head{number}]")
+            loop.append(f"%{word}{c} = phi {VECTOR} [%{word}a{c}, %before], [%{word}n{c}, %head]")
             after.append(f"store {VECTOR} %{word}n{c}, ptr %{word}p{c}, align 8")
-    loop += [f"%offset{number} = mul i64 %i{number}, {width}"]
-    for c in chunks:
+    loop += ["%offset = mul i64 %i, %width"]
+    for c in range(chunks):
         loop += [
-            f"%at{c} = add i64 %offset{number}, {CHUNK * c}",
+            f"%at{c} = add i64 %offset, %c{c}",
             f"%p{c} = getelementptr double, ptr %record, i64 %at{c}",
             f"%x{c} = load {VECTOR}, ptr %p{c}, align 8",
             f"%lm{c} = fcmp olt {VECTOR} %x{c}, %lo{c}",
@@ -68,8 +94,8 @@ def _strip(number: int, chunks: range, width: int) -> str:
             f"%sqm{c} = fmul contract {VECTOR} %x{c}, %x{c}",
             f"%sqn{c} = fadd contract {VECTOR} %sq{c}, %sqm{c}",
         ]
-    count = f"%i{number} = phi i64 [0, %before{number}], [%next{number}, %head{number}]"
-    ends = [f"%next{number} = add i64 %i{number}, 1", f"%more{number} = icmp slt i64 %next{number}, %rows"]
-    ends += [f"br i1 %more{number}, label %head{number}, label %after{number}"]
-    parts = [f"before{number}:", *before, f"br label %head{number}", f"head{number}:", count, *loop, *ends]
-    return "\n".join([*parts, f"after{number}:", *after, f"br label %before{number + 1}"])
+    loop += ["%next = add i64 %i, 1", "%more = icmp slt i64 %next, %rows", "br i1 %more, label %head, label %after"]
+    numbers = "i64 %rows, ptr noalias %record, ptr noalias %summary, i64 %width, i64 %first"
+    head = f"define internal void @strip{chunks}({numbers}) noinline {{"
+    parts = [head, "before:", *before, "br label %head", "head:", "%i = phi i64 [0, %before], [%next, %head]", *loop]
+    return "\n".join([*parts, "after:", *after, "ret void", "}"])

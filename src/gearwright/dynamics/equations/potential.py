@@ -104,10 +104,10 @@ def _newton(scaled: Potential) -> Floats:
         moved = np.linalg.norm(scaled.matrix @ place) + np.linalg.norm(scaled.error)
         if np.linalg.norm(left) <= SETTLED * acting + ROUNDING * moved:
             return np.asarray(place, dtype=np.float64)
-        way = _way(scaled, _touching(deflection, scaled.backlash), left)
-        slope = _Slope(deflection, scaled.matrix @ way, scaled.backlash)
+        way = _way(scaled, touching(deflection, scaled.backlash), left)
+        slope = Slope(deflection, scaled.matrix @ way, scaled.backlash)
         bend = -float(way @ scaled.centripetal @ way)
-        place = place + _reach(slope, float(way @ (scaled.pull + turned)), bend) * way
+        place = place + reach(slope, float(way @ (scaled.pull + turned)), bend) * way
     raise SolveError(
         f"contact did not settle in {ROUNDS} rounds; forces of {np.linalg.norm(left) / acting:.1e} are left over"
     )
@@ -127,12 +127,12 @@ def _way(scaled: Potential, touching: Bools, left: Floats) -> Floats:
     return np.asarray(np.linalg.solve(np.eye(size) - scaled.centripetal, left))
 
 
-def _touching(deflection: Floats, backlash: Floats) -> Bools:
+def touching(deflection: Floats, backlash: Floats) -> Bools:
     """Return which lines carry: linear ones always, others outside their gap."""
     return np.asarray((backlash == 0.0) | (deflection >= 0.0) | (deflection < -backlash))
 
 
-class _Slope(NamedTuple):
+class Slope(NamedTuple):
     """What decides the potential's slope along a direction."""
 
     deflection: Floats
@@ -144,7 +144,7 @@ class _Slope(NamedTuple):
         return float(self.rate @ dead_zone(self.deflection + distance * self.rate, self.backlash))
 
 
-def _reach(slope: _Slope, pull: float, bend: float) -> float:
+def reach(slope: Slope, pull: float, bend: float) -> float:
     """Return the distance at which the slope vanishes: straight between the points where a line opens or closes."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         points = np.concatenate([-slope.deflection / slope.rate, -(slope.deflection + slope.backlash) / slope.rate])

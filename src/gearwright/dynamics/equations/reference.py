@@ -13,9 +13,10 @@ from gearwright.dynamics.model import (
     Profile,
     Schedules,
     Series,
+    along_lines,
     drive_effects,
     entry_matrix,
-    line_matrix,
+    onto_coordinates,
 )
 
 
@@ -66,10 +67,10 @@ def line_state(arrays: Arrays, time: float, position: Floats, velocity: Floats) 
     """
     factor, _, travel = speed_factor(arrays.profile, time)
     angle, rate = arrays.tone_rate * travel, arrays.tone_rate * factor
-    matrix = line_matrix(arrays)
     error, error_rate = _sums(arrays.error, angle, rate)
     variation, variation_rate = _sums(arrays.variation, angle, rate)
-    deflection, deflection_rate = matrix @ position - error, matrix @ velocity - error_rate + factor * arrays.slip
+    deflection = along_lines(arrays, position) - error
+    deflection_rate = along_lines(arrays, velocity) - error_rate + factor * arrays.slip
     contact = dead_zone(deflection, arrays.backlash)
     stiffness = arrays.stiffness * (1.0 + variation)
     force = stiffness * contact + arrays.damping * deflection_rate
@@ -151,7 +152,7 @@ def acceleration(
     size = len(arrays.mass)
     factor, slope, _ = speed_factor(arrays.profile, time)
     force = external_load(arrays, time, velocity, states) - arrays.mass * arrays.speed * slope
-    force -= line_matrix(arrays).T @ line_state(arrays, time, position, velocity).force
+    force -= onto_coordinates(arrays, line_state(arrays, time, position, velocity).force)
     force -= factor * (entry_matrix(arrays.gyroscopic, size) @ velocity)
     force += factor**2 * (entry_matrix(arrays.centripetal, size) @ position)
     return force / arrays.mass

@@ -11,6 +11,7 @@ from gearwright.arrays import Floats
 from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.equations.potential import Potential, escape, least
 from gearwright.dynamics.equations.reference import external_load, line_state, speed_factor
+from gearwright.dynamics.equations.sparse import is_sparse, rigid_motions, settled
 from gearwright.dynamics.model import (
     Arrays,
     Labels,
@@ -18,6 +19,7 @@ from gearwright.dynamics.model import (
     entry_matrix,
     finite_numbers,
     line_matrix,
+    onto_coordinates,
     refuse_following,
     refuse_not_finite,
 )
@@ -84,7 +86,7 @@ def unbalanced(system: System, *, time: float = 0.0) -> str:
     """
     arrays = system.arrays
     load = steady_load(arrays, time)
-    for motion in split_rigid(arrays)[0].T:
+    for motion in rigid_motions(arrays).T:
         parts = motion * load
         if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
             left, pushed = np.sum(parts) / motion[np.argmax(np.abs(motion))], _in_words(system, motion)
@@ -100,15 +102,16 @@ def steady_load(arrays: Arrays, time: float) -> Floats:
         time: Instant [s].
     """
     slipping = arrays.damping * arrays.slip * speed_factor(arrays.profile, time)[0]
-    return external_load(arrays, time, np.zeros(len(arrays.mass))) - line_matrix(arrays).T @ slipping
+    return external_load(arrays, time, np.zeros(len(arrays.mass))) - onto_coordinates(arrays, slipping)
 
 
 def _settle(system: System, time: float, load: Floats) -> Floats:
     """Return where the potential of lines and loads is least."""
-    arrays = system.arrays
-    elastic = split_rigid(arrays)[1]
-    still = np.zeros_like(load)
+    arrays, still = system.arrays, np.zeros_like(load)
     start = line_state(arrays, time, still, still)
+    if is_sparse(arrays):
+        return settled(arrays, load, start.stiffness, -start.deflection)
+    elastic = split_rigid(arrays)[1]
     turned = speed_factor(arrays.profile, time)[0] ** 2 * entry_matrix(arrays.centripetal, len(load))
     potential = Potential(
         line_matrix(arrays) @ elastic, -start.deflection, arrays.backlash, start.stiffness, elastic.T @ load,

@@ -54,6 +54,7 @@ from gearwright.dynamics.model.rotors import (
     add_rotor,
 )
 from gearwright.dynamics.model.system import (
+    LARGE,
     NOBODY,
     Arrays,
     Drives,
@@ -66,9 +67,11 @@ from gearwright.dynamics.model.system import (
     Series,
     System,
     Tone,
+    along_lines,
     entry_matrix,
     holding,
     line_matrix,
+    onto_coordinates,
     top_rate,
 )
 
@@ -76,6 +79,7 @@ __all__ = [
     "AXES",
     "CLUTCH",
     "HEADER",
+    "LARGE",
     "MACHINE",
     "NOBODY",
     "OUTPUTS",
@@ -123,6 +127,7 @@ __all__ = [
     "add_gear_contact",
     "add_planetary",
     "add_rotor",
+    "along_lines",
     "bending_shaft",
     "check_finite",
     "check_structure",
@@ -136,6 +141,7 @@ __all__ = [
     "holding",
     "kept",
     "line_matrix",
+    "onto_coordinates",
     "own_groups",
     "plan_of",
     "planned",

@@ -264,6 +264,37 @@ def line_matrix(arrays: Arrays) -> Floats:
     return matrix
 
 
+LARGE = 250
+"""Coordinates beyond which runs do without dense matrices, whose decomposition takes the third power of them."""
+
+
+def along_lines(arrays: Arrays, motion: Floats) -> Floats:
+    """Return D q, how far a motion stretches each line, shape (lines,).
+
+    Args:
+        arrays: The system's numbers.
+        motion: q, shape (coordinates,).
+    """
+    if len(arrays.mass) <= LARGE:
+        return np.asarray(line_matrix(arrays) @ motion)
+    lines = len(arrays.stiffness)
+    row = np.repeat(np.arange(lines), np.diff(arrays.line_start))
+    return np.asarray(np.bincount(row, arrays.line_weight * motion[arrays.line_dof], minlength=lines), float)
+
+
+def onto_coordinates(arrays: Arrays, force: Floats) -> Floats:
+    """Return Dᵀ f, what forces of the lines do to each coordinate, shape (coordinates,).
+
+    Args:
+        arrays: The system's numbers.
+        force: Of each line, shape (lines,).
+    """
+    if len(arrays.mass) <= LARGE:
+        return np.asarray(line_matrix(arrays).T @ force)
+    pulls = np.repeat(force, np.diff(arrays.line_start))
+    return np.asarray(np.bincount(arrays.line_dof, arrays.line_weight * pulls, minlength=len(arrays.mass)), float)
+
+
 def holding(arrays: Arrays) -> Bools:
     """Return which lines hold their bodies together, shape (lines,): all but dampers.
 

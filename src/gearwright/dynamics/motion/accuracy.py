@@ -99,14 +99,16 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         order: Power of the step that the error follows.
     """
     share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
-    kinds = np.array([[one == unit for one in units] for unit in units], dtype=bool)
+    kinds = [np.array(units) == unit for unit in dict.fromkeys(units)]
     moved, swell = np.abs(forces.peak - other.peak), np.abs(forces.rms - other.rms)
     alike = np.minimum(moved, _over(swell * forces.peak, forces.rms))
     peak = share * alike + max(share, 1.0) * (moved - alike) + forces.between
     rms = share * swell + forces.ends
     parts = []
     for away, mine in ((peak, forces.peak), (rms, forces.rms)):
-        largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
+        largest = np.zeros_like(mine)
+        for kind in kinds:
+            largest[:, kind] = np.max(mine[:, kind], axis=1, keepdims=True)
         parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
     chance = CHANCE if order else UNRELATED
     return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*np.array(parts).tolist(), strict=True)]

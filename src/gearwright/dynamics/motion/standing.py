@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.equations import damped_rates, statics
-from gearwright.dynamics.model import Arrays, System, kept, planned
+from gearwright.dynamics.model import LARGE, Arrays, System, kept, planned
 from gearwright.dynamics.motion.record import RUNAWAY
+from gearwright.dynamics.motion.steps import damping_bound
 from gearwright.errors import SolveError
 
 UNDAMPED = 1e-9
@@ -42,8 +43,10 @@ def endless(arrays: Arrays, width: float) -> list[str]:
         arrays: The system's numbers.
         width: Distance of a mode from a tone below which they meet [rad/s].
     """
-    notes = dict[str, None]()
+    notes, large = dict[str, None](), len(arrays.mass) > LARGE
     used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
+    if large and damping_bound(arrays, _slowest(arrays, used)) > UNDAMPED:
+        return []
     for factor in {float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))}:
         rates = damped_rates(arrays, factor)
         for rate in rates[-rates.real < UNDAMPED * np.abs(rates)]:
@@ -54,3 +57,9 @@ def endless(arrays: Arrays, width: float) -> list[str]:
                     "without end, and statistics are those of this start and this duration; give it damping"
                 ] = None
     return list(notes)
+
+
+def _slowest(arrays: Arrays, tones: Ints) -> float:
+    """Return the slowest of some tones that turn, at the lowest speed [rad/s]; 0 without any."""
+    rates = np.abs(np.outer(arrays.tone_rate[tones], arrays.profile.factor))
+    return float(np.min(rates[rates > 0.0], initial=np.inf)) if np.any(rates > 0.0) else np.inf

@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import errors_at, line_forces, redundancy
-from gearwright.dynamics.model import System, line_matrix
+from gearwright.dynamics.model import System, along_lines
 from gearwright.dynamics.motion.record import line_numbers
 from gearwright.errors import DesignError, Problem
 
@@ -27,7 +27,7 @@ def slack_lines(system: System, position: Floats) -> tuple[str, ...]:
     """
     arrays = system.arrays
     play = arrays.backlash > 0.0
-    deflection = line_matrix(arrays) @ position - errors_at(system, np.zeros(1))[0]
+    deflection = along_lines(arrays, position) - errors_at(system, np.zeros(1))[0]
     open_ = (deflection < 0.0) & (deflection > -arrays.backlash)
     if not np.any(play) or not np.all(open_[play]):
         return ()

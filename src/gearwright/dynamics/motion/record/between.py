@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.codegen import AFTER, BEFORE, aligned, blank_crests, crester, filled, lagrange
+from gearwright.dynamics.codegen import AFTER, BEFORE, aligned, blank_crests, bring_crests, filled, lagrange
 
 LEAD = BEFORE + AFTER
 """Rows of the block before that the next one needs."""
@@ -20,7 +20,7 @@ class Between:
 
     def __init__(self, lines: int, edges: Ints, block: int) -> None:
         self.lines, self.edges = lines, edges
-        self.bring, self.rows = crester(filled(lines)), aligned(LEAD + block, filled(lines))
+        self.rows = aligned(LEAD + block, filled(lines))
         self.crests = blank_crests(filled(lines))
         self.blank = self.crests[:4].copy()
         self.high, self.low = np.full((len(edges) - 1, lines), -np.inf), np.full((len(edges) - 1, lines), np.inf)
@@ -50,7 +50,7 @@ class Between:
     def _look(self, place: int, row: int, count: int) -> None:
         """Look into intervals that lie in one bin."""
         self.crests[:4] = self.blank
-        self.bring(self.rows, row, count, self.crests)
+        bring_crests(self.rows, row, count, self.crests)
         high, low, above, below = self.crests[:4, : self.lines]
         self._keep(place, high, low, np.maximum(above, -below))
 

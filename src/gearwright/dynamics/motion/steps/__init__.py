@@ -3,6 +3,7 @@
 What is kept of them is in `record`; whole runs are in `motion` itself.
 """
 
+from gearwright.dynamics.motion.steps.bounds import damping_bound
 from gearwright.dynamics.motion.steps.exact import is_exact
 from gearwright.dynamics.motion.steps.pacing import pace_of
 from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, METHODS, Stepper, blank_record, blank_summary, stepper
@@ -34,6 +35,7 @@ __all__ = [
     "blank_summary",
     "check_duration",
     "check_step",
+    "damping_bound",
     "default_step",
     "excited_step",
     "fastest_rate",

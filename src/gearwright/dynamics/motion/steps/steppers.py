@@ -21,7 +21,7 @@ from gearwright.dynamics.codegen import (
     parameters,
     record_width,
     recurrence,
-    summariser,
+    summarise,
     table_width,
     topology,
 )
@@ -64,7 +64,7 @@ def blank_summary(width: int) -> Floats:
 def _summary(record: Floats, width: int) -> Floats:
     """Return what `summary_of` returns of a record that is as wide as `blank_record` makes it."""
     summary = blank_summary(width)
-    summariser(width)(record, summary)
+    summarise(record, summary)
     return summary
 
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import damped_rates
-from gearwright.dynamics.model import CLUTCH, Arrays, entry_matrix, line_matrix, planned, top_rate
+from gearwright.dynamics.model import CLUTCH, LARGE, Arrays, entry_matrix, line_matrix, planned, top_rate
+from gearwright.dynamics.motion.steps.bounds import damping_bound, rate_bound
 from gearwright.errors import DesignError, Problem
 
 STABLE = 2.78
@@ -93,6 +94,8 @@ def fastest_rate(arrays: Arrays) -> float:
     Source:
         Energy bound of the damped system: |λ| ≤ d/2 + √(d²/4 + ω²), d the largest eigenvalue of the damping.
     """
+    if len(arrays.mass) > LARGE:
+        return rate_bound(arrays)
     root = np.sqrt(arrays.mass)
     matrix = line_matrix(arrays) / root
     terms = np.hypot(arrays.variation.cosine, arrays.variation.sine)
@@ -158,6 +161,10 @@ def _ringing_step(arrays: Arrays, excited: float, asked: Accuracy) -> float:
 
     Source: amplification of the classical fourth-order method, e^z (1 − z⁵/120 + z⁶/144 …), at z = i ω h.
     """
+    if len(arrays.mass) > LARGE:
+        fastest = min(EXCITED * excited, fastest_rate(arrays))
+        least = max(damping_bound(arrays, fastest), LEAST_DAMPING)
+        return float((240.0 * AIM * asked.value * least) ** 0.25 / fastest)
     slowest, quickest = float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))
     step = np.inf
     for factor in {slowest, quickest}:
