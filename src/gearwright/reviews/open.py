@@ -43,8 +43,8 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
             why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
             yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)
     yield from _shared_axes(sizing, built)
-    why = "housing, seals, oil system and what heat does to clearances are not modelled"
-    yield not_assessed(GEARBOX, "housing", "", why)
+    why = "weighed as a shell with what is on it; its strength, stiffness and seals, and what heat does to clearances,"
+    yield not_assessed(GEARBOX, "housing", "", f"{why} are not assessed")
 
 
 def _shared_axes(sizing: Sizing, built: set[str]) -> Iterator[Check]:

@@ -14,6 +14,9 @@ from gearwright.mission import Durability, Flight, durability, flight_checks, fl
 from gearwright.reviews.open import open_checks
 from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results
+from gearwright.sizing.arrangement import envelope
+from gearwright.sizing.losses import loss_balance
+from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, oil_flow, statistics_beside
 from gearwright.spec import Design, Mission
 from gearwright.verbs import verb
 
@@ -38,6 +41,10 @@ class Review(Shown):
     """Worst first; what is not assessed comes last."""
     facts: Mapping[str, Named]
     """What the design amounts to, by name: ``mass``, ``power_density`` …"""
+    complete: CompleteMass
+    """What it weighs with everything in it, part by part, with its band; machines are not in it."""
+    statistics: Statistics
+    """What real gearboxes of its power and speeds weigh, and how the sum of its parts stands to them."""
     unneeded: tuple[str, ...] = ()
     """Waivers of what passes."""
 
@@ -109,13 +116,39 @@ def review_of(
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING if flight is None else ()))
+    complete = complete_mass(sizing)
     return Review(
         design=design.name,
         mission=flight.mission.name if flight is not None else "",
         checks=accepted(checks, design.waivers),
-        facts=total_results(sizing) | _flown(flight),
+        facts=total_results(sizing) | _masses(complete) | _sides(sizing) | _oil(sizing) | _flown(flight),
+        complete=complete,
+        statistics=statistics_beside(sizing, complete),
         unneeded=unneeded(checks, design.waivers),
     )
+
+
+def _masses(complete: CompleteMass) -> dict[str, Named]:
+    """Return the sum of all parts and the limits of its band of 68 %, by name."""
+    low, high = complete.band
+    sums = {"complete_mass": complete.total, "complete_mass.low": low, "complete_mass.high": high}
+    return {name: Named(mass, "mass") for name, mass in sums.items()}
+
+
+def _sides(sizing: Sizing) -> dict[str, Named]:
+    """Return the sides of the box around all bodies, by name."""
+    box = envelope(sizing)
+    return {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
+
+
+def _oil(sizing: Sizing) -> dict[str, Named]:
+    """Return the heat of the case that speaks for a design, and the oil that carries it away where the gearbox has
+    a pump, by name."""
+    heat = loss_balance(sizing).lost
+    facts = {"heat": Named(heat, "power")}
+    if sizing.design.housing.oil_system == "own":
+        facts["oil_flow"] = Named(oil_flow(sizing, heat), "oil_flow")
+    return facts
 
 
 def _flown(flight: Flight | None) -> dict[str, Named]:

@@ -14,6 +14,7 @@ from gearwright.sizing.answers import (
     passing,
     pick,
     refuse_no_numbers,
+    remarks,
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, Body, Direction, Frame, Point, ShaftPlan, Station, Turn
@@ -90,6 +91,7 @@ __all__ = [
     "planet_positions",
     "play_in_motion",
     "refuse_no_numbers",
+    "remarks",
     "size",
     "size_many",
     "stage_summaries",

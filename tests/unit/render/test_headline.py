@@ -22,6 +22,7 @@ from gearwright.render.words.review import review_text
 from gearwright.reviews import Review, review_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
+from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.spec import parse, parse_study, read
 from gearwright.study import run
 from shipped_work import flown, flown_review, ground_review, lives, sized
@@ -98,11 +99,11 @@ def test_a_sizing_says_what_it_did_not_look_at():
 def test_a_headline_counts_what_fails_what_is_waived_and_what_is_open():
     part = PartId(Kind.SHAFT, "mast")
     checks = (Check(part, "slope", "table", 0.9, 1.0), Check(part, "fatigue", "law", 0.5, 1.0, waiver="an old shaft"))
-    reviewed = Review("one", "", checks, {})
+    reviewed = Review("one", "", checks, {}, CompleteMass("one", (), 1.0), Statistics(None, None, None, ""))
     assert headline(reviewed) == (
-        "fails: the worst is mast: slope 0.9000, limit 1.000 (table): margin 0.900; 1 fail, 1 waived"
+        "fails: the worst is mast: slope 0.9000, limit 1.000 (table): margin 0.900; 1 fails, 1 waived"
     )
-    assert headline(Review("one", "", (), {})).startswith("nothing is assessed")
+    assert headline(Review("one", "", (), {}, reviewed.complete, reviewed.statistics)).startswith("nothing is assessed")
 
 
 def test_a_waived_failure_is_shown_as_such_with_its_reason():

@@ -1,13 +1,18 @@
 """Designs at equal life: closed, judged by a review of what was written, those that meet everything first."""
 
 from functools import cache
+from types import SimpleNamespace
 
 from designs import PAIR
+from gearwright.checks import Check
 from gearwright.closure import Wishes
-from gearwright.render.tables.study.equal_life import equal_life_table
+from gearwright.identity import Kind, PartId, Role
+from gearwright.render.pages.equal_life import equal_life_page
+from gearwright.render.tables.study.equal_life import equal_life_csv, equal_life_table
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
+from gearwright.study.running.equal_life import _shortest
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -43,7 +48,36 @@ def test_the_written_design_has_the_verdict_of_its_row():
 def test_masses_are_complete_and_stand_in_their_band():
     good, _, _ = rows()
     assert good.lightest < good.complete_mass < good.heaviest
-    assert good.life >= 300 * HOUR
+    assert good.shortest_life >= 300 * HOUR
+    assert good.with_machines == good.complete_mass + good.machines
+
+
+def test_a_bearing_that_ends_before_the_gears_is_the_shortest_life():
+    """A planet's bearing that lives a tenth of what is asked limits, however long the gears live."""
+    bearing = Check(PartId(Kind.BEARING, "first", Role.PLANET), "life", "ISO 281", 30 * HOUR, 300 * HOUR, "life")
+    closed, judged = SimpleNamespace(lives=()), SimpleNamespace(checks=(bearing,))
+    assert _shortest(closed, judged) == (30 * HOUR, "first.planet life")
+    gears = SimpleNamespace(lives=(SimpleNamespace(life=20 * HOUR, governs="first.sun pitting"),))
+    assert _shortest(gears, judged) == (20 * HOUR, "first.sun pitting")
+
+
+def test_what_lasts_beyond_a_million_hours_has_no_life_but_says_what_is_nearest():
+    endless = SimpleNamespace(lives=(SimpleNamespace(life=1.2e6 * HOUR, governs="first scuffing"),))
+    assert _shortest(endless, SimpleNamespace(checks=())) == (None, "first scuffing")
+
+
+def test_the_page_has_masses_lives_and_groups_of_every_design():
+    page = equal_life_page(rows(), "Closed for 300 h")
+    assert "The lightest that passes as far as assessed: good" in page
+    assert "narrow does not meet everything" in page
+    assert "impossible does not meet everything" in page
+    assert "Complete masses by groups of parts" in page
+
+
+def test_the_table_as_csv_has_the_masses_that_it_shows():
+    good = equal_life_csv(rows()).splitlines()[1]
+    assert good.startswith("good,,passes as far as assessed,")
+    assert float(good.split(",")[3]) == rows()[0].complete_mass
 
 
 def test_the_table_has_a_row_for_each():

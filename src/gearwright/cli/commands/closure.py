@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 def close(
     design: DesignArgument,
     life_h: Annotated[
-        float | None, typer.Option(help="Life of gears and bearings; left out: as the design says", min=0.0)
+        float | None,
+        typer.Option(help="Life of gears and bearings; left out: as the design says", min=0.001),
     ] = None,
     continuous: Annotated[
         bool, typer.Option("--continuous", help="Modules and widths as they come, neither standard nor whole")
@@ -78,31 +79,39 @@ def _quiet(_: str) -> None:
     """Say nothing beside the answer."""
 
 
-def show_equal_life(designs: Mapping[str, Design], life_h: float, *, out: Path | None, json: bool) -> None:
+def show_equal_life(
+    designs: Mapping[str, Design], life_h: float, *, out: Path | None, csv: Path | None, report: Path | None, json: bool
+) -> None:
     """Show designs closed for one life, and write them into a folder.
 
     Args:
         designs: Name -> design.
         life_h: Asked life [h].
-        out: Folder; None: they are not written.
+        out: Folder, made where there is none; None: they are not written.
+        csv: File for the table; None: none.
+        report: File for the page; None: none.
         json: For machines.
     """
     from gearwright.closure import Wishes
     from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import EqualLifeAnswer
-    from gearwright.render.tables.study.equal_life import equal_life_table
+    from gearwright.render.pages.equal_life import equal_life_page
+    from gearwright.render.tables.study.equal_life import equal_life_csv, equal_life_table
     from gearwright.render.words.text import table_text
     from gearwright.study import equal_life
-    from gearwright.writing import write_text
+    from gearwright.writing import make_folder, write_text
 
     if out is not None:
-        out.mkdir(parents=True, exist_ok=True)
+        make_folder(out)
     rows = equal_life(designs, wishes=Wishes(life_h * HOUR), tell=_quiet if json else tell)
+    title = f"Closed for {life_h:g} h"
     if json:
         show_answer("compare closed", EqualLifeAnswer(life_h * HOUR, rows))
     else:
-        show(table_text(equal_life_table(rows, f"Closed for {life_h:g} h")))
-    for row in rows if out is not None else ():
-        if row.file and out is not None:
-            name = f"{row.design}-variant" if row.variant else row.design
-            write_text(out / f"{name}.toml", row.file)
+        show(table_text(equal_life_table(rows, title)))
+    files = {out / f"{row.title}.toml": row.file for row in rows if row.file} if out is not None else {}
+    files |= {} if csv is None else {csv: equal_life_csv(rows)}
+    files |= {} if report is None else {report: equal_life_page(rows, title)}
+    for path, content in files.items():
+        write_text(path, content)
+        tell(f"wrote {path}")

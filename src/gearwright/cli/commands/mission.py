@@ -36,7 +36,8 @@ def fly(
     life_h: Annotated[
         float | None,
         typer.Option(
-            help="Strengthen the gears until all live so many flight hours, and choose bearings for them", min=0.0
+            help="Strengthen the gears until all live so many flight hours, and choose bearings for them",
+            min=0.001,
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,

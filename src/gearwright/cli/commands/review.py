@@ -5,15 +5,18 @@ Imports that cost time stand inside the command, so that ``--help`` stays quick.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearwright.cli.answers import show_answer
+from gearwright.cli.commands.runs import refuse_files
 from gearwright.cli.completion import missions
 from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import DesignArgument, JsonOption
-from gearwright.cli.terminal.output import show
+from gearwright.cli.terminal.output import show, tell
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.reviews import Review
@@ -27,6 +30,7 @@ def review(
             help="Mission file, or the name of a shipped mission", metavar="[MISSION]", autocompletion=missions
         ),
     ] = None,
+    report: Annotated[Path | None, typer.Option(help="Write it as one self-contained HTML page")] = None,
     json: JsonOption = False,
 ) -> None:
     """Judge a design by every check there is, worst first; a failing one ends with exit code 1."""
@@ -34,11 +38,17 @@ def review(
     from gearwright.render.words.review import review_text
     from gearwright.reviews import Verdict
 
+    refuse_files(None, None, report)
     reviewed = _reviewed(design, mission)
     if json:
         show_answer("review", review_answer(reviewed), design=reviewed.design)
     else:
         show(review_text(reviewed))
+    if report is not None:
+        from gearwright.render.pages.review import review_page
+
+        write_text(report, review_page(reviewed))
+        tell(f"wrote {report}")
     if reviewed.verdict is Verdict.FAILS:
         raise typer.Exit(1)
 

@@ -100,14 +100,18 @@ def compare(
             autocompletion=designs_named,
         ),
     ] = None,
-    power_kw: Annotated[float | None, typer.Option(help="Rated power of all machines together", min=0.0)] = None,
-    engine_rpm: Annotated[float | None, typer.Option(help="Speed of the turbine", min=0.0)] = None,
-    propeller_rpm: Annotated[float | None, typer.Option(help="Speed of the propeller", min=0.0)] = None,
+    power_kw: Annotated[float | None, typer.Option(help="Rated power of all machines together", min=0.001)] = None,
+    engine_rpm: Annotated[float | None, typer.Option(help="Speed of the turbine", min=0.001)] = None,
+    propeller_rpm: Annotated[float | None, typer.Option(help="Speed of the propeller", min=0.001)] = None,
     changes: SetOption = None,
     life_h: Annotated[
-        float | None, typer.Option(help="Close every design for this life, and compare complete masses", min=0.0)
+        float | None,
+        typer.Option(help="Close every design for this life, and compare complete masses", min=0.001),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="With --life-h: write the closed designs into this folder")] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(help="With --life-h: write the closed designs into this folder, made where there is none"),
+    ] = None,
     csv: CsvOption = None,
     figure: FigureOption = None,
     report: Annotated[Path | None, typer.Option(help="Write the comparison as one self-contained HTML page")] = None,
@@ -116,6 +120,7 @@ def compare(
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.cli.commands.closure import show_equal_life
+    from gearwright.errors import DesignError, Problem
     from gearwright.spec import edited
     from gearwright.study import compare as compared
     from gearwright.study import for_requirement
@@ -133,8 +138,12 @@ def compare(
             )
             for name, design in chosen.items()
         }
-        show_equal_life(fitted, life_h, out=out, json=json)
+        _refuse_beside_life(figure=figure, jsonl=jsonl)
+        refuse_files(csv, None, report)
+        show_equal_life(fitted, life_h, out=out, csv=csv, report=report, json=json)
         return
+    if out is not None:
+        raise DesignError([Problem("--out", "what it writes are closed designs; give --life-h, too, such as 20000")])
     table = compared(chosen, power=power, engine_speed=engine, propeller_speed=propeller, changes=study.changes)
     show_table("compare", table, csv=csv, json=json, jsonl=jsonl)
     fitted = {
@@ -147,6 +156,20 @@ def compare(
         _draw(study, table, figure)
     if report is not None:
         _write_comparison(report, table, fitted, study.changes)
+
+
+def _refuse_beside_life(*, figure: Path | None, jsonl: bool) -> None:
+    """Raise for what a comparison at equal life has not."""
+    from gearwright.errors import DesignError, Problem
+
+    asked = {"--figure": figure is not None, "--jsonl": jsonl}
+    problems = [
+        Problem(name, "a comparison with --life-h has none; take --report, --csv or --json")
+        for name, is_asked in asked.items()
+        if is_asked
+    ]
+    if problems:
+        raise DesignError(problems)
 
 
 def _show_statistics(table: Table, designs: dict[str, Design]) -> None:

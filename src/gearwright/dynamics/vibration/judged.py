@@ -7,10 +7,17 @@ from collections.abc import Iterator
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import Outputs, simulate
-from gearwright.dynamics.vibration.critical_speeds import RESONANCE, SEPARATION, CriticalSpeed, critical_speeds
+from gearwright.dynamics.vibration.campbell import FACTORS
+from gearwright.dynamics.vibration.critical_speeds import (
+    RESONANCE,
+    SEPARATION,
+    CriticalSpeed,
+    SpeedCase,
+    critical_speeds,
+)
 from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
 from gearwright.errors import GearwrightError
-from gearwright.identity import GEARBOX, PartId
+from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import Sizing
 
 DURATION = 0.2
@@ -84,6 +91,22 @@ def resonance_checks(sizing: Sizing) -> Iterator[Check]:
                     nearest[critical.order, speeds.cases] = critical
     for (order, names), critical in nearest.items():
         yield _resonance(order, names, critical)
+    for speeds in cases:
+        yield from _far_orders(speeds)
+
+
+def _far_orders(speeds: SpeedCase) -> Iterator[Check]:
+    """Yield the orders of machines that meet no natural frequency at any speed that is looked at."""
+    met = {critical.order for critical in speeds.assumed}
+    slowest, fastest = FACTORS[0], FACTORS[-1]
+    for excitation in speeds.system.labels.orders:
+        part = excitation.owner.part
+        if part is not None and part.kind is Kind.MACHINE and excitation.name not in met:
+            place = f"no natural frequency from {slowest:.1f} to {fastest:.1f} of its speed"
+            yield Check(
+                GEARBOX, f"resonance of {excitation.name}", "API 617: 10 %", 1.0 - 1.0 / fastest, 1.0 - SEPARATION[0],
+                "percent", exponent=None, place=place, case=speeds.cases,
+            )  # fmt: skip
 
 
 def _distance(critical: CriticalSpeed) -> float:

@@ -54,7 +54,7 @@ class SizeAnswer:
     shaft_mass: Mass
     carrier_mass: Mass
     bearing_mass: Mass
-    """Of the bearings of built shafts; not in the mass."""
+    """Of the chosen bearings of built shafts and of planets; not in the mass."""
     motor_mass: Mass
     rated_power: Power
     power_density: Annotated[float, Quantity("specific_power")]
@@ -137,7 +137,7 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         gear_mass=sizing.gear_mass,
         shaft_mass=sizing.shaft_mass,
         carrier_mass=sizing.carrier_mass,
-        bearing_mass=sizing.bearing_mass,
+        bearing_mass=sizing.bearing_mass + sizing.planet_bearing_mass,
         motor_mass=sizing.motor_mass,
         rated_power=sizing.rated_power,
         power_density=sizing.power_density,

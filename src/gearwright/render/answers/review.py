@@ -10,6 +10,7 @@ from gearwright.checks import Check, Status
 from gearwright.identity import Kind
 from gearwright.render.answers.plain import named
 from gearwright.reviews import Review, Verdict
+from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.units import Quantity, shown, unit
 
 Factor = Annotated[float | None, Quantity("ratio")]
@@ -60,6 +61,10 @@ class ReviewAnswer:
     """Of the worst check."""
     facts: Mapping[str, float | str]
     """What the design amounts to: name with its unit -> value."""
+    complete_mass: CompleteMass
+    """Part by part; machines are not in it."""
+    statistics: Statistics
+    """What real gearboxes of its power and speeds weigh."""
     checks: tuple[ReviewedCheck, ...]
     """The worst first."""
     unneeded_waivers: tuple[str, ...]
@@ -79,6 +84,8 @@ def review_answer(review: Review) -> ReviewAnswer:
         worst=None if first is None else first.name,
         margin=None if first is None else first.margin,
         facts=dict(named(review.facts)),
+        complete_mass=review.complete,
+        statistics=review.statistics,
         checks=tuple(reviewed_check(check) for check in review.checks),
         unneeded_waivers=tuple(review.unneeded),
     )

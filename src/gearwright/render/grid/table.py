@@ -38,7 +38,7 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "allowed_pressure": "p_perm", "critical_speed": "n_crit",
 })  # fmt: skip
 """Field -> symbol of the trade."""
-_HEADERS = {"name": "", "count": "meshes"}
+_HEADERS = {"name": ""}
 NOISE = 1e-9
 """Magnitude, in the unit that is shown, below which a number is rounding."""
 SMALLEST_PLAIN = 1e-3

@@ -11,7 +11,7 @@ from gearwright.render.grid.table import Table
 from gearwright.render.tables.checks import check_sentence
 from gearwright.render.words.headline import headline, sizing_headline, unneeded_text
 from gearwright.reviews import Review
-from gearwright.sizing import Sizing, asked_speeds
+from gearwright.sizing import Sizing, asked_speeds, remarks
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS
@@ -84,6 +84,7 @@ def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) 
     sentences += [f"{check_sentence(check)}; waived: {check.waiver}." for check in checks if check.waiver]
     if review is not None:
         sentences += [f"{unneeded_text(name)}." for name in review.unneeded]
+    sentences += remarks(sizing)
     sentences += _yielded(sizing)
     sentences += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."

@@ -21,10 +21,21 @@ def headline(review: Review) -> str:
     Args:
         review: Of a design.
     """
+    said = said_of(review)
+    return f"{review.verdict}: {said}" if review.worst else said
+
+
+def said_of(review: Review) -> str:
+    """Return the worst entry and how many fail, without the verdict.
+
+    Args:
+        review: Of a design.
+    """
     first = review.worst
-    said = f"{review.verdict}: the worst is {check_sentence(first)}" if first else "nothing is assessed"
-    counts = {"fail": len(review.failing), "waived": len(review.waived), "not assessed": len(review.open)}
-    return f"{said}; {', '.join(f'{count} {what}' for what, count in counts.items() if count or what == 'fail')}"
+    said = f"the worst is {check_sentence(first)}" if first else "nothing is assessed"
+    counts = [f"{len(review.failing)} {_fail(len(review.failing))}"]
+    beside = {"waived": len(review.waived), "not assessed": len(review.open)}
+    return f"{said}; {', '.join(counts + [f'{count} {what}' for what, count in beside.items() if count])}"
 
 
 def sizing_headline(sizing: Sizing) -> str:
@@ -36,8 +47,13 @@ def sizing_headline(sizing: Sizing) -> str:
     first, count = worst(sizing.checks), len(sizing.checks)
     entry = check_sentence(first) if first is not None else "none is assessed"
     failing = sum(check.fails for check in sizing.checks)
-    said = f"{failing} of {count} sizing checks fail" if failing else f"{count} sizing checks pass"
+    said = f"{failing} of {count} sizing checks {_fail(failing)}" if failing else f"{count} sizing checks pass"
     return f"{said}, the worst: {entry}; peaks, resonances and lives: gearwright review"
+
+
+def _fail(count: int) -> str:
+    """Return the verb of so many checks."""
+    return "fails" if count == 1 else "fail"
 
 
 def unneeded_text(name: str) -> str:

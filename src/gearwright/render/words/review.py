@@ -12,6 +12,7 @@ from gearwright.closure.life import LONGEST
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
 from gearwright.render.tables.checks import check_sentence, review_tables
+from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
@@ -26,7 +27,9 @@ def review_text(review: Review) -> RenderableType:
     """
     flown = f", flying {review.mission}" if review.mission else ""
     notes = [f"{unneeded_text(name)}." for name in review.unneeded]
-    parts: list[RenderableType] = [Text(f"{review.design}{flown}", style="bold"), Text(f"{headline(review)}."), Text()]
+    weighs = f"Complete mass: {mass_sentence(review.complete, review.statistics)}"
+    head = [Text(f"{review.design}{flown}", style="bold"), Text(f"{headline(review)}."), Text(weighs), Text()]
+    parts: list[RenderableType] = [*head]
     parts += [table_text(table) for table in review_tables(review.checks) if table.rows]
     return Group(*parts, *map(Text, notes))
 

@@ -16,7 +16,7 @@ from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.headline import headline, sizing_headline
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, remarks
 from gearwright.units import text
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def sizing_text(sizing: Sizing, review: Review | None = None) -> RenderableType:
     tables = tables_of(sizing)
     tables["materials"] = estimated_only(tables["materials"])
     verdict = sizing_headline(sizing) if review is None else headline(review)
-    head = [Text(words) for words in (summary(sizing), f"{verdict}.")]
+    head = [Text(words) for words in (summary(sizing), f"{verdict}.", *remarks(sizing))]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
     parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
@@ -112,9 +112,14 @@ def summary(sizing: Sizing) -> str:
             ("carriers", sizing.carrier_mass),
         )
     )
-    bearings = f" Bearings {text(sizing.bearing_mass, 'mass')}." if sizing.bearings else ""
+    chosen = sizing.bearing_mass + sizing.planet_bearing_mass
+    bearings = f" Bearings {text(chosen, 'mass')}." if chosen else ""
     motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
-    return f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')}.{bearings}{motors}"
+    whole = f"{text(sizing.mass, 'mass')} ({parts})"
+    if "gearbox.mass" in sizing.given:
+        train = text(sizing.gear_mass + sizing.shaft_mass + sizing.carrier_mass, "mass")
+        whole = f"{text(sizing.mass, 'mass')}, given, in place of the {train} of {parts}"
+    return f"{whole}, {text(sizing.power_density, 'specific_power')}.{bearings}{motors}"
 
 
 def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:

@@ -7,6 +7,7 @@ from gearwright.sizing.answers.breakdown import AskedSpeed, MassPart, asked_spee
 from gearwright.sizing.answers.gate import refuse_no_numbers
 from gearwright.sizing.answers.named import TEXT, Named, asked_results, named_results, pick, total_results
 from gearwright.sizing.answers.passing import Passing, locking_checks, passing
+from gearwright.sizing.answers.remarks import remarks
 
 __all__ = [
     "TEXT",
@@ -23,5 +24,6 @@ __all__ = [
     "passing",
     "pick",
     "refuse_no_numbers",
+    "remarks",
     "total_results",
 ]

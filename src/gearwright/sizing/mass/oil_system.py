@@ -41,6 +41,18 @@ RULES = (
 """Estimates from data sheets of aircraft units as a class; none of them is one unit's published mass."""
 
 
+def oil_flow(sizing: Sizing, heat: float) -> float:
+    """Return the oil that carries a heat away at the temperature rise of the design [m³/s].
+
+    Args:
+        sizing: As sized.
+        heat: Of the gearbox [W].
+
+    Source: heat balance, q = P_V/(ρ c ΔT).
+    """
+    return heat / (sizing.design.oil.density * HEAT_CAPACITY * sizing.design.housing.oil_temperature_rise)
+
+
 def oil_items(sizing: Sizing, inside: float) -> Iterator[MassItem]:
     """Yield the oil and its units.
 
@@ -57,7 +69,7 @@ def oil_items(sizing: Sizing, inside: float) -> Iterator[MassItem]:
         yield MassItem("oil", "lubrication", 1, SUMP * inside * oil.density, SURE, "0.1 V ρ", "estimate")
         return
     heat = loss_balance(sizing).lost
-    flow = heat / (oil.density * HEAT_CAPACITY * rules.oil_temperature_rise)
+    flow = oil_flow(sizing, heat)
     mass = (flow * rules.oil_dwell + FILM * inside) * oil.density
     yield MassItem("oil", "lubrication", 1, mass, 0.3, "(q t + 0.02 V) ρ, q = P_V/(ρ c ΔT)", "heat balance; estimate")
     for rule in RULES:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from gearwright.checks import Check
 from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
+from gearwright.closure.life import LONGEST
 from gearwright.errors import DesignError, Problem
-from gearwright.reviews import Verdict, review
+from gearwright.reviews import Review, Verdict, review
+from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running.compare import comparison_of
 from gearwright.units import Life, Mass, Ratio
@@ -29,22 +33,30 @@ class EqualLife:
     """End of its band of 68 % [kg]."""
     heaviest: Mass | None
     """The other end [kg]."""
-    gears_and_shafts: Mass | None
-    """Gears, shafts and carriers alone, wheels as their rules weigh them [kg]."""
     machines: Mass | None
     """Motors, generators and accessories, which are not in the complete mass [kg]."""
-    life: Life | None
-    """Of the gears that end first at the asked safeties [s]."""
+    with_machines: Mass | None
+    """Complete mass and machines, by which designs are ranked [kg]."""
+    shortest_life: Life | None
+    """Of the gear or bearing that ends first, gears at the asked safeties [s]; None where none ends."""
     limits: str
-    """What ends the life, or comes nearest to its limit."""
+    """What ends it; what comes nearest to its limit where nothing ends."""
     fails: str
     """What no freedom met, with its best margin; empty where all is met."""
     worst: Ratio | None
     """Margin of the worst check of the review [-]."""
+    statistics: Statistics | None = None
+    """What real gearboxes of its power and speeds weigh; None where it is refused."""
     file: str = ""
     """The closed design as TOML."""
     variant: str = ""
     """What was changed of what the design gives, as it does not close itself; empty where it is as it was named."""
+
+    @property
+    def title(self) -> str:
+        """Of the design, and whether it is its variant; also the name of its file."""
+        name = Path(self.design).stem
+        return f"{name}-variant" if self.variant else name
 
 
 @verb
@@ -82,13 +94,13 @@ def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
 
 
 def _order(row: EqualLife) -> tuple[bool, float]:
-    return row.verdict not in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR)), row.complete_mass or float("inf")
+    return row.verdict not in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR)), row.with_machines or float("inf")
 
 
 def _row(name: str, closed: Closed) -> EqualLife:
     """Return the row of a closed design, judged by a review of its text alone."""
     judged = review(parse(design_text(closed.design)))
-    whole, shortest = closed.whole, next(iter(closed.lives), None)
+    whole, (life, limits) = closed.whole, _shortest(closed, judged)
     low, high = whole.band
     return EqualLife(
         design=name,
@@ -96,14 +108,23 @@ def _row(name: str, closed: Closed) -> EqualLife:
         complete_mass=whole.total,
         lightest=low,
         heaviest=high,
-        gears_and_shafts=closed.mass,
         machines=closed.sizing.motor_mass,
-        life=None if shortest is None else shortest.life,
-        limits="" if shortest is None else shortest.governs,
+        with_machines=whole.total + closed.sizing.motor_mass,
+        shortest_life=life,
+        limits=limits,
         fails="; ".join(map(_words, judged.failing)),
         worst=None if judged.worst is None else judged.worst.margin,
+        statistics=statistics_beside(closed.sizing, whole),
         file=design_text(closed.design),
     )
+
+
+def _shortest(closed: Closed, judged: Review) -> tuple[float | None, str]:
+    """Return the shortest life of gears and bearings [s] and whose it is; None, and what is nearest, if all last."""
+    gears = [(row.life, row.governs) for row in closed.lives]
+    bearings = [(check.value, check.name) for check in judged.checks if check.dimension == "life" and check.value]
+    life, limits = min([*gears, *bearings], default=(math.inf, ""))
+    return (None, limits) if life >= LONGEST else (life, limits)
 
 
 def _words(check: Check) -> str:

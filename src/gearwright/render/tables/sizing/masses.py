@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gearwright.render.grid.table import Table, table
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import CompleteMass, complete_mass, statistics_beside
+from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
 from gearwright.units import text
 
 
@@ -33,8 +33,16 @@ def sum_sentence(sizing: Sizing, mass: CompleteMass) -> str:
         sizing: As sized.
         mass: Its complete mass.
     """
+    return mass_sentence(mass, statistics_beside(sizing, mass))
+
+
+def mass_sentence(mass: CompleteMass, statistics: Statistics) -> str:
+    """Return the sum of all parts with its band, and how it stands to the statistics.
+
+    Args:
+        mass: Complete mass.
+        statistics: Of real gearboxes of the same power and speeds.
+    """
     low, high = (text(limit, "mass", 3) for limit in mass.band)
-    return (
-        f"Sum {text(mass.total, 'mass', 3)}, 68 % from {low} to {high}; machines are not in it."
-        f" {statistics_beside(sizing, mass).sentence}"
-    )
+    total = text(mass.total, "mass", 3)
+    return f"Sum {total}, 68 % from {low} to {high}; machines are not in it. {statistics.sentence}"

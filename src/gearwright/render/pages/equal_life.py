@@ -1,0 +1,51 @@
+"""Architectures at equal life as one page: which is lightest with its machines, how long it lives, what fails."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gearwright.render.grid.table import MARKS
+from gearwright.render.pages.report_parts import Section
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.study.equal_life import equal_life_table, group_table
+from gearwright.sizing import size
+from gearwright.sizing.mass import complete_mass
+from gearwright.spec import parse
+from gearwright.study.running.equal_life import EqualLife
+from gearwright.units import text
+from gearwright.version import __version__
+
+
+def equal_life_page(rows: Sequence[EqualLife], title: str) -> str:
+    """Return designs at equal life as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        rows: In their order.
+        title: In words.
+    """
+    masses = {row.title: complete_mass(size(parse(row.file))) for row in rows if row.file}
+    sections = [
+        Section("Masses, lives and verdicts", tables=(equal_life_table(rows, title),), notes=_told(rows)),
+        Section("Where the mass is", tables=(group_table(masses),)),
+        Section("The sum of parts beside real gearboxes", notes=_beside(rows)),
+    ]
+    return environment().get_template("comparison.html.j2").render(
+        title=title, description="Each design with every free size chosen, and judged by a review of its own.",
+        sections=sections, marks=MARKS, version=__version__,
+    )  # fmt: skip
+
+
+def _told(rows: Sequence[EqualLife]) -> tuple[str, ...]:
+    """Return who is lightest, and who meets not everything and by what."""
+    passing = [row for row in rows if not row.fails and row.with_machines is not None]
+    first = () if not passing else (_lightest(passing[0]),)
+    return first + tuple(f"{row.title} does not meet everything: {row.fails}." for row in rows if row.fails)
+
+
+def _lightest(row: EqualLife) -> str:
+    weighs, machines = text(row.with_machines or 0.0, "mass", 3), text(row.machines or 0.0, "mass", 3)
+    return f"The lightest that passes as far as assessed: {row.title}, {weighs} with machines of {machines}."
+
+
+def _beside(rows: Sequence[EqualLife]) -> tuple[str, ...]:
+    return tuple(f"{row.title}: {row.statistics.sentence}" for row in rows if row.statistics is not None)
