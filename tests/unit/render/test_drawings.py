@@ -69,7 +69,7 @@ def table(sheet):
     for one in cells:
         row = sorted((each for each in cells if abs(each.at.imag - one.at.imag) < 0.1), key=lambda each: each.at.real)
         if len(row) == 3:
-            rows[row[0].text] = row[2].text
+            rows.setdefault(row[0].text, row[2].text)  # of a gear before those of splines
     return rows
 
 
@@ -334,6 +334,35 @@ def test_joints_stand_with_their_designations(drawings):
     shown = {words.text for sheet in drawings.values() for words in words_of(sheet)}
     assert {row[4] for row in JOINTS if row[4]} <= shown
     assert any("DIN 5480 - N 100 x 3 x 32" in text for text in shown)
+
+
+def test_seats_of_bearings_run_out_by_half_of_it5_against_both_radial_ones():
+    """IT5 of 60 and of 75 mm is 13 µm (ISO 286-1:2010, table 1); the mast's tapers are its radial bearings."""
+    sheet = next(sheet for sheet in sheets(sized("ec120b"), ["shaft-mast"]))
+    texts = [words.text for words in words_of(sheet)]
+    assert texts.count("0.0065") == texts.count("A–B") == 2
+    assert texts.count("A") == texts.count("B") == 2 + 1  # at the frame's edges, and the datum
+    (first,) = [seat for seat in sized("ec120b").bearings if seat.name == "mast-lower"]
+    (wide,) = [mark for mark in sheet.entities if isinstance(mark, Distance) and mark.text == "Ø60 m6"]
+    assert wide.measured == pytest.approx(1e3 * first.bearing.bore)
+    letter = next(words for words in words_of(sheet) if words.text == "A" and words.layer is Layer.SYMBOL)
+    assert letter.at.real == pytest.approx(wide.first.real)  # in line with the dimension: the axis of the seat
+    assert letter.at.imag < min(wide.first.imag, wide.second.imag)
+
+
+def test_a_first_sizing_has_no_datums_and_a_bored_gear_has_its_bore():
+    plain = {sheet.name: sheet for sheet in sheets(sized("in-line-h2"))}
+    assert not any(words.text == "A–B" for words in words_of(plain["shaft-input"]))
+    wheel = sheets(sized("ec120b"), ["gear-helical.wheel"])[0]
+    texts = [words.text for words in words_of(wheel)]
+    assert "0.025" in texts  # IT5 of 348.73 mm, the root diameter (ISO 286-1:2010, table 1)
+
+
+def test_a_spline_stands_with_its_data():
+    """DIN 5480 - W 78 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.2 m, x = (d_B − m z − 1.1 m)/(2 m)."""
+    sheet = sheets(sized("ec120b"), ["shaft-mast"])[0]
+    rows = table(sheet)
+    assert {"77.4", "70.5"} & {rows["Tip diameter"]} and {"71.4", "65.5"} & {rows["Root diameter, hobbed"]}
 
 
 def test_a_file_is_the_same_each_time(drawings):

@@ -6,13 +6,22 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
 from gearwright.identity import Role
 from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
+from gearwright.render.drawings.sheet.dimensions import arrow, corner_leader, corner_words, words_corners
 from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import texture
+from gearwright.render.drawings.sheet.tolerances import (
+    HIGH,
+    TRIANGLE,
+    Tolerance,
+    datum,
+    frame_length,
+    tolerance_frame,
+)
 from gearwright.render.drawings.views.gear_parts import Boss, Hub, hub_of
 from gearwright.render.drawings.views.gear_view import (
     bevel_corners,
@@ -41,6 +50,8 @@ LEAN = math.pi / 4.0
 """Of the hatching [rad]."""
 BESIDE = 0.85
 """Share of the way from the apex to the hub that angles take, so that their texts stay clear of it [-]."""
+FACE_GRADE = 5
+"""Of the run-out of a gear's faces; assumed."""
 ASIDE = 9.0
 """From a part to its nearest dimension line [mm]."""
 
@@ -75,6 +86,8 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
     ratio = sizing.design.rules(gear.stage).web_ratio
     if gear.role is Role.WHEEL and ratio < 1.0:
         yield f"Web not sized: the mass is {ratio:g} of the solid disc's, the solid disc is drawn."
+    if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
+        yield f"Axial run-out of the faces IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if gear.bodies > 1:
         yield f"{gear.bodies} equal bodies." if gear.role is Role.PLANET else ""
     if kind_of(sizing, gear.stage) == "bevel":
@@ -108,6 +121,7 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
         if hub.bore:
             suffix = f" {hub.tolerance}" if hub.tolerance else ""
             entities.append(_across(axis, hub.bore / 2.0, span[0], -ASIDE, suffix))
+            entities += _against_bore(axis, hub.bore / 2.0, MM * teeth.root_radius, span[0])
     if span[1] > 1.5 * MM * gear.face_width:
         middle, root = span[1] / 2.0, MM * teeth.root_radius
         entities += [
@@ -119,6 +133,29 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     if hub.teeth is not None:
         entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation)
     return entities
+
+
+def _against_bore(axis: Axis, bore: float, root: float, x: float) -> Iterator[Entity]:
+    """Yield the bore as a datum, and what a face may run out against it, where sheet and gear have room for both."""
+    foot = axis.at(x, -bore) - ASIDE
+    yield from datum(foot, -1j, "A")
+    level = (axis.at(x, -bore) - 1j * (TRIANGLE + 2.0 + 2.0 * HIGH)).imag
+    tolerance = face_runout(root)
+    if tolerance is not None and level > axis.at(x, -root).imag:
+        face = complex(axis.at(x).real, level)
+        yield from (Path((face, face - ASIDE), Layer.SYMBOL), arrow(face, 1 + 0j, Layer.SYMBOL))
+        yield from tolerance_frame(face - ASIDE - frame_length(tolerance), tolerance)
+
+
+def face_runout(root: float) -> Tolerance | None:
+    """Return what the face of a gear may run out against its bore; None beyond the sizes of ISO 286-1.
+
+    Args:
+        root: Root radius, where it is measured [mm].
+    """
+    if not SMALLEST < 2.0 * root / MM <= LARGEST:
+        return None
+    return Tolerance(is_total=False, width=MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), datums="A")
 
 
 def _across(axis: Axis, radius: float, x: float, aside: float, suffix: str = "") -> Distance:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from gearwright.catalogue import SEAT_SOURCE, shaft_limits
+from gearwright.catalogue import SEAT_SOURCE, shaft_limits, standard_tolerance
 from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.dimensions import extent
+from gearwright.render.drawings.sheet.dimensions import arrow, extent
 from gearwright.render.drawings.sheet.entities import (
     GAP,
     TEXT,
@@ -23,6 +23,7 @@ from gearwright.render.drawings.sheet.entities import (
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import cutting_plane, texture, texture_length
 from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum, tolerance_frame
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
 from gearwright.render.drawings.views.tooth_data import tooth_grid
@@ -30,6 +31,12 @@ from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
 
+DATUMS = ("A", "B")
+"""Seats of the two radial bearings."""
+RUNOUT_GRADE = 5
+"""Of the seats of normal bearings, of which half is their total run-out; assumed (usual)."""
+BELOW = TRIANGLE + 2.0 + HIGH - 4.0
+"""By which lengths stand lower than without datums [mm]."""
 LEVEL = 8.0
 """Between parallel dimension lines [mm]."""
 SEAT_TEXTURE = "Ra 0.8"
@@ -48,6 +55,8 @@ class _Mark(NamedTuple):
     words: str = ""
     """Instead of a diameter."""
     texture: str = ""
+    tolerance: Tolerance | None = None
+    """Of the surface there, instead of words."""
 
 
 def shaft_content(sizing: Sizing, name: str) -> Content:
@@ -58,26 +67,42 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
         name: Of the shaft.
     """
     body = shaft_body(sizing, name)
+    seats = datum_seats(sizing, body)
     material = sizing.design.shaft_material
     mass = f"{mass_with_gears(sizing, body, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
-    fits = (*_fits(body), *_fillets(body))
+    fits = (*_fits(body), *_fillets(body), *_splines(body))
     return Content(
         f"shaft-{name}",
         title,
-        lambda scale: _views(body, scale),
+        lambda scale: _views(body, seats, scale),
         (*grids, *fits),
-        tuple(_notes(sizing, body)),
+        tuple(_notes(sizing, body, seats)),
         kind="shaft",
     )
 
 
-def _views(body: ShaftBody, scale: float) -> Rows:
+def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
+    """Return the seats of both radial bearings, whose common axis is the shaft's; none in a first sizing.
+
+    Args:
+        sizing: What was sized.
+        body: The shaft.
+    """
+    places = [MM * place for place in sizing.arrangement.plans[body.name].bearings]
+    seats = tuple(piece for piece in body.pieces if piece.tolerance
+                  and any(piece.start < place < piece.end for place in places))  # fmt: skip
+    return seats if len(seats) == len(DATUMS) else ()
+
+
+def _views(body: ShaftBody, seats: Sequence[Piece], scale: float) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
-    main += _diameters(axis, body)
-    main += _lengths(axis, body)
+    main += _diameters(axis, body, seats)
+    main += _lengths(axis, body, below=BELOW if seats else 0.0)
+    for letter, seat in zip(DATUMS, seats, strict=False):
+        main += datum(axis.at(_middle(body, seat), -seat.diameter / 2.0), -1j, letter)
     if body.bore:
         end = body.pieces[-1].end
         low, high = axis.at(end, -body.bore / 2.0), axis.at(end, body.bore / 2.0)
@@ -90,9 +115,9 @@ def _views(body: ShaftBody, scale: float) -> Rows:
     return [[main], *([sections] if sections else [])]
 
 
-def _diameters(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
-    """Yield every diameter, written above the shaft."""
-    marks = sorted(_marks(body))
+def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
+    """Yield every diameter and what its surface may run out, written above the shaft."""
+    marks = sorted((*_marks(body), *_runouts(body, seats)), key=lambda mark: mark.x)
     top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
     places = spread([axis.scale * mark.x for mark in marks], 2.0 * TEXT + 1.0)
     for mark, slot in zip(marks, places, strict=True):
@@ -104,8 +129,7 @@ def _marks(body: ShaftBody) -> Iterator[_Mark]:
         beside = [neighbour.diameter for neighbour in (before, after) if neighbour is not None and neighbour.tolerance]
         if not piece.tolerance and piece.diameter in beside:
             continue
-        share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
-        x = piece.start + share * (piece.end - piece.start)
+        x = _middle(body, piece)
         conical = piece.diameters[0] != piece.diameters[1]
         if conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
@@ -116,11 +140,32 @@ def _marks(body: ShaftBody) -> Iterator[_Mark]:
         yield _Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
 
 
+def _middle(body: ShaftBody, piece: Piece) -> float:
+    """Return where the diameter of a piece is dimensioned, beside keyways [mm]."""
+    share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
+    return piece.start + share * (piece.end - piece.start)
+
+
+def _runouts(body: ShaftBody, seats: Sequence[Piece]) -> Iterator[_Mark]:
+    """Yield the total run-out of every bearing seat against the axis of both radial bearings."""
+    for piece in body.pieces:
+        if piece.tolerance and seats:
+            runout = MM * standard_tolerance(piece.diameter / MM, RUNOUT_GRADE) / 2.0
+            tolerance = Tolerance(is_total=True, width=runout, datums="–".join(DATUMS))
+            x = piece.start + 0.85 * (piece.end - piece.start)
+            yield _Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
+
+
 def _mark(axis: Axis, mark: _Mark, place: float, top: float) -> Iterator[Entity]:
     """Yield a diameter whose line goes on above the shaft, to its slot, with the text along it."""
     low, high = axis.at(mark.x, -mark.radius), axis.at(mark.x, mark.radius)
     start = complex(place, axis.origin.imag + top + 8.0)
     knee = complex(high.real, axis.origin.imag + top + 2.0)
+    if mark.tolerance is not None:
+        yield Path((high, knee, start), Layer.SYMBOL)
+        yield arrow(high, -1j, Layer.SYMBOL)
+        yield from tolerance_frame(start, mark.tolerance, math.pi / 2.0)
+        return
     words = mark.words or f"Ø{millimetres(2.0 * mark.radius)}{mark.suffix}"
     length = words_length(words, TEXT)
     middle = start + 1j * (1.0 + length / 2.0) - GAP
@@ -135,9 +180,9 @@ def _mark(axis: Axis, mark: _Mark, place: float, top: float) -> Iterator[Entity]
         yield from texture(tail + 2.5j, mark.texture, math.pi / 2.0)
 
 
-def _lengths(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
+def _lengths(axis: Axis, body: ShaftBody, *, below: float) -> Iterator[Entity]:
     """Yield lengths from the first end, one below the other, and those of keyways and splines nearest to the shaft."""
-    level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0)
+    level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0 + below)
     spans = [(slot.start, slot.end, slot.diameter) for slot in body.slots]
     spans += [(spline.start, spline.end, MM * spline.teeth.shaft_tip) for spline in body.splines]
     for start, end, diameter in spans:
@@ -199,18 +244,36 @@ def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
     return (Grid("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
 
 
+def _splines(body: ShaftBody) -> Iterator[Grid]:
+    """Yield the data of every spline."""
+    for toothing in body.splines:
+        teeth = toothing.teeth
+        rows = (
+            ("Number of teeth", "z", f"{teeth.teeth}"),
+            ("Module", "m", millimetres(MM * teeth.module)),
+            ("Pressure angle", "α", "30°"),
+            ("Profile shift coefficient", "x", f"{teeth.profile_shift:.3g}"),
+            ("Reference diameter", "d_{B}", millimetres(MM * teeth.reference_diameter)),
+            ("Pitch diameter", "d", millimetres(MM * teeth.pitch_diameter)),
+            ("Tip diameter", "d_{a1}", millimetres(MM * teeth.shaft_tip)),
+            ("Root diameter, hobbed", "d_{f1}", millimetres(MM * teeth.shaft_root)),
+        )
+        yield Grid(f"Spline: {toothing.designation}", rows)
+
+
 def _limits(piece: Piece) -> tuple[str, str]:
     low, high = shaft_limits(piece.diameter / MM, piece.tolerance)
     return f"{1e6 * high:+.0f}", f"{1e6 * low:+.0f}"
 
 
-def _notes(sizing: Sizing, body: ShaftBody) -> Iterator[str]:
+def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[str]:
     chamfers = {end_chamfer(piece) for piece in (body.pieces[0], body.pieces[-1])} - {0.0}
     if chamfers:
         yield f"Ends chamfered {' and '.join(f'{chamfer:g}' for chamfer in sorted(chamfers))} × 45° (assumed)."
     if any(piece.tolerance for piece in body.pieces):
         yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
-        yield "Total radial run-out of bearing seats IT5/2, axial run-out of their shoulders IT5 (usual; assumed)."
+        axis = f" against {'–'.join(DATUMS)}, the seats of the radial bearings" if seats else ""
+        yield f"Run-out of bearing seats IT5/2 in total, of their shoulders IT5 (usual; assumed){axis}."
     if body.slots:
         forms = " and ".join(sorted({slot.form for slot in body.slots}))
         yield f"Keyways DIN 6885-1, form {forms}, width P9 (assumed)."

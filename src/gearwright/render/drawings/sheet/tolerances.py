@@ -1,0 +1,110 @@
+"""Geometrical tolerances: frames with what is allowed against which datums (ISO 1101), and datums (ISO 5459)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from gearwright.render.drawings.sheet.entities import SMALL, Entity, Layer, Path, Words, words_length
+
+HIGH = 2.0 * SMALL
+"""Height of a frame [mm] (ISO 7083: twice the height of its letters)."""
+_AIR = 1.0
+"""Beside what stands in a cell [mm]."""
+_TIP = 1.2
+"""Length of the arrowheads of symbols [mm]."""
+TRIANGLE = 3.0
+"""Height of the triangle of a datum [mm]."""
+
+
+class Tolerance(NamedTuple):
+    """What a frame says."""
+
+    is_total: bool
+    """True for total run-out, False for circular run-out."""
+    width: float
+    """Of its zone [mm]."""
+    datums: str
+    """Such as ``A–B``."""
+
+    @property
+    def text(self) -> str:
+        """The width as the frame has it, to 0.1 µm."""
+        return f"{self.width:.4f}".rstrip("0").rstrip(".")
+
+
+def frame_length(tolerance: Tolerance) -> float:
+    """Return the length of a frame [mm].
+
+    Args:
+        tolerance: What it says.
+    """
+    return sum(_widths(tolerance))
+
+
+def tolerance_frame(start: complex, tolerance: Tolerance, turn: float = 0.0) -> list[Entity]:
+    """Return a frame: symbol, width of the zone, datums.
+
+    Args:
+        start: Middle of its side with the symbol [mm].
+        tolerance: What it says.
+        turn: Direction in which it reads [rad].
+    """
+    along, widths = cmath.rect(1.0, turn), _widths(tolerance)
+    edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
+    outline = (complex(0.0, -HIGH / 2.0), complex(edges[-1], -HIGH / 2.0), complex(edges[-1], HIGH / 2.0),
+               complex(0.0, HIGH / 2.0))  # fmt: skip
+    entities: list[Entity] = [_path(start, along, outline, closed=True)]
+    entities += [_path(start, along, (edge - 0.5j * HIGH, edge + 0.5j * HIGH)) for edge in edges[1:-1]]
+    entities += _symbol(start + along * widths[0] / 2.0, along, is_total=tolerance.is_total)
+    for text, left, width in zip((tolerance.text, tolerance.datums), edges[1:], widths[1:], strict=False):
+        at = start + along * complex(left + width / 2.0, -SMALL / 2.0)
+        entities.append(Words(at, text, SMALL, "middle", turn, Layer.SYMBOL))
+    return entities
+
+
+def datum(foot: complex, way: complex, letter: str) -> list[Entity]:
+    """Return the mark of a datum; in line with a dimension it means the axis or middle plane of what is dimensioned.
+
+    Args:
+        foot: On the outline or an extension line [mm].
+        way: From there to the letter, of length 1 [-].
+        letter: Its name.
+    """
+    half, far = TRIANGLE / math.sqrt(3.0), TRIANGLE + 2.0
+    corners = (complex(0.0, -half), complex(0.0, half), complex(TRIANGLE, 0.0))
+    box = [
+        complex(far + x, y) for x, y in ((0.0, -0.5 * HIGH), (HIGH, -0.5 * HIGH), (HIGH, 0.5 * HIGH), (0.0, 0.5 * HIGH))
+    ]
+    middle = foot + way * (far + HIGH / 2.0)
+    return [
+        _path(foot, way, corners, closed=True, filled=True),
+        _path(foot, way, (complex(TRIANGLE), complex(far))),
+        _path(foot, way, box, closed=True),
+        Words(middle - 1j * SMALL / 2.0, letter, SMALL, "middle", layer=Layer.SYMBOL),
+    ]
+
+
+def _widths(tolerance: Tolerance) -> list[float]:
+    texts = (tolerance.text, tolerance.datums)
+    return [HIGH + _AIR, *(words_length(text, SMALL) + 2.0 * _AIR for text in texts)]
+
+
+def _path(
+    start: complex, along: complex, points: Sequence[complex], *, closed: bool = False, filled: bool = False
+) -> Path:
+    return Path(tuple(start + along * point for point in points), Layer.SYMBOL, closed=closed, filled=filled)
+
+
+def _symbol(middle: complex, along: complex, *, is_total: bool) -> list[Entity]:
+    """Return one leaning arrow of circular run-out, or two joined ones of total run-out."""
+    lean = complex(1.6, 3.0)
+    feet = (complex(-1.8, -1.5), complex(0.2, -1.5)) if is_total else (complex(-0.8, -1.5),)
+    entities: list[Entity] = []
+    for foot in feet:
+        tip, way = foot + lean, lean / abs(lean)
+        barbs = (tip, tip - _TIP * way * cmath.rect(1.0, 0.3), tip - _TIP * way * cmath.rect(1.0, -0.3))
+        entities += [_path(middle, along, (foot, tip)), _path(middle, along, barbs, closed=True, filled=True)]
+    return [*entities, _path(middle, along, feet)] if is_total else entities
