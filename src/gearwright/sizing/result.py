@@ -197,6 +197,11 @@ class Sizing(Shown):
         return sum(bearing.bearing.mass for bearing in self.bearings)
 
     @property
+    def planet_bearing_mass(self) -> Mass:
+        """Mass of all bearings of planets that the design asks for; not in `mass` [kg]."""
+        return sum(gear.runs_on.mass * gear.bodies for gear in self.gears if gear.runs_on)
+
+    @property
     def system_life(
         self,
     ) -> Annotated[float | None, Quantity("life"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
