@@ -7,6 +7,7 @@ every line shown must come, in this order; ``…`` stands for lines that are lef
 import doctest
 import re
 import shlex
+import shutil
 from importlib import import_module
 from pathlib import Path
 
@@ -28,6 +29,8 @@ EXAMPLES = [
     "theory/power-flow.md",
     "theory/first-sizing.md",
 ]
+EXAMPLES_OF = {"how-to/other-tools.md": [ROOT / "tests" / "rexs" / "examples" / "fva_2stage_1.4.rexs"]}
+"""Page -> files that it says a reader finds in a clone."""
 
 
 def run(command, monkeypatch, capsys):
@@ -64,6 +67,8 @@ def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch,
     """100 columns, as on the pages."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "100")
+    for example in EXAMPLES_OF.get(page, []):
+        shutil.copy(example, tmp_path)
     tried = 0
     for block in BLOCK.finditer((DOCS / page).read_text(encoding="utf-8")):
         if block["file"]:

@@ -12,6 +12,8 @@ from gearwright.spec import GROUND, LONGEST_NAME
 
 RIGID = ("coupling", "feather_key_connection", "cylindrical_interference_fit", "tapered_interference_fit")
 """Components that let their sides turn as one."""
+LONGEST = 40
+"""Longest name of a component that a design takes up; a longer one is a sentence [-]."""
 
 
 @dataclass
@@ -73,7 +75,8 @@ class Bodies:
         Args:
             component: To be called so.
         """
-        plain = "".join(mark if mark.isalnum() else " " for mark in component.name or component.kind)
+        told = component.name if len(component.name) <= LONGEST else ""
+        plain = "".join(mark if mark.isalnum() else " " for mark in told or component.kind)
         stem = "-".join(plain.split())[: LONGEST_NAME - 4].strip("-") or component.kind
         name = next(name for name in _numbered(stem) if name not in self.taken)
         self.taken.add(name)
