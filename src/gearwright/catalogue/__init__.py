@@ -7,6 +7,7 @@ from gearwright.catalogue.bearing_choice import (
     check_bearing,
     equivalent_loads,
     fitting_bearings,
+    least_ratings,
 )
 from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
 from gearwright.catalogue.bearings import STEEL_DENSITY, STEEL_SHARE, Bearing, bearing, bearings, with_ratings
@@ -82,6 +83,7 @@ __all__ = [
     "housing_materials",
     "is_cast_iron",
     "key_for_shaft",
+    "least_ratings",
     "load_factor_tables",
     "load_factors",
     "map_of",

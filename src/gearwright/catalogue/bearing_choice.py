@@ -32,6 +32,8 @@ from gearwright.parts.bearings import (
 from gearwright.units import Force, Length, Origin, Quantity, Ratio, Speed, Time
 
 _HOUR = 3600.0
+_LEAST_LOAD = 0.98
+"""P over F_r that no force along a bearing goes below [-]; X + Y e of ISO 281 is 0.99 at least."""
 
 
 @dataclass(frozen=True)
@@ -140,6 +142,23 @@ def check_bearing(bearing: Bearing, duty: Duty) -> BearingCheck:
     life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), spectrum.mean_speed) if load else math.inf
     safety = static_safety(bearing.static_rating, static) if static else math.inf
     return BearingCheck(bearing, load, life, safety, life / spectrum.life, safety / spectrum.static_safety)
+
+
+def least_ratings(kind: BearingKind, spectrum: BearingSpectrum) -> tuple[float, float]:
+    """Return C and C_0 below which no bearing of a kind bears even the forces across it [N].
+
+    Args:
+        kind: Of bearing [-].
+        spectrum: Loads, speeds and wanted life.
+
+    Source: ISO 281:2007, 5.3 and 7.3, solved for C with P = 0.98 F_r; ISO 76:2006, P_0 ≥ F_r.
+    """
+    exponent, static = life_exponent(kind), spectrum.static_safety * spectrum.limit_factor * max(spectrum.radial)
+    if not any(spectrum.turns):
+        return 0.0, (1.0 - 1e-9) * static
+    load = _LEAST_LOAD * spectrum.mean_factor * mean_load(spectrum.radial, spectrum.turns, exponent)
+    turned = spectrum.life / life_time(1.0, spectrum.mean_speed)
+    return load * math.pow(turned, 1.0 / exponent), (1.0 - 1e-9) * static
 
 
 def _steady(duty: BearingDuty) -> BearingSpectrum:

@@ -5,7 +5,7 @@ What joins hubs to them is in `joints`.
 
 from gearwright.parts.shafts.beam import Diagram, PointLoads, bearing_reactions, diagram, supported
 from gearwright.parts.shafts.critical_speed import critical_speed, lumped_shaft
-from gearwright.parts.shafts.deflection import BentLine, Sections, bent_line, influence
+from gearwright.parts.shafts.deflection import BentLine, Sections, bent_line, between, influence
 from gearwright.parts.shafts.din743 import (
     NO_AXIAL,
     AxialLoad,
@@ -76,6 +76,7 @@ __all__ = [
     "asme_safety",
     "bearing_reactions",
     "bent_line",
+    "between",
     "blank_factor",
     "critical_speed",
     "diagram",

@@ -95,9 +95,25 @@ def _check_inside(sections: Sections, places: Floats) -> None:
 
 def _moments(drawn: Diagram, places: Floats) -> Floats:
     """Return the bending moment at places, zero beyond the outermost loads, in every plane."""
-    flat = drawn.bending.reshape(-1, drawn.bending.shape[-1])
-    rows = [np.interp(places, drawn.position, row, left=0.0, right=0.0) for row in flat]
-    return np.stack(rows).reshape(*drawn.bending.shape[:-1], len(places))
+    inside = (places >= drawn.position[0]) & (places <= drawn.position[-1])
+    return np.where(inside, between(drawn.position, drawn.bending, places), 0.0)
+
+
+def between(stations: Floats, values: Floats, places: Floats) -> Floats:
+    """Return all rows of values straight between stations, and as at the ends beyond them, (..., n).
+
+    Args:
+        stations: x, never falling [m], (k,).
+        values: At the stations, (..., k).
+        places: x [m], (n,).
+    """
+    left = np.minimum(np.maximum(stations.searchsorted(places, side="right") - 1, 0), len(stations) - 1)
+    right = np.minimum(left + 1, len(stations) - 1)
+    start, past = values.take(left, axis=-1), places - stations[left]
+    steps = stations[right] - stations[left]
+    flat = (past <= 0.0) | (steps <= 0.0)
+    rise = values.take(right, axis=-1) - start
+    return np.where(flat, start, rise / np.where(flat, 1.0, steps) * past + start)
 
 
 def _summed(pieces: Floats) -> Floats:

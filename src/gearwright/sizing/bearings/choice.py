@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import NamedTuple
@@ -19,6 +19,7 @@ from gearwright.catalogue import (
     bearings,
     check_bearing,
     equivalent_loads,
+    least_ratings,
     with_ratings,
 )
 from gearwright.errors import DesignError, Problem
@@ -146,8 +147,20 @@ def seating(
     speeds = [flow.speeds[shaft] for flow in context.flows.values()]
     duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
-    tried = {name: known.setdefault((name, duty), Tried({}, set())) for name, duty in duties.items()}
+    plain = context.design.bearing_rules.life != "modified"
+    for name, duty in duties.items():
+        if (name, duty) not in known:
+            known[name, duty] = Tried({}, _too_weak(sizes[name], duty, by_life=plain))
+    tried = {name: known[name, duty] for name, duty in duties.items()}
     return Seating(seats, radial, axial, duties, sizes, context.design, tried)
+
+
+def _too_weak(sizes: Sequence[Bearing], duty: BearingSpectrum, *, by_life: bool) -> set[str]:
+    """Return the sizes of which ratings alone say that they do not bear a duty."""
+    dynamic, static = least_ratings(sizes[0].kind, duty)
+    return {
+        size.designation for size in sizes if size.static_rating < static or (by_life and size.dynamic_rating < dynamic)
+    }
 
 
 def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:

@@ -193,7 +193,7 @@ def _damages(module: ModuleType) -> None:
     def lasts_in(loads: Any, reference: Any, curve: Any) -> Any:
         return sum((damage_part(cycles, stress / reference, curve) for stress, cycles in loads), start=0.0) <= 1.0
 
-    def unit_root(lasts: Any) -> Any:
+    def unit_root(lasts: Any, _near: Any) -> Any:
         low, high = (lanes_of(end) for end in module._FACTORS)
         while (active := high / low > 1.0 + 1e-12).data.any():
             middle = chosen(active, (low * high) ** 0.5, low)

@@ -19,6 +19,7 @@ from gearwright.sizing.mounted import JointSizing
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import cylinder
+from gearwright.sizing.shafts.bending import Bent
 from gearwright.sizing.shafts.joints import Seat, size_joint, spline_root
 from gearwright.sizing.shafts.sections import Borne, HubNotch, Section, Strength, borne, sections_of
 from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
@@ -46,6 +47,8 @@ class Task:
     """Hub or gear on this shaft -> its joint."""
     checked: Checked = field(default_factory=dict)
     """How sizes of bearings bear what they were tried for."""
+    bent: dict[tuple[tuple[Stretch, ...], float], Bent] = field(default_factory=dict)
+    """Stretches and bore -> the shaft bent, as far as tried."""
 
     @property
     def as_given(self) -> float | None:

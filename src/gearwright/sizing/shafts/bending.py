@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.parts import Material
-from gearwright.parts.shafts import BentLine, Sections, bent_line, critical_speed, influence, lumped_shaft
+from gearwright.parts.shafts import BentLine, Sections, bent_line, between, critical_speed, influence, lumped_shaft
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.shafts.stretches import Stretch
 from gearwright.spec.design import BearingSeat
@@ -50,8 +50,8 @@ class Bent:
 
     def _largest(self, values: Floats, place: float) -> float:
         assert self.line is not None
-        rows = [[np.interp(place, self.line.position, plane) for plane in case] for case in values]
-        return float(max(math.hypot(*row) for row in rows))
+        planes = between(self.line.position, values, np.array([place]))[..., 0].tolist()
+        return max(math.hypot(*case) for case in planes)
 
     def critical_speed(self, places: Mapping[str, float], masses: Mapping[str, float]) -> float | None:
         """Return the first critical speed in bending of the shaft with its gears, in rigid bearings [rad/s].

@@ -23,7 +23,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import joint_checks, room_checks, seat_checks
 from gearwright.sizing.shafts.attempt import Attempt, Task, attempt_with, items_on, seat_of
-from gearwright.sizing.shafts.bending import bend, slope_excess
+from gearwright.sizing.shafts.bending import Bent, bend, slope_excess
 from gearwright.sizing.shafts.joints import joint_fits, refuse_long, refuse_thick
 from gearwright.sizing.shafts.room import refuse_overlaps, refuse_thin
 from gearwright.sizing.shafts.sections import NO_LIMIT, strengths
@@ -117,7 +117,7 @@ def _stiff(task: Task, seated: Seating) -> Attempt:
     """Return a shaft that is strong and, as far as that can be had, stiff."""
     attempt = _strong(task, seated, {})
     for _ in range(ROUNDS):
-        bent = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
+        bent = _bent(task, attempt)
         excess = slope_excess(bent, seated.seats, {gear: task.forces.plan.places[gear] for gear in task.gears})
         if excess <= 1.0:
             break
@@ -130,6 +130,14 @@ def _stiff(task: Task, seated: Seating) -> Attempt:
             break
         attempt = thicker
     return attempt
+
+
+def _bent(task: Task, attempt: Attempt) -> Bent:
+    """Return the shaft bent by what acts on it, once for each shape."""
+    shape = attempt.stretches, attempt.bore
+    if shape not in task.bent:
+        task.bent[shape] = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
+    return task.bent[shape]
 
 
 def _free(attempt: Attempt) -> tuple[Stretch, ...]:
@@ -173,7 +181,7 @@ def _finished(task: Task, seated: Seating, attempt: Attempt) -> Built:
     """Return what was built, or say what does not fit."""
     if task.as_given is None:
         _refuse(task, attempt)
-    bent = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
+    bent = _bent(task, attempt)
     seats = {name: seat.position for name, seat in seated.seats.items()}
     places = {name: task.forces.plan.places[name] for name in task.gears}
     sections = strengths(attempt.sections, task.forces, task.judge, bore=attempt.bore)

@@ -96,6 +96,10 @@ class Strength:
     """Names of the load cases."""
     known: dict[tuple[object, ...], Borne] = field(default_factory=dict, compare=False, repr=False)
     """Section, moments, torques and bore -> how it bears them, as far as found: few change as a shaft grows."""
+    loads: dict[tuple[float, ...], list[tuple[tuple[float, ...], tuple[float, ...]]]] = field(
+        default_factory=dict, compare=False, repr=False
+    )
+    """Places of sections -> moments and torques of every case at each [N m], as far as found."""
 
 
 def sections_of(
@@ -170,9 +174,16 @@ def borne(sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, 
         judge: Asked safeties and steel.
         bore: Of the shaft [m].
     """
-    moments, torques = forces.moments(np.array([section.position for section in sections]))
-    every = zip(sections, moments.T.tolist(), torques.T.tolist(), strict=True)
-    return tuple(_looked_up(section, tuple(bent), tuple(turned), judge, bore=bore) for section, bent, turned in every)
+    places = tuple([section.position for section in sections])
+    loads = judge.loads.get(places)
+    if loads is None:
+        moments, torques = forces.moments(np.array(places))
+        loads = [
+            (tuple(bent), tuple(turned)) for bent, turned in zip(moments.T.tolist(), torques.T.tolist(), strict=True)
+        ]
+        judge.loads[places] = loads
+    every = zip(sections, loads, strict=True)
+    return tuple([_looked_up(section, bent, turned, judge, bore=bore) for section, (bent, turned) in every])
 
 
 def strengths(

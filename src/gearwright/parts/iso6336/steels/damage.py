@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem, SolveError
@@ -15,6 +16,12 @@ from gearwright.units import Origin, Quantity
 _PART6 = "ISO 6336-6:2019"
 _FACTORS = 0.01, 100.0
 """Between which factors on all stresses the safety is looked for [-]."""
+STEPS = 12
+"""Secants after which the root is looked for by bisection alone [-]."""
+_CLOSE = 1e-11
+"""How near to the root secants come, as a part of it [-]."""
+_FARTHEST = 4.0
+"""Natural logarithm of a factor beyond which no secant goes [-]."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +107,8 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
     if not low <= 1.0 <= high:
         raise SolveError("spectrum: the stresses are beyond a hundredth or a hundredfold of the strength")
     loads = [(level.stress, level.cycles) for level in bins if level.stress > 0.0]
-    return Damage(parts, sum(parts), _unit_root(lambda factor: _lasts(loads, reference / factor, curve)))
+    near = partial(_near, loads, reference, curve)
+    return Damage(parts, sum(parts), _unit_root(lambda factor: _lasts(loads, reference / factor, curve), near))
 
 
 def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve) -> bool:
@@ -114,10 +122,36 @@ def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCu
     return True
 
 
-def _unit_root(lasts: Callable[[float], bool]) -> float:
-    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit."""
+def _near(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve) -> float:
+    """Return about the factor at which the sum is 1, by secants in double logarithmic scale; 1 where they fail."""
+    at, value, moved = 0.0, 0.0, 0.0
+    slope = max([longer / weaker for _, _, _, longer, weaker in curve.lines], default=1.0)
+    for step in range(STEPS):
+        factor = math.exp(at)
+        total = sum([damage_part(cycles, factor * stress / reference, curve) for stress, cycles in loads])
+        if not 0.0 < total < math.inf:
+            return 1.0
+        before, value = value, math.log(total)
+        if step and value != before:
+            slope = (value - before) / moved
+        moved = -value / slope
+        if abs(value) < _CLOSE or not abs(at + moved) < _FARTHEST:
+            return factor
+        at += moved
+    return factor
+
+
+def _unit_root(lasts: Callable[[float], bool], near: Callable[[], float]) -> float:
+    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit.
+
+    Where the sum passes 1 close to `near`, only what lies there is tried, which leaves the root as it is.
+    """
     low, high = _FACTORS
+    guess = near()
+    holds, fails = guess * (1.0 - _CLOSE), guess * (1.0 + _CLOSE)
+    holds, fails = holds if lasts(holds) else low, fails if not lasts(fails) else high
     while high / low > 1.0 + 1e-12:
         middle = (low * high) ** 0.5
-        low, high = (middle, high) if lasts(middle) else (low, middle)
+        within = middle <= holds or (middle < fails and lasts(middle))
+        low, high = (middle, high) if within else (low, middle)
     return low
