@@ -26,7 +26,10 @@ class TeethSearch:
     """True where none of the combinations can be lighter by that estimate; False where there were too many to hold."""
     sized: int = 1
     """Combinations, those of the lightest gears first, that were sized in full and came out [-]."""
+    failing: int = 0
+    """How many of these fail a check; where all do, the lightest of them is taken, else of the others [-]."""
     refused: int = 0
     """Combinations that were sized in full and are refused [-]."""
     next_sized_mass: Mass = math.inf
-    """What the next-lightest transmission of those that came out weighs; infinite where there is none [kg]."""
+    """What the next-lightest transmission of those weighs from which one is taken; infinite where there is none [kg].
+    """

@@ -16,7 +16,7 @@ from gearwright.sizing.face_load import face_load_checks
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
-from gearwright.sizing.places import beside_checks, keep_out_checks, pin_checks, room_checks, settle
+from gearwright.sizing.places import beside_checks, coaxial_checks, keep_out_checks, pin_checks, room_checks, settle
 from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
@@ -34,6 +34,8 @@ from gearwright.verbs import verb
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
+    Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does.
+
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
 
@@ -42,8 +44,9 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
-    best: Sizing | None = None
-    masses, refused = list[float](), list[DesignError]()
+    best = dict[bool, Sizing]()
+    masses: Mapping[bool, list[float]] = {True: [], False: []}
+    refused = list[DesignError]()
     train = build_train(design)
     for choice in choose_teeth(design, train):
         try:
@@ -51,16 +54,24 @@ def size(design: Design) -> Sizing:
         except DesignError as error:
             refused.append(error)
             continue
-        masses.append(sizing.mass)
-        if best is None or sizing.mass < best.mass * (1.0 - EQUAL):
-            best = sizing
-    if best is None:
+        passes = not any(check.fails for check in sizing.checks)
+        masses[passes].append(sizing.mass)
+        if passes not in best or sizing.mass < best[passes].mass * (1.0 - EQUAL):
+            best[passes] = sizing
+    if not best:
         raise refused[0]
-    if best.search is None or len(masses) + len(refused) == 1:
-        return best
-    beaten = sorted(masses)[1] if len(masses) > 1 else math.inf
-    search = replace(best.search, sized=len(masses), refused=len(refused), next_sized_mass=beaten)
-    return replace(best, search=search)
+    taken, alike = best.get(True) or best[False], masses[True] or masses[False]
+    sized = len(masses[True]) + len(masses[False])
+    if taken.search is None or sized + len(refused) == 1:
+        return taken
+    search = replace(
+        taken.search,
+        sized=sized,
+        failing=len(masses[False]),
+        refused=len(refused),
+        next_sized_mass=sorted(alike)[1] if len(alike) > 1 else math.inf,
+    )
+    return replace(taken, search=search)
 
 
 def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
@@ -99,7 +110,8 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
         *film_checks(context, gears, carriers),
         *pin_checks(design, {gear.name: gear for gear in gears}, carriers),
         *room_checks(arrangement, settled.rules),
-        *beside_checks(context, arrangement, settled.rules),
+        *coaxial_checks(arrangement.bodies, settled.rules.sets, settled.rules.built),
+        *beside_checks(context, arrangement),
         *keep_out_checks(design, arrangement.bodies),
         *locking_checks(design, train, teeth, flows),
         *machine_checks(context),

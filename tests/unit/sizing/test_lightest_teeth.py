@@ -220,3 +220,31 @@ def test_as_many_are_sized_in_full_as_are_asked_for_and_none_that_is_heavier_goe
     assert len({tuple(choice.teeth.items()) for choice in every}) == len(every)
     assert some[0].search.next_mass == pytest.approx(every[0].search.next_mass, rel=1e-12)
     assert some[0].search.combinations == every[0].search.combinations
+
+
+def with_few_teeth(most: int):
+    """Return a pair whose pinion may have 12 teeth up, which undercut below 17, with all choices sized in full."""
+    text = chain("p", 4.2, most=most).replace("minimum = 18", "minimum = 12")
+    return edited(parse(text), {"teeth.sized": 1000})
+
+
+def test_the_lightest_that_passes_its_checks_is_taken_before_a_lighter_one_that_does_not():
+    """Each choice again with its teeth given: the taken one is the lightest of those none of whose checks fail."""
+    design = with_few_teeth(22)
+    taken, masses = size(design), {True: [], False: []}
+    for choice in choose_teeth(design, build_train(design)):
+        given = {f"pairs.a0.{part}_teeth": choice.teeth[f"a0.{part}"] for part in ("pinion", "wheel")}
+        alone = size(edited(design, given))
+        masses[not any(check.fails for check in alone.checks)].append(alone.mass)
+    assert min(masses[False]) < min(masses[True])
+    assert taken.mass == pytest.approx(min(masses[True]), rel=1e-9)
+    assert (taken.search.sized, taken.search.failing) == (sum(map(len, masses.values())), len(masses[False]))
+    assert taken.search.next_sized_mass == pytest.approx(sorted(masses[True])[1], rel=1e-9)
+    assert f"in full, {len(masses[False])} fail checks; the next" in repr(taken)
+
+
+def test_where_no_choice_passes_its_checks_the_lightest_is_taken_and_that_is_said():
+    taken = size(with_few_teeth(15))
+    assert taken.search.failing == taken.search.sized > 1
+    assert taken.mass <= taken.search.next_sized_mass
+    assert "none of which passes its checks" in repr(taken)

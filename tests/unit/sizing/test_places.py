@@ -317,11 +317,58 @@ def test_a_gear_that_runs_into_a_face_gear_fails_by_what_it_needs_to_get_out():
     assert [check.name for check in rooms(clear) if check.fails] == []
 
 
+def off_set_with(*shafts):
+    """Return Off-Set with the second pinion of some layshafts given a place, of the first one 2 mm on."""
+    design = gw.read(gw.shipped_design("off-set"))
+    plans, text = size(design).arrangement.plans, gw.shipped_design("off-set").read_text(encoding="utf-8")
+    for shaft in shafts:
+        place = 1e3 * plans[shaft].places["second.pinion"] + (2.0 if shaft == shafts[0] else 0.0)
+        text += f'\n[layout.{shaft}.places]\n"second.pinion".position_mm = {place}\n'
+    return size(gw.parse(text))
+
+
 def test_gears_whose_places_do_not_meet_are_told():
     """Two layshafts between two gears: one of four places moved by 2 mm leaves one mesh 2 mm apart."""
-    design = gw.read(gw.shipped_design("off-set"))
-    place = size(design).arrangement.plans["left"].places["second.pinion"]
-    text = gw.shipped_design("off-set").read_text(encoding="utf-8")
-    moved = gw.parse(f'{text}\n[layout.left.places]\n"second.pinion".position_mm = {1e3 * place + 2.0}\n')
-    assert size(design).arrangement.apart == {}
-    assert [abs(off) for off in size(moved).arrangement.apart.values()] == [pytest.approx(2e-3)]
+    assert off_set_with().arrangement.apart == {}
+    moved = off_set_with("left", "right")
+    assert [abs(off) for off in moved.arrangement.apart.values()] == [pytest.approx(2e-3)]
+    (check,) = [check for check in moved.checks if check.mode == "gears beside each other"]
+    assert check.fails
+    assert check.value == pytest.approx(2e-3)
+
+
+def test_a_gear_whose_place_is_open_moves_to_its_mate():
+    """The other layshaft follows by the same 2 mm, and is longer by them; nothing else moves along x."""
+    stood, moved = off_set_with(), off_set_with("left")
+    assert moved.arrangement.apart == {}
+    before, after = stood.arrangement.plans["right"], moved.arrangement.plans["right"]
+    assert after.places["second.pinion"] - before.places["second.pinion"] == pytest.approx(2e-3)
+    assert after.length - before.length == pytest.approx(2e-3)
+    assert after.places["first.wheel"] == before.places["first.wheel"]
+
+
+def span(body, along):
+    """Return where a body begins and ends along a direction [m]."""
+    ends = [vector(body.origin) @ along, (vector(body.origin) + body.length * vector(body.direction)) @ along]
+    return min(ends), max(ends)
+
+
+@pytest.mark.parametrize("name", gw.shipped_designs())
+def test_gears_in_mesh_overlap_along_their_axes_by_the_narrower_one(name):
+    """Of every pair of parallel axes the narrower face lies within the wider one, to the 0.05 mm of the check."""
+    sizing = shipped(name)
+    bodies = {str(body.part): body for body in sizing.arrangement.bodies}
+    gears = {gear.name: gear for gear in sizing.gears}
+    for mesh in sizing.train.meshes:
+        if mesh.stage in sizing.design.pairs and sizing.design.pairs[mesh.stage].kind == "cylindrical":
+            one, other = (
+                bodies[str(gears[gear].body(shaft))] for gear, shaft in zip(mesh.gears, mesh.nodes, strict=False)
+            )
+            (start, end), (first, last) = (span(body, vector(one.direction)) for body in (one, other))
+            assert min(end, last) - max(start, first) >= min(one.length, other.length) - 5e-5, mesh.name
+
+
+def test_both_pinions_of_a_split_torque_stand_in_the_plane_of_their_wheel():
+    """By hand: the face wheels stand 2 × 25.6 mm apart about the pinion, so the right shaft is longer by as much."""
+    plans = shipped("face-gear-split-torque").arrangement.plans
+    assert plans["right"].length - plans["left"].length == pytest.approx(51.2e-3)

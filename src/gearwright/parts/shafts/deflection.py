@@ -104,8 +104,10 @@ def between(stations: Floats, values: Floats, places: Floats) -> Floats:
 
     Args:
         stations: x, never falling [m], (k,).
-        values: At the stations, (..., k).
+        values: At the stations [any unit], (..., k).
         places: x [m], (n,).
+
+    Source: linear interpolation.
     """
     left = np.minimum(np.maximum(stations.searchsorted(places, side="right") - 1, 0), len(stations) - 1)
     right = np.minimum(left + 1, len(stations) - 1)

@@ -9,8 +9,10 @@ pairs, at equal distances. The design's ``layout`` says otherwise where it must.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from types import MappingProxyType
 
-from gearwright.errors import Problem, near, refuse
+from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.identity import SIDES, carrier_part
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement.seats import radial_places, seats_of
@@ -19,14 +21,20 @@ from gearwright.sizing.result import GearSizing
 from gearwright.spec.design import NOTHING_GIVEN, Design, ShaftLayout
 from gearwright.train import Train
 
+Moves = Mapping[tuple[str, str], float]
+"""Shaft and gear -> how far it stands from where equal gaps put it, along the shaft [m]."""
+NO_MOVES: Moves = MappingProxyType({})
+"""All gears have equal gaps."""
 
-def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPlan:
+
+def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...], moves: Moves = NO_MOVES) -> ShaftPlan:
     """Return where everything on a shaft sits.
 
     Args:
         context: What sizing reads.
         name: Of the shaft.
         gears: From `size_gears`.
+        moves: Of gears, on shafts whose length is open.
 
     Raises:
         DesignError: If the given length, places or bearings do not fit.
@@ -41,6 +49,9 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> Shaft
     length = context.given.get(f"{name}.length", _length(context.design, name, widths))
     places = _between_bearings(names, widths, length) if widths else _spread(names, length)
     places |= {part: place.position for part, place in layout.places.items()}
+    own = {gear: by for (shaft, gear), by in moves.items() if shaft == name}
+    if own:
+        length, places = _moved(name, places, widths, length, own)
     seat = min(rules.bearing_length, length / 2.0) / 2.0
     first = seat if layout.first_bearing is None else layout.first_bearing
     second = length - seat if layout.second_bearing is None else layout.second_bearing
@@ -82,6 +93,23 @@ def _between_bearings(names: list[str], widths: Mapping[str, float], length: flo
         else:
             places[name] = length if reached else 0.0
     return places
+
+
+def _moved(
+    name: str, places: Mapping[str, float], widths: Mapping[str, float], length: float, moves: Mapping[str, float]
+) -> tuple[float, dict[str, float]]:
+    """Return length and places with gears moved along a shaft, as far beyond as it must be for the same end gaps."""
+    gap = (length - sum(widths.values())) / (len(widths) + 1)
+    moved = {gear: places[gear] + moves.get(gear, 0.0) for gear in widths}
+    order = sorted(widths, key=moved.__getitem__)
+    for before, after in pairwise(order):
+        if moved[before] + widths[before] / 2.0 > moved[after] - widths[after] / 2.0 + 1e-9:
+            message = f"beside its mate it stands in {before!r}; give both a place of their own"
+            raise DesignError([Problem(f"layout.{name}.places.{after}", message)])
+    start = min(moved[order[0]] - widths[order[0]] / 2.0 - gap, 0.0)
+    end = max(moved[order[-1]] + widths[order[-1]] / 2.0 + gap, length)
+    at = {part: moved[part] if part in widths else end if place else start for part, place in places.items()}
+    return end - start, {part: place - start for part, place in at.items()}
 
 
 def _spread(names: list[str], length: float) -> dict[str, float]:

@@ -4,9 +4,10 @@ Axes in the cross-section and places along shafts, which loads need before shaft
 """
 
 from gearwright.sizing.places.bodies import BACKUP, Parts, bodies_of, placed
+from gearwright.sizing.places.coaxial import CLAUSE, coaxial_checks
 from gearwright.sizing.places.keep_out import keep_out_checks
 from gearwright.sizing.places.pins import pin_checks
-from gearwright.sizing.places.room import BOSS, CLAUSE, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
+from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
 from gearwright.sizing.places.sets import PLATE_GAP
 from gearwright.sizing.places.settle import Settled, settle
 from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
@@ -25,6 +26,7 @@ __all__ = [
     "beside_checks",
     "bodies_of",
     "box_of",
+    "coaxial_checks",
     "keep_out_checks",
     "meetings",
     "pin_checks",

@@ -14,9 +14,10 @@ from itertools import combinations
 from typing import NamedTuple
 
 from gearwright.checks import Check
-from gearwright.identity import GEARBOX, Kind, PartId, Role
+from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing.arranged import Arrangement, Body
 from gearwright.sizing.mounted import JointSizing
+from gearwright.sizing.places.coaxial import CLAUSE, axes_among, of_one_set, owner
 from gearwright.sizing.places.solids import Room, room_between
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
@@ -24,10 +25,6 @@ from gearwright.spec import GROUND
 
 BOSS = 1.4
 """Diameter of a bevel or face gear's hub over that of its bore, where its body is not sized [-]."""
-CLAUSE = "bodies in space"
-"""Of checks of room between bodies."""
-_CLOSE = 1e-9
-"""Axes nearer than this are one [m]; so are directions [-]."""
 _TOUCH = 1e-9
 """How far bodies may stand into each other by rounding [m]."""
 
@@ -105,8 +102,9 @@ def meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
 def _meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
     found: Meetings = {}
     clear = math.inf
-    for (one, around), (other, beside) in combinations([(body, _sphere(body)) for body in bodies], 2):
-        if not _minds(one, other, rules) or _apart(around, beside) > clear + _TOUCH:
+    every = zip(bodies, axes_among(bodies), map(_sphere, bodies), strict=True)
+    for (one, first, around), (other, second, beside) in combinations(every, 2):
+        if not _minds(one, other, rules, coaxial=first == second) or _apart(around, beside) > clear + _TOUCH:
             continue
         room, key = room_between(one, other, enough=0.0), _ordered(owner(one), owner(other))
         if key not in found or room.gap < found[key].room.gap - _TOUCH:  # of equal ones the first
@@ -130,17 +128,16 @@ def room_checks(arrangement: Arrangement, rules: Rules) -> list[Check]:
     return [*checks, *(_check(meeting) for meeting in sorted(clear, key=lambda each: round(each.room.gap, 8))[:1])]
 
 
-def beside_checks(context: Context, arrangement: Arrangement, rules: Rules) -> Iterator[Check]:
-    """Yield gears in mesh that stand beside each other along their axes, on shafts that are worked out.
+def beside_checks(context: Context, arrangement: Arrangement) -> Iterator[Check]:
+    """Yield gears in mesh that do not stand beside each other along their axes.
 
     Args:
         context: What sizing reads.
         arrangement: With its frames.
-        rules: Which shafts are.
     """
     for mesh in context.train.meshes:
         off = arrangement.apart.get(mesh.name)
-        if off is not None and {mesh.nodes[0], mesh.nodes[1]} <= rules.built:
+        if off is not None:
             yield Check(
                 mesh.part, "gears beside each other", "places along the shafts", abs(off), 5e-5, "length",
                 at_most=True, exponent=None,
@@ -160,34 +157,17 @@ def _check(meeting: Meeting, into: tuple[PartId, PartId] | None = None) -> Check
     )  # fmt: skip
 
 
-def owner(body: Body) -> PartId:
-    """Return what a body belongs to: its shaft, or the set whose planets or standing gears it is.
-
-    Args:
-        body: At its place.
-    """
-    if body.part.role is Role.PLANET or body.shaft == GROUND:
-        return PartId(Kind.STAGE, body.part.name)
-    return PartId(Kind.SHAFT, body.shaft)
-
-
 def _ordered(one: PartId, other: PartId) -> tuple[PartId, PartId]:
     return (one, other) if str(one) <= str(other) else (other, one)
 
 
-def _minds(one: Body, other: Body, rules: Rules) -> bool:
+def _minds(one: Body, other: Body, rules: Rules, *, coaxial: bool) -> bool:
     """Tell whether two bodies need room beside each other."""
     if one.shaft == other.shaft != GROUND:
         return _mind_on_one_shaft(one, other, rules)
-    if one.part.name == other.part.name and one.part.name in rules.sets and _toothed(one) and _toothed(other):
+    if coaxial and not {one.shaft, other.shaft} <= rules.built:  # for `coaxial_checks`
         return False
-    if frozenset((one.part, other.part)) in rules.mates:
-        return False
-    return not _coaxial(one, other) or {one.shaft, other.shaft} <= rules.built
-
-
-def _toothed(body: Body) -> bool:
-    return body.part.kind in (Kind.GEAR, Kind.CARRIER)
+    return not of_one_set(one, other, rules.sets) and frozenset((one.part, other.part)) not in rules.mates
 
 
 def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
@@ -200,15 +180,6 @@ def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
             return hub is None or 2.0 * mate.radius > hub
         return mate.part.kind is Kind.GEAR and mate.what != "teeth"
     return False
-
-
-def _coaxial(one: Body, other: Body) -> bool:
-    """Tell whether two bodies share an axis."""
-    (x, y, z), (a, b, c), (d, e, f) = other.origin, one.direction, other.direction
-    x, y, z = x - one.origin[0], y - one.origin[1], z - one.origin[2]
-    along = x * a + y * b + z * c
-    x, y, z = x - along * a, y - along * b, z - along * c
-    return x * x + y * y + z * z < _CLOSE and 1.0 - abs(a * d + b * e + c * f) < _CLOSE
 
 
 def _sphere(body: Body) -> tuple[list[float], float]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from gearwright.sizing.arranged import Arrangement, Turn
-from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
+from gearwright.sizing.places.along import arrange_meshing
 from gearwright.sizing.places.bodies import Parts, placed
 from gearwright.sizing.places.room import Rules, rules_of
 from gearwright.sizing.places.turning import turns_of
@@ -68,7 +68,7 @@ def settle(context: Context, gears: tuple[GearSizing, ...]) -> Settled:
 
 
 def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn, ...]) -> Settled:
-    bare = arrange(context, gears, {turn.shaft: turn.after for turn in turns})
+    bare = arrange_meshing(context, gears, {turn.shaft: turn.after for turn in turns})
     shafts, built = size_shafts(context, gears, bare)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError
 from gearwright.sizing.arranged import Arrangement, Body, Turn
-from gearwright.sizing.arrangement import arrange
+from gearwright.sizing.places.along import arrange_meshing
 from gearwright.sizing.places.bodies import Parts, placed
 from gearwright.sizing.places.keep_out import entries
 from gearwright.sizing.places.room import Rules, meetings
@@ -69,7 +69,7 @@ class _Task:
             angle: Its direction from its mate [rad].
         """
         try:
-            bare = arrange(self.parts.context, tuple(self.parts.gears.values()), {**self.angles, shaft: angle})
+            bare = arrange_meshing(self.parts.context, tuple(self.parts.gears.values()), {**self.angles, shaft: angle})
         except DesignError:
             return None
         return placed(replace(self.parts, arrangement=bare))

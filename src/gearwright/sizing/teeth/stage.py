@@ -67,7 +67,7 @@ def extend(
     Raises:
         DesignError: If no candidate is left, with what would do.
     """
-    targets, forbidden = asked_ratios(front, task, nominal), list[Front]()
+    forbidden = list[Front]()
     for reach in REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
         for part, variant in product(_parts(front), ring_variants(task, design)):
@@ -94,7 +94,7 @@ def extend(
     actual = np.concatenate(near)
     if len(actual):
         raise contradiction(task.name, task.stage, design, float(np.median(actual)))
-    ratio, fewest = float(np.median(targets)), fewest_teeth(task.rating)
+    ratio, fewest = float(np.median(asked_ratios(front, task, nominal))), fewest_teeth(task.rating)
     raise refusal(task.name, task.stage, design, ratio, fewest=fewest, nominal=nominal)
 
 

@@ -19,9 +19,11 @@ def chosen_teeth(sizing: Sizing) -> str:
         following = _next(search.gear_mass, search.next_mass)
         return f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
     refused = f", {search.refused} refused" if search.refused else ""
-    sized = f"{search.sized} sized in full{refused}{_next(sizing.mass, search.next_sized_mass)}"
+    none, some = search.sized == search.failing, 0 < search.failing < search.sized
+    failing = ", none of which passes its checks" if none else f", {search.failing} fail checks" if some else ""
+    sized = f"{search.sized} sized in full{failing}{refused}{_next(sizing.mass, search.next_sized_mass)}"
     lightest = f"those with the lightest gears of {search.combinations:,.0f} combinations ({proof})"
-    return f"the lightest of {lightest}: {sized}"
+    return f"the lightest {'that passes its checks ' if some else ''}of {lightest}: {sized}"
 
 
 def _next(mass: float, heavier: float) -> str:

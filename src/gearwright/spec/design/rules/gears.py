@@ -158,7 +158,7 @@ class TeethRules(Record):
         1,
         ge=1,
         le=1000,
-        description="How many combinations of the lightest gears are sized in full, to take the lightest",
+        description="How many combinations of the lightest gears are sized in full, to take the lightest that passes",
     )
 
     def largest_sun(self, otherwise: int = SUN_LIMITS[0]) -> int:
