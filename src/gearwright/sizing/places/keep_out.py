@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.checks import Check
 from gearwright.identity import GEARBOX
 from gearwright.sizing.arranged import Body
-from gearwright.sizing.places.room import CLAUSE
+from gearwright.sizing.places.coaxial import CLAUSE
 from gearwright.sizing.places.solids import Room, Solid, box_of, solid_of, solid_room
 from gearwright.spec import Design
 from gearwright.spec.design import KeepOut
