@@ -41,7 +41,7 @@ def code_lines(text: str) -> int:
     texts = [node for node in ast.walk(ast.parse(text)) if is_text(node)]
     told = {line for node in texts for line in range(node.lineno, node.end_lineno + 1)}
     tokens = tokenize.generate_tokens(io.StringIO(text).readline)
-    held = {line for one in tokens if one.type not in NOT_CODE for line in range(one.start[0], one.end[0] + 1)}
+    held = {line for token in tokens if token.type not in NOT_CODE for line in range(token.start[0], token.end[0] + 1)}
     return len(held - told)
 
 
@@ -71,8 +71,9 @@ def main() -> None:
     print(f" ({longest.relative_to(SOURCE)}), over 350: {sum(length > 350 for length in lengths.values())}")
     files = Counter(path.parent for path in modules if path.name != "__init__.py")
     fullest = max(files, key=files.__getitem__)
+    crowded = sum(number > 15 for number in files.values())
     print(f"files in a folder, without its __init__: at most {files[fullest]} ({fullest.relative_to(SOURCE)})", end="")
-    print(f", over 15: {sum(number > 15 for number in files.values())}")
+    print(f", over 15: {crowded} of {len(files)}")
 
 
 if __name__ == "__main__":

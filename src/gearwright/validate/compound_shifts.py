@@ -66,7 +66,7 @@ PRINTED_RUN = PublishedSet((21, 43, 108), 1.75, 0.438, "centre_distance_mm = 56.
 
 
 def _centres(*sets: PublishedSet) -> Sequence[float]:
-    return [each.module * (each.shifts.meshes["sun-planet"].centre or 0.0) for each in sets]
+    return [own.module * (own.shifts.meshes["sun-planet"].centre or 0.0) for own in sets]
 
 
 def _tips_and_spans() -> Sequence[float]:
@@ -78,7 +78,7 @@ CASES = (
     Case("5 MW reference gearbox as compound sets, centre distance of both", _TURBINE, "mm", (862.996, 584.002),
          partial(_centres, FIRST, SECOND), 6e-4, "printed to a micrometre", is_relative=False),
     Case("5 MW reference gearbox as compound sets, shift of both rings", _TURBINE, "-", (-0.501, 0.117),
-         lambda: [each.shifts.gears["ring"].profile_shift for each in (FIRST, SECOND)], 6e-4,
+         lambda: [own.shifts.gears["ring"].profile_shift for own in (FIRST, SECOND)], 6e-4,
          "three decimals of the printed shifts", is_relative=False),
     Case("planetary set 21/43/108 on 56.8 mm, shift of the planet", _KOS, "-", (0.0426,),
          lambda: [PRINTED_RUN.shifts.gears["planet"].profile_shift], 6e-5, "four decimals", is_relative=False),

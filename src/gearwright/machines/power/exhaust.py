@@ -79,10 +79,10 @@ def mixed(flows: Iterable[Exhaust]) -> Exhaust:
 
     Source: conservation of mass and enthalpy.
     """
-    each = list(flows)
-    running = [flow for flow in each if flow.fuel_flow]
+    known = list(flows)
+    running = [flow for flow in known if flow.fuel_flow]
     if len(running) < 2:
-        return running[0] if running else each[0]
+        return running[0] if running else known[0]
     return _joined(running)
 
 

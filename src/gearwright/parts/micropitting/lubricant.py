@@ -63,7 +63,7 @@ class OilGrade:
         hot = self.viscosity_100
         if hot is None:
             hot = self.viscosity_40 * oil_viscosity(373.15) / oil_viscosity(313.15)
-        warm, end = (math.log10(math.log10(each / _MM2_S + 0.7)) for each in (self.viscosity_40, hot))
+        warm, end = (math.log10(math.log10(viscosity / _MM2_S + 0.7)) for viscosity in (self.viscosity_40, hot))
         places = math.log10(40.0 + _KELVIN), math.log10(100.0 + _KELVIN)
         slope = (warm - end) / (places[1] - places[0])
         at = warm - slope * (np.log10(np.asarray(temperature) + _KELVIN) - places[0])

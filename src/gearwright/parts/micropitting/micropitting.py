@@ -63,7 +63,7 @@ def micropitting(
     return Micropitting(
         friction=film.friction,
         bulk=film.bulk,
-        films=tuple(float(each) for each in relative),
+        films=tuple(float(thickness) for thickness in relative),
         point=POINTS[worst],
         pressure=float(film.pressure[worst]),
         contact=float(film.contact[worst]),

@@ -73,5 +73,5 @@ def oil_items(sizing: Sizing, inside: float) -> Iterator[MassItem]:
     mass = (flow * rules.oil_dwell + FILM * inside) * oil.density
     yield MassItem("oil", "lubrication", 1, mass, 0.3, "(q t + 0.02 V) ρ, q = P_V/(ρ c ΔT)", "heat balance; estimate")
     for rule in RULES:
-        each = rule.least + rule.per_flow * flow / _LITRE_MIN + rule.per_heat * heat / 1e3
-        yield MassItem(rule.part, "lubrication", 1, each, SURE, "m_0 + k q + j P_V", "estimate")
+        mass = rule.least + rule.per_flow * flow / _LITRE_MIN + rule.per_heat * heat / 1e3
+        yield MassItem(rule.part, "lubrication", 1, mass, SURE, "m_0 + k q + j P_V", "estimate")

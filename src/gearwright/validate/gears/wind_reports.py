@@ -137,7 +137,7 @@ def _root_factors() -> list[float]:
     strengths = [_rated()[0].root_strength[0], _rated()[1].root_strength[1], *helical.root_strength]
     return [
         float(helical.bending[0].helix),
-        *(float(value) for each in strengths for value in (each.life, each.notch_sensitivity, each.surface, each.size)),
+        *(float(value) for own in strengths for value in (own.life, own.notch_sensitivity, own.surface, own.size)),
     ]
 
 
@@ -151,7 +151,7 @@ def _contact_factors() -> list[float]:
     strengths = (*sun.contact_strength, ring.contact_strength[1], *pair.contact_strength)
     return [
         float(helical.zone), float(helical.contact_ratio), float(helical.helix),
-        *(float(value) for each in strengths for value in (each.life, each.lubricant, each.speed, each.roughness)),
+        *(float(value) for own in strengths for value in (own.life, own.lubricant, own.speed, own.roughness)),
         float(ring.contact_strength[1].work_hardening),
     ]  # fmt: skip
 

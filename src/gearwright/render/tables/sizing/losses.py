@@ -87,10 +87,10 @@ def loss_tables(sizing: Sizing) -> dict[str, Table]:
     fields = ("case", "power", *ORIGINS, "lost", "efficiency")
     losses = loss_balance(sizing).losses
     limits = ("limit",) if any(loss.limit for loss in losses) else ()
-    each = ("origin", "part", "count", "power", "share", "method", *limits)
+    columns = ("origin", "part", "count", "power", "share", "method", *limits)
     return {
         "losses": table(
             "Losses by origin", losses_of_cases(sizing), fields, note=_note(sizing.design) + _limits(losses)
         ),
-        "loss_parts": table("Losses part by part", losses, each, note=f"Case {sizing.reference.case}."),
+        "loss_parts": table("Losses part by part", losses, columns, note=f"Case {sizing.reference.case}."),
     }

@@ -187,7 +187,7 @@ def _micropitted(mesh: LoadedMesh, scuffed: ScuffingMesh, factors: PairRating) -
         poisson_ratio=scuffed.poisson_ratio,
         supply=SPRAY,
     )
-    weaker = next((each for each in _SOFTEST if each in treatments), treatments[0])
+    weaker = next((treatment for treatment in _SOFTEST if treatment in treatments), treatments[0])
     oil, temperature = _grade(rules), rules.oil_temperature
     return micropitting(film, oil, temperature, stage=rules.micropitting_stage, treatment=weaker)
 
