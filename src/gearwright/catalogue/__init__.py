@@ -39,6 +39,7 @@ from gearwright.catalogue.propellers import (
     read_propeller_map,
 )
 from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
+from gearwright.catalogue.retaining_rings import RetainingRing, retaining_ring, retaining_rings
 
 __all__ = [
     "ALL_STATES",
@@ -62,6 +63,7 @@ __all__ = [
     "ModifiedLife",
     "Printed",
     "PublishedGearbox",
+    "RetainingRing",
     "Series",
     "StandardKey",
     "all_series",
@@ -97,6 +99,8 @@ __all__ = [
     "published_gearboxes",
     "rated_steel",
     "read_propeller_map",
+    "retaining_ring",
+    "retaining_rings",
     "seat_tolerance",
     "select",
     "shaft_limits",

@@ -4,17 +4,21 @@ from gearwright.sizing.shafts.building import Built
 from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
+from gearwright.sizing.shafts.retention import Retention, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 
 __all__ = [
     "Built",
+    "Retention",
     "Section",
     "Strength",
     "built_checks",
     "carrier_checks",
     "refuse_bores",
     "refuse_idle_shafts",
+    "retention_checks",
+    "retentions",
     "shaft_checks",
     "shaft_material",
     "size_carriers",

@@ -1,0 +1,160 @@
+"""What holds bearings and gears along a built shaft: shoulders within, and at both ends a retaining ring, or more.
+
+Parts are slid on from both ends up to shoulders, or to spacers on what sits further in. What pushes a shaft against a
+shoulder is held by it; what would pull the shaft out of a bearing, or a gear off its seat, must be held beyond the
+outermost part of that end. There a ring of DIN 471 is tried: its groove must bear the force and have room. Where it
+does not, a nut or an end plate is needed, which nobody has sized: that is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import takewhile
+from typing import NamedTuple
+
+from gearwright.catalogue import RetainingRing, retaining_ring
+from gearwright.checks import Check, not_assessed
+from gearwright.identity import Kind, PartId, Role
+from gearwright.sizing.meshed import MeshSizing
+from gearwright.sizing.mounted import BuiltShaft
+from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.spec.design import LOCATES
+from gearwright.units import text
+
+CLAUSE = "DIN 471, groove"
+_INSIDE = 1e-6
+"""How far from an edge a place lies that is certainly on one side of it [m]."""
+ENDS = {-1: "first", 1: "second"}
+"""Way along a shaft -> the end that it leads to."""
+
+
+class Seated(NamedTuple):
+    """A bearing or gear on a shaft, or the hub of a machine."""
+
+    name: str
+    start: float
+    """From the shaft's first end [m]."""
+    end: float
+    """[m]"""
+    pulls: tuple[float, float]
+    """Largest force that it must take from what holds it towards the first and the second end [N]."""
+    is_machine: bool = False
+
+    def edge(self, way: int) -> float:
+        """Return its end on one side [m].
+
+        Args:
+            way: −1 towards the shaft's first end, +1 towards the second.
+        """
+        return self.end if way > 0 else self.start
+
+
+class Retention(NamedTuple):
+    """What an end of a shaft needs."""
+
+    shaft: str
+    way: int
+    """−1 at the first end, +1 at the second."""
+    outermost: str
+    """Part that is held."""
+    force: float
+    """[N]"""
+    diameter: float
+    """Of its seat [m]."""
+    room: float
+    """Beside it as far as the shaft is as thick, to the next part or the end of the shaft [m]."""
+    ring: RetainingRing | None
+    """That fits the diameter."""
+
+
+def retentions(sizing: Sizing) -> Iterator[Retention]:
+    """Yield what both ends of every built shaft need where a force pulls there.
+
+    Args:
+        sizing: As sized.
+    """
+    for shaft in sizing.built_shafts:
+        seated = list(_seated(sizing, shaft))
+        core = max(shaft.steps, key=lambda step: step.diameter)
+        for way in ENDS:
+            stack = [part for part in seated if way * ((part.start + part.end) - (core.start + core.end)) > 0.0]
+            held = sorted((part for part in stack if not part.is_machine), key=lambda part: way * part.edge(way))
+            if not held:
+                continue
+            force = max(part.pulls[way > 0] for part in held)
+            if force > 0.0:
+                yield _retention(shaft, way, held[-1], stack, force=force)
+
+
+def retention_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield whether a retaining ring holds what pulls at the ends of built shafts, or why that is open.
+
+    Args:
+        sizing: As sized.
+    """
+    for held in retentions(sizing):
+        part, mode = PartId(Kind.SHAFT, held.shaft), f"axial retention at its {ENDS[held.way]} end"
+        lacking = _lacking(held)
+        if lacking or held.ring is None:
+            why = (
+                f"{text(held.force, 'force')} pull at {held.outermost}: {lacking}; a nut or an end plate is to be sized"
+            )
+            yield not_assessed(part, mode, CLAUSE, why)
+            continue
+        yield Check(
+            part, mode, CLAUSE, held.ring.capacity, held.force, "force",
+            symbol="F_N", place=f"{held.ring.designation} beside {held.outermost}",
+        )  # fmt: skip
+
+
+def _lacking(held: Retention) -> str:
+    """Return why no ring holds; empty where one does."""
+    if held.ring is None:
+        return f"DIN 471 has no ring for {1e3 * held.diameter:g} mm"
+    if held.room < held.ring.room:
+        return f"groove and collar need {1e3 * held.ring.room:.3g} mm beside it, and there are {1e3 * held.room:.3g} mm"
+    if held.ring.capacity < held.force:
+        return f"the groove of {held.ring.designation} bears {text(held.ring.capacity, 'force')}"
+    return ""
+
+
+def _seated(sizing: Sizing, shaft: BuiltShaft) -> Iterator[Seated]:
+    factor = sizing.design.service.application_factor
+    for bearing in sizing.bearings:
+        if bearing.shaft == shaft.name:
+            signs, half = LOCATES[sizing.design.bearings[bearing.name].locates], bearing.width / 2.0
+            force = factor * abs(bearing.axial)
+            # The shaft pulls out of the bearing towards the end from which the bearing would follow it.
+            pulls = (force if 1 in signs else 0.0, force if -1 in signs else 0.0)
+            yield Seated(bearing.name, bearing.position - half, bearing.position + half, pulls)
+    gears = {gear.name: gear for gear in sizing.gears}
+    for joint in sizing.joints:
+        if joint.shaft != shaft.name or joint.kind == "integral":
+            continue
+        gear = gears.get(joint.part)
+        if gear is None:
+            half = joint.length / 2.0
+            yield Seated(joint.part, joint.position - half, joint.position + half, (0.0, 0.0), is_machine=True)
+            continue
+        half = gear.face_width * gear.bodies / len(gear.shafts) / 2.0
+        thrust = factor * max(_thrust(sizing, gear, mesh) for mesh in sizing.meshes if gear.name in mesh.gears)
+        yield Seated(gear.name, joint.position - half, joint.position + half, (thrust, thrust))
+
+
+def _thrust(sizing: Sizing, gear: GearSizing, mesh: MeshSizing) -> float:
+    """Return what pushes a gear along its shaft, either way: of a bevel wheel what is radial at its pinion [N]."""
+    pair = sizing.design.pairs.get(gear.stage)
+    crossed = pair is not None and pair.kind == "bevel" and gear.role is Role.WHEEL
+    return abs(mesh.radial_force if crossed else mesh.axial_force)
+
+
+def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *, force: float) -> Retention:
+    edge = part.edge(way)
+    seat = next(step.diameter for step in shaft.steps if step.start <= edge - way * _INSIDE <= step.end)
+    beyond = [other.edge(-way) for other in stack if other.is_machine and way * (other.edge(-way) - edge) > -_INSIDE]
+    outwards = shaft.steps if way > 0 else shaft.steps[::-1]
+    past = [step for step in outwards if way * ((step.end if way > 0 else step.start) - edge) > _INSIDE]
+    level = list(takewhile(lambda step: abs(step.diameter - seat) < _INSIDE, past))
+    last = edge if not level else level[-1].end if way > 0 else level[-1].start
+    room = max(0.0, min(way * (place - edge) for place in (*beyond, last)))
+    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat))
