@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from gearwright.sizing.losses import loss_balance
     from gearwright.sizing.mass import complete_mass
     from gearwright.spec import (
+        at_level,
         design_text,
         edited,
         edited_mission,
@@ -85,6 +86,7 @@ _VERBS = {
     "StoredRun": "store",
     "Wishes": "closure",
     "assemble": "dynamics.assembly",
+    "at_level": "spec",
     "campbell": "dynamics",
     "close": "closure",
     "compare": "study",
@@ -175,6 +177,7 @@ __all__ = [
     "StoredRun",
     "Wishes",
     "assemble",
+    "at_level",
     "campbell",
     "close",
     "compare",

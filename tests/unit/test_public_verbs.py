@@ -199,6 +199,7 @@ UNKNOWN = {
     "edited changes": lambda: edited(sizing().design, {"gears.profile_shif": 0.1}),
     "edited_mission changes": lambda: edited_mission(read_mission("thesis"), {"phases.cruis.duration_s": 1.0}),
     "elastic_shares case": lambda: elastic_shares(sizing("off-set"), "rate"),
+    "at_level level": lambda: gw.at_level(gw.read("in-line"), "preliminar"),
     "find_mission name": lambda: find_mission("thesi"),
     "answer row": lambda: gw.response(sizing(), system(), "first.sun-plane"),
     "compare changes": lambda: gw.compare({"mine": sizing().design}, changes={"gears.profile_shif": 0.1}),

@@ -26,20 +26,22 @@ def design_of(name: str, folder: Path | None = None) -> Design:
     return read(find_design(name, folder))
 
 
-def sized(name: str) -> Sizing:
+def sized(name: str, level: str | None = None) -> Sizing:
     """Return the sizing of a design; what sizing finds wrong is placed at its line in the file.
 
     Args:
         name: Path or name of the design.
+        level: At which it is sized; None: its own.
 
     Raises:
         DesignError: If the design cannot be read or sized.
     """
     from gearwright.sizing import size
+    from gearwright.spec import at_level
 
     design = design_of(name)
     with placed_in(name):
-        return size(design)
+        return size(design if level is None else at_level(design, level))
 
 
 def reviewed(sizing: Sizing, name: str) -> Review:

@@ -192,7 +192,8 @@ def _stars(design: Design, stages: list[str]) -> Iterator[Change]:
 
 def _star(design: Design, name: str) -> dict[str, Value]:
     """Return what makes a set a star: what its carrier turned its ring turns; empty where its ring does not stand."""
-    stage, path = design.planetaries[name], f"planetaries.{name}"
+    stage = design.planetaries[name]
     if stage.ring != GROUND or stage.carrier == GROUND:
         return {}
-    return {f"{path}.ring": stage.carrier, f"{path}.carrier": GROUND}
+    swapped = {"ring": stage.carrier, "carrier": GROUND}
+    return {f"planetaries.{name}.{member}": shaft for member, shaft in swapped.items()}

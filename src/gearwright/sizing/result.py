@@ -32,6 +32,8 @@ from gearwright.units import (
 )
 
 _THESIS = "Pulvirenti 2023"
+PRELIMINARY = "preliminary"
+"""Level at which gears weigh what they are made of, and planet bearings with them."""
 
 
 @dataclass(frozen=True)
@@ -173,7 +175,7 @@ class Sizing(Shown):
 
     @property
     def level(self) -> str:
-        """How far the design is worked out: ``concept``, or ``built`` where it has bearings."""
+        """How far the design is worked out: ``concept``, ``preliminary``, or ``built`` where it has bearings."""
         return self.design.level or ("built" if self.design.bearings else "concept")
 
     @property
@@ -198,7 +200,7 @@ class Sizing(Shown):
 
     @property
     def planet_bearing_mass(self) -> Mass:
-        """Mass of all bearings of planets that the design asks for; not in `mass` [kg]."""
+        """Mass of all bearings of planets that the design asks for; in `mass` of a preliminary sizing alone [kg]."""
         return sum(gear.runs_on.mass * gear.bodies for gear in self.gears if gear.runs_on)
 
     @property
@@ -211,14 +213,18 @@ class Sizing(Shown):
 
     @property
     def mass(self) -> Mass:
-        """Mass of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own [kg]."""
+        """Mass of gears, shafts and carriers, at a preliminary level with what planets turn on; or as weighed [kg].
+
+        Motors, housing, bearings of shafts and oil are not in it.
+        """
         weighed = self.given.get("gearbox.mass")
         return self.parts_mass if weighed is None else weighed.value
 
     @property
     def parts_mass(self) -> Mass:
-        """Sum of gears, shafts and carriers [kg]."""
-        return self.gear_mass + self.shaft_mass + self.carrier_mass
+        """Sum of gears, shafts and carriers, of a preliminary sizing with the bearings in its planets [kg]."""
+        turning = self.planet_bearing_mass if self.level == PRELIMINARY else 0.0
+        return self.gear_mass + self.shaft_mass + self.carrier_mass + turning
 
     @property
     def motor_mass(self) -> Mass:

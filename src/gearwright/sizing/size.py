@@ -10,16 +10,18 @@ import numpy as np
 
 from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import DesignError, refuse
+from gearwright.identity import Kind
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.face_load import face_load_checks
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
+from gearwright.sizing.mass import as_made
 from gearwright.sizing.places import beside_checks, coaxial_checks, keep_out_checks, pin_checks, room_checks, settle
 from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import context_of, demands_of
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.result import PRELIMINARY, Sizing
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.stages import compound_sizes, gear_checks, pass_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
@@ -28,13 +30,19 @@ from gearwright.spec.design import Given, given_values
 from gearwright.train import Train, Turning, build_train, power_flows
 from gearwright.verbs import verb
 
+LOCAL = (Kind.GEAR, Kind.MESH, Kind.STAGE)
+"""Parts whose checks tooth numbers decide: roots, flanks, scuffing, contact ratio, undercut, tips, sliding, rims."""
+LOOKED_AT = 6
+"""Combinations of the lightest gears of which a preliminary sizing takes the first whose gears pass [-]."""
+
 
 @verb
 @np.errstate(all="ignore")  # what overflows or is no number does not pass the gate
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
-    Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does.
+    Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does; at a
+    preliminary level the first of the lightest whose gears pass theirs.
 
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
@@ -48,16 +56,19 @@ def size(design: Design) -> Sizing:
     masses: Mapping[bool, list[float]] = {True: [], False: []}
     refused = list[DesignError]()
     train = build_train(design)
-    for choice in choose_teeth(design, train):
+    lazily = design.level == PRELIMINARY and design.teeth.sized == 1
+    for choice in choose_teeth(edited(design, {"teeth.sized": LOOKED_AT}) if lazily else design, train):
         try:
             sizing = sized_with(design, train, choice, given=given.values)
         except DesignError as error:
             refused.append(error)
             continue
-        passes = not any(check.fails for check in sizing.checks)
+        passes = _passes(sizing)
         masses[passes].append(sizing.mass)
         if passes not in best or sizing.mass < best[passes].mass * (1.0 - EQUAL):
             best[passes] = sizing
+        if lazily and passes:
+            break
     if not best:
         raise refused[0]
     taken, alike = best.get(True) or best[False], masses[True] or masses[False]
@@ -72,6 +83,12 @@ def size(design: Design) -> Sizing:
         next_sized_mass=sorted(alike)[1] if len(alike) > 1 else math.inf,
     )
     return replace(taken, search=search)
+
+
+def _passes(sizing: Sizing) -> bool:
+    """Tell whether teeth may be taken: nothing fails; at a preliminary level, nothing of the gears themselves."""
+    local = sizing.level == PRELIMINARY
+    return not any(check.fails and (not local or check.part.kind in LOCAL) for check in sizing.checks)
 
 
 def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
@@ -136,4 +153,4 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
         search=choice.search,
     )
     dipping(sizing, design.losses.dip, "losses.dip")
-    return refuse_no_numbers(sizing)
+    return refuse_no_numbers(as_made(sizing))

@@ -32,6 +32,7 @@ from gearwright.spec.design import (
 from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems, standing_at
 from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.keys import keys_of
+from gearwright.spec.levels import LEVELS, against_fatigue, at_level
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
 from gearwright.spec.mix import Mix, MixFile, parse_mix, read_mix
@@ -55,6 +56,7 @@ from gearwright.spec.windows import GovernorRules, WindowRules
 
 __all__ = [
     "GROUND",
+    "LEVELS",
     "LONGEST_NAME",
     "MISSION_PATH",
     "MOST_INTERVALS",
@@ -103,6 +105,8 @@ __all__ = [
     "Turbine",
     "WindingRules",
     "WindowRules",
+    "against_fatigue",
+    "at_level",
     "axis_values",
     "brief",
     "build",

@@ -33,8 +33,8 @@ def test_a_concept_has_no_bearings_and_a_built_one_has():
 
 
 def test_a_level_that_there_is_not_is_told_with_those_that_there_are():
-    found = problem(stating(PAIR, "preliminary"))
-    assert "'preliminary' is not known; allowed: 'concept' or 'built'" in found.message
+    found = problem(stating(PAIR, "final"))
+    assert "'final' is not known; allowed: 'concept', 'preliminary' or 'built'" in found.message
 
 
 def test_pages_and_data_say_the_level():

@@ -72,9 +72,13 @@ def size(
         float | None,
         typer.Option(min=0.1, max=10.0, help="What moves the margins of the gears, and what raises the worst to this"),
     ] = None,
+    level: Annotated[
+        Literal["concept", "preliminary"] | None,
+        typer.Option(help="Size it at this level: preliminary rates against fatigue, with gears as they are made"),
+    ] = None,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    sizing = sized(design)
+    sizing = sized(design, level)
     if json:
         from gearwright.render.answers.design import Asked, size_answer
 

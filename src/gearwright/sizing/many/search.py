@@ -16,6 +16,7 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
 from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.many.twinned import twinned
+from gearwright.sizing.result import PRELIMINARY
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
 from gearwright.sizing.teeth.forbidden import clear
 from gearwright.sizing.teeth.front import Front
@@ -139,7 +140,7 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
         every = np.ones(count, dtype=bool)
         return Rows({gear: rows_of(number, count) for gear, number in teeth.items()}, {}, every)
     rules = design.teeth
-    if rules.sized != 1 or rules.split != "equal" or rules.ring_deviation:
+    if rules.sized != 1 or design.level == PRELIMINARY or rules.split != "equal" or rules.ring_deviation:
         raise Unsupported("teeth that are searched in another way")
     nominal = search.targets(design)
     if any(not is_given(stage) and nominal.tooth_ratios[name] <= 1.0 for name, stage in design.planetaries.items()):

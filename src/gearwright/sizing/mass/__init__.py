@@ -8,6 +8,7 @@ from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.gears import gear_blank, gear_blanks
 from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
+from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
 from gearwright.sizing.mass.shell import Shell, shell_around
@@ -22,6 +23,7 @@ __all__ = [
     "Shell",
     "Statistics",
     "Wall",
+    "as_made",
     "band_of",
     "complete_mass",
     "gear_blank",

@@ -41,12 +41,22 @@ def gear_items(sizing: Sizing, bores: Mapping[str, PlanetBore]) -> Iterator[Mass
         if given is not None:
             yield MassItem(gear.name, "gears", gear.bodies, given.value, 0.02, "given", given.origin or "the design")
             continue
-        yield _gear(sizing, gear, bores, shafts)
+        yield gear_item(sizing, gear, bores, shafts)
         if gear.rim and gear.shafts[0] in shafts:
             yield _tie(sizing, gear, shafts[gear.shafts[0]])
 
 
-def _gear(sizing: Sizing, gear: GearSizing, bores: Mapping[str, PlanetBore], shafts: Mapping[str, float]) -> MassItem:
+def gear_item(
+    sizing: Sizing, gear: GearSizing, bores: Mapping[str, PlanetBore], shafts: Mapping[str, float]
+) -> MassItem:
+    """Return one gear as it is made.
+
+    Args:
+        sizing: As sized.
+        gear: Of it.
+        bores: Planet -> what it turns on.
+        shafts: Shaft -> diameter [m].
+    """
     density = sizing.design.material(sizing.design.rules(gear.stage).material).density
     if gear.rim:
         volume, formula = _ring_volume(sizing, gear), "(A_z + π (r_o² − r_f²)) b ρ"

@@ -56,6 +56,16 @@ def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, Planet
     return bores
 
 
+def named_bores(sizing: Sizing) -> dict[str, PlanetBore]:
+    """Return planet gear -> what it turns on, of the planets whose bearing the design names.
+
+    Args:
+        sizing: As sized.
+    """
+    bodies = [(body, _named(body)) for body in planet_bodies(sizing.design, sizing.gears)]
+    return {step.name: bore for body, bore in bodies if bore is not None for step in body.steps}
+
+
 def _named(body: PlanetBody) -> PlanetBore | None:
     """Return the bearings that sizing took for a planet, or that the design names; None where it asks for none."""
     taken = [step.runs_on for step in body.steps if step.runs_on is not None]

@@ -84,6 +84,8 @@ class Task:
     """Nominal speed of pinion or sun against the carrier [rad/s]."""
     rows: tuple[Load, ...] = ()
     """Of each loaded row of a bevel pair the heaviest case over the whole life, without teeth."""
+    made: bool = False
+    """Whether gears are weighed with rims and webs, as at a preliminary level."""
     twin: str = ""
     """Stage before it whose teeth it has, because what both do is the same; empty where it has none."""
     deviation: int = 0

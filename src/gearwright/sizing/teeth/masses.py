@@ -18,6 +18,12 @@ from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import module_owners
 from gearwright.train import gears_of
 
+RIM = 1.25 + 1.2 * 2.25
+"""Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
+of 1.2 tooth heights (AGMA 2001-D04)."""
+_BEARING_GAP = 0.5
+"""Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
+
 
 def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -> Front:
     """Return the front with a stage's teeth, module and bodies.
@@ -118,17 +124,25 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
         ring = ring_teeth(task, small, large)
         annulus = _annulus(ring, wall)
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
-        return teeth, np.asarray(disc * (small**2 + planets * large**2 + annulus), dtype=np.float64)
+        planet = large**2 - _BEARING_GAP * _inside(large) if task.made else large**2
+        return teeth, np.asarray(disc * (small**2 + planets * planet + annulus), dtype=np.float64)
     pinion, wheel = gears_of(task.name, stage)
     wheel_square = (
         _annulus(large, wall * cosine) if stage.internal else rating.rules.web_ratio * large.astype(float) ** 2
     )
+    if task.made and not stage.internal and rating.rules.web_ratio == 1.0:
+        wheel_square = large**2 - (1.0 - rating.rules.web_thickness_ratio) * _inside(large)
     squares = {Role.PINION: small.astype(float) ** 2, Role.WHEEL: wheel_square}
     factor: Floats = np.zeros(len(small))
     for side, square in squares.items():
         if stage.shared(side) is None:
             factor = np.asarray(factor + disc * (len(stage.named(side)) * stage.halves) * square, dtype=np.float64)
     return {pinion: small, wheel: large}, factor
+
+
+def _inside(teeth: Ints) -> Floats:
+    """Return (d_i/m)² inside the rim of a gear whose wall is as thick as teeth and their backing ask [-]."""
+    return np.asarray(np.maximum(teeth - 2.0 * RIM, 0.0) ** 2, dtype=np.float64)
 
 
 def _annulus(teeth: Ints, wall: float) -> Floats:

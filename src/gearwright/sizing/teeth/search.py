@@ -21,6 +21,7 @@ from gearwright.identity import SIDES, Role
 from gearwright.ranking import largest
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.rating import rating_of
+from gearwright.sizing.result import PRELIMINARY
 from gearwright.sizing.teeth.bevels import bevel_rows
 from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
 from gearwright.sizing.teeth.candidates import given_teeth, is_given, planet_counts
@@ -292,7 +293,8 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     torque, rolling = heaviest(loads)
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
-    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows)
+    made = design.level == PRELIMINARY
+    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows, made)
 
 
 def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:

@@ -19,7 +19,7 @@ from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.oils import oil_problems
 from gearwright.spec.checks.places import place_problems
 from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
-from gearwright.spec.design import GROUND, MACHINES, Damper, Design, gear_named, given_values
+from gearwright.spec.design import GROUND, MACHINES, RATINGS, Damper, Design, gear_named, given_values
 from gearwright.units import text
 
 WIDEST = 60
@@ -219,12 +219,34 @@ def _waivers(design: Design) -> Iterator[Problem]:
 
 
 def _level(design: Design) -> Iterator[Problem]:
-    """Find a level that the bearings contradict."""
-    if design.level == "concept" and design.bearings:
-        message = "'concept', but [bearings] stand, which build the shafts; write level = \"built\", or leave them out"
+    """Find a level that the bearings contradict, and what a preliminary design lacks."""
+    if design.level in ("concept", "preliminary") and design.bearings:
+        message = (
+            f'{design.level!r}, but [bearings] stand, which build the shafts; write level = "built", or leave them out'
+        )
         yield Problem("level", message)
+    if design.level == "preliminary":
+        yield from _preliminary(design)
     if design.level == "built" and not design.bearings:
         yield Problem("level", "'built' needs [bearings]; give each shaft two, or write level = \"concept\"")
+
+
+def _preliminary(design: Design) -> Iterator[Problem]:
+    """Find stages without fatigue and planets that turn on nothing."""
+    for name in design.stages:
+        if not RATINGS[design.rating(name)].fatigue:
+            message = (
+                f'{design.rating(name)!r} knows no fatigue, which level = "preliminary" asks for; write rating ='
+                ' "iso6336", or size the design with --level preliminary'
+            )
+            yield Problem(f"{design.table(name)}.gears.rating", message)
+    for name, stage in design.planetaries.items():
+        if stage.planet_bearing is None:
+            message = (
+                'is missing, which level = "preliminary" weighs; write planet_bearing = { kind = "cylindrical" }, or'
+                " size the design with --level preliminary"
+            )
+            yield Problem(f"planetaries.{name}.planet_bearing", message)
 
 
 def _widths(design: Design) -> Iterator[Problem]:

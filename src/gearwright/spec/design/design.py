@@ -68,10 +68,11 @@ class Design(Shown, Record):
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")
     name: str = Field(description="Name of the design")
     description: str = Field("", description="What it is for")
-    level: Literal["concept", "built"] | None = Field(
+    level: Literal["concept", "preliminary", "built"] | None = Field(
         None,
-        description="How far it is worked out: a first sizing with shafts of one diameter (concept), or with bearings,"
-        " steps and joints (built); left out: built where [bearings] stand, else concept",
+        description="How far it is worked out: a first sizing with shafts of one diameter (concept), the same against"
+        " fatigue, with gears as they are made and bearings in planets (preliminary), or with bearings, steps and"
+        " joints (built); left out: built where [bearings] stand, else concept",
     )
     shafts: list[Name] = Field(min_length=1, description="Names of all shafts")
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")

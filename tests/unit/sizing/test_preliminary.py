@@ -1,0 +1,108 @@
+"""A preliminary sizing rates against fatigue, takes teeth whose gears meet everything, and weighs gears as made."""
+
+import math
+from functools import cache
+
+import pytest
+
+from designs import PAIR, problem
+from gearwright.errors import DesignError
+from gearwright.identity import Kind
+from gearwright.shipped import shipped_design
+from gearwright.sizing import size, size_many
+from gearwright.sizing.mass import complete_mass
+from gearwright.spec import at_level, design_text, edited, parse, read
+
+LIFE = {"service.life_h": 20000, "service.bearing_life_h": 20000}
+GEARS = (Kind.GEAR, Kind.MESH, Kind.STAGE)
+
+
+@cache
+def hybrid(sized=1):
+    """The two planetary sets in line, for 20 000 h."""
+    design = at_level(read(shipped_design("in-line-h2")), "preliminary")
+    return size(edited(design, {**LIFE, "teeth.sized": sized}))
+
+
+@cache
+def pair(level):
+    return size(at_level(parse(PAIR), level))
+
+
+def test_gears_weigh_what_the_complete_mass_counts():
+    sizing = hybrid()
+    items = {item.part: item.each for item in complete_mass(sizing).parts if item.group == "gears"}
+    assert {gear.name: gear.mass for gear in sizing.gears} == pytest.approx(
+        {gear.name: items[gear.name] for gear in sizing.gears}, rel=1e-12
+    )
+
+
+def test_bearings_of_planets_are_in_its_mass():
+    sizing = hybrid()
+    parts = sizing.gear_mass + sizing.shaft_mass + sizing.carrier_mass
+    assert sizing.planet_bearing_mass > 0.0
+    assert sizing.mass == pytest.approx(parts + sizing.planet_bearing_mass, rel=1e-12)
+
+
+def test_gears_with_webs_are_lighter_than_their_bored_discs():
+    """Rim, a web of 0.3 of the face and a hub; nothing lies outside the pitch disc but half of the teeth."""
+    sizing = pair("preliminary")
+    density = sizing.design.material(sizing.design.rules("stage").material).density
+    shafts = {shaft.name: shaft.diameter for shaft in sizing.shafts}
+    for gear in sizing.gears:
+        bored = gear.pitch_diameter**2 - shafts[gear.shafts[0]] ** 2
+        share = gear.mass / (math.pi / 4.0 * bored * gear.face_width * density)
+        assert 0.3 < share < 0.8, gear.name
+
+
+def test_teeth_are_taken_whose_gears_meet_their_requirements_where_the_lightest_do_not():
+    """The lightest by what the search weighs, alone, fails by pitting of the second stage: whole modules of ISO 54."""
+    sizing = hybrid()
+    assert [check.name for check in sizing.checks if check.fails and check.part.kind in GEARS] == []
+    assert sizing.search.sized > 1
+
+
+def test_of_teeth_that_meet_their_requirements_the_lightest_are_taken_where_many_are_sized():
+    assert hybrid(sized=6).mass <= hybrid().mass
+
+
+def test_what_planets_turn_on_is_held_against_its_life():
+    lives = {check.name: check.fails for check in hybrid().checks if check.mode.endswith("life")}
+    assert lives == {"first.planet life": True, "second.planet life": True}
+
+
+def test_a_design_at_another_level_keeps_what_it_gives():
+    design = at_level(read(shipped_design("in-line-h2")), "preliminary")
+    assert design.level == "preliminary"
+    assert {design.rating(stage) for stage in design.stages} == {"iso6336"}
+    assert parse(design_text(design)).level == "preliminary"
+    plain = edited(read(shipped_design("in-line-h2")), {"planetaries.first.planet_bearing.kind": "plain"})
+    assert at_level(plain, "preliminary").planetaries["first"].planet_bearing.kind == "plain"
+    assert at_level(design, "concept").level == "concept"
+
+
+def test_many_preliminary_sizings_are_those_of_each_alone():
+    design = at_level(parse(PAIR), "preliminary")
+    powers = [100.0 + k for k in range(20)]
+    many = size_many(design, {"turbines.turbine.power_kw": powers})
+    alone = [size(edited(design, {"turbines.turbine.power_kw": power})).mass for power in powers]
+    assert many.columns["mass"].tolist() == alone
+
+
+def test_levels_that_there_are_not_and_what_a_preliminary_design_lacks_are_told():
+    with pytest.raises(DesignError, match="'final' is not known"):
+        at_level(parse(PAIR), "final")
+    stated = PAIR.replace("shafts = ", 'level = "preliminary"\nshafts = ', 1)
+    found = problem(stated)
+    assert found.path == "pairs.stage.gears.rating"
+    assert 'write rating = "iso6336"' in found.message
+    with pytest.raises(DesignError) as told:
+        parse(read_text("in-line-h2").replace('level = "concept"', 'level = "preliminary"'))
+    assert [row.path for row in told.value.problems if row.path.endswith("planet_bearing")] == [
+        "planetaries.first.planet_bearing",
+        "planetaries.second.planet_bearing",
+    ]
+
+
+def read_text(name):
+    return shipped_design(name).read_text(encoding="utf-8")
