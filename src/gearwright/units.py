@@ -307,13 +307,18 @@ def marks_in(hint: Any) -> Marks:
     return Marks(dimension, origin, next((mark.field for mark in marks if isinstance(mark, OriginOf)), ""))
 
 
-def marks_of(record: type) -> dict[str, Marks]:
+def marks_of(record: type) -> Mapping[str, Marks]:
     """Return the marks of every field of a record.
 
     Args:
         record: Its class.
     """
-    return {name: marks_in(hint) for name, hint in get_type_hints(record, include_extras=True).items()}
+    return _marks_of(record)
+
+
+@cache
+def _marks_of(record: Any) -> Mapping[str, Marks]:
+    return MappingProxyType({name: marks_in(hint) for name, hint in _hints(record).items()})
 
 
 def marks_at(record: type, name: str) -> Marks:
@@ -323,6 +328,11 @@ def marks_at(record: type, name: str) -> Marks:
         record: Its class.
         name: Of the field or property.
     """
+    return _marks_at(record, name)
+
+
+@cache
+def _marks_at(record: Any, name: str) -> Marks:
     entry = getattr(record, name, None)
     made = entry.fget if isinstance(entry, property) else getattr(entry, "func", None)
     return marks_in(_hints(record)[name] if made is None else _hints(made)["return"])

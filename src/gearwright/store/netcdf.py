@@ -6,12 +6,13 @@ Any netCDF reader opens it; ``xarray.open_dataset(path, group="samples")`` gives
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
 import h5netcdf
+import h5py
 import numpy as np
 
 from gearwright.dynamics import Labels, Samples, Statistics, Trace
@@ -102,6 +103,7 @@ def _write_trace(file: Any, trace: Trace) -> None:
         group.attrs["what"] = statistics.what
         group.attrs["names"] = "\n".join(statistics.names)
         _write_part(group, statistics)
+        _write_coordinate(group, "name", statistics.names)
     _write_part(file.create_group("checkpoints"), trace.checkpoints)
     if trace.orders is not None:
         _write_orders(file.create_group("orders"), trace.orders)
@@ -218,10 +220,19 @@ def _read_part(group: Any, kind: type) -> dict[str, Any]:
 def _write_samples(group: Any, samples: Samples) -> None:
     """Write instants, with what drives did where there are any."""
     _write_part(group, samples)
+    for dimension, names in (("coordinate", samples.labels.coordinates), ("line", samples.labels.lines)):
+        _write_coordinate(group, dimension, names)
     if samples.labels.drives:
         group.dimensions["drive"] = len(samples.labels.drives)
         variable = group.create_variable("drives", ("time", "drive"), float, data=samples.drives)
         variable.attrs["units"] = "see drive_unit"
+        _write_coordinate(group, "drive", samples.labels.drives)
+
+
+def _write_coordinate(group: Any, dimension: str, names: Sequence[str]) -> None:
+    """Write what the places along a dimension are, so that readers of netCDF select by name."""
+    if names:
+        group.create_variable(dimension, (dimension,), h5py.string_dtype(), data=np.array(names, dtype=object))
 
 
 def _read_samples(group: Any, labels: Labels) -> Samples:

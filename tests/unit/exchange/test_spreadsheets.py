@@ -1,6 +1,7 @@
 """Tables of a sizing for spreadsheets: CSV in long form, and XLSX read back as the XML that it is."""
 
 import csv
+import dataclasses
 import io
 import zipfile
 from xml.etree import ElementTree
@@ -9,6 +10,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.exchange.tables import all_tables, to_csv, to_xlsx
+from gearwright.exchange.tables.formulas import formulas_of
 from shipped_work import sized
 
 SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
@@ -47,7 +49,7 @@ def book(content):
     sheets = {}
     for place, name in enumerate(names, start=1):
         cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
-        assert all(cell.find(f"{SHEET}f") is None for cell in cells)
+        assert all(cell.find(f"{SHEET}f") is None for cell in cells if cell.get("t") in ("s", "str"))
         cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
         sheets[name] = {cell.get("r"): _value(cell, texts) for cell in cells}
     return sheets
@@ -71,6 +73,29 @@ def test_every_table_is_a_sheet_with_its_units_and_values(design):
     column = place[:-1]
     assert gears[f"{column}4"] == "mm" and "m_n" in gears[f"{column}5"]
     assert gears[f"{column}7"] == pytest.approx(1e3 * sizing.gears[0].module, rel=1e-12)
+
+
+@pytest.mark.extra("xlsxwriter")
+def test_what_follows_from_its_row_is_a_live_formula_with_its_value_beside():
+    """d = m_n z / cos β and P = T n; numbers that a formula does not give stay numbers."""
+    sizing = sized("ec120b")
+    files = zipfile.ZipFile(io.BytesIO(to_xlsx(sizing)))
+    place = ["contents", *all_tables(sizing)].index("gears") + 1
+    cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
+    found = {cell.get("r"): (cell.find(f"{SHEET}f"), cell.find(f"{SHEET}v")) for cell in cells}
+    formula, value = found["G7"]
+    assert formula.text == "D7*C7/COS(RADIANS(E7))"
+    assert float(value.text) == pytest.approx(1e3 * sizing.gears[0].pitch_diameter, rel=1e-12)
+    assert found["D7"][0] is None
+
+
+def test_a_formula_that_does_not_give_the_value_is_none():
+    table = next(table for table in all_tables(sized("ec120b")).values() if table.title == "Gears")
+    row = table.rows[0]
+    place = [column.name for column in table.columns].index("pitch_diameter")
+    assert place in formulas_of(table, row, 7)
+    changed = (*row[:place], dataclasses.replace(row[place], value=1.001 * row[place].value), *row[place + 1 :])
+    assert place not in formulas_of(table, changed, 7)
 
 
 @pytest.mark.extra("xlsxwriter")

@@ -45,6 +45,11 @@ def test_equality_notices_a_difference(trace):
     assert not same(trace.samples.velocity, changed)
 
 
+def words(variable):
+    """Return the texts of a variable, which versions of the library read as texts or as bytes."""
+    return [name if isinstance(name, str) else name.decode() for name in variable[...]]
+
+
 def test_a_file_carries_units_names_and_the_design(tmp_path, trace, design):
     path = tmp_path / "run.nc"
     save(StoredRun(design, "cruise", trace), path)
@@ -53,6 +58,11 @@ def test_a_file_carries_units_names_and_the_design(tmp_path, trace, design):
         assert "two planetary stages in line" in file.attrs["design"]
         assert file.groups["samples"].variables["time"].attrs["units"] == "s"
         assert file.attrs["lines"].split("\n") == list(trace.labels.lines)
+        names = {"line": trace.labels.lines, "coordinate": trace.labels.coordinates}
+        for dimension, labels in names.items():
+            variable = file.groups["samples"].variables[dimension]
+            assert variable.dimensions == (dimension,) and words(variable) == list(labels)
+        assert words(file.groups["force"].variables["name"]) == list(trace.force.names)
 
 
 def test_a_run_knows_whose_its_lines_are_also_one_of_a_version_that_did_not_say(tmp_path, trace, design):

@@ -9,6 +9,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from gearwright.errors import Problem, install, refuse
+from gearwright.exchange.tables.formulas import formulas_of
 from gearwright.exchange.tables.long import all_tables, heading_of, value_of
 from gearwright.render.grid.table import MARKS, Table
 from gearwright.sizing import Sizing
@@ -67,6 +68,9 @@ def _sheet(sheet: Any, table: Table, styles: Mapping[str, Any]) -> None:
     _write(sheet, head[:4], styles["bold"])
     _write(sheet, head[4:], styles["small"], start=4)
     _write(sheet, rows, None, start=len(head))
+    for place, row in enumerate(table.rows, start=len(head)):
+        for column, formula in formulas_of(table, row, place + 1).items():
+            sheet.write_formula(place, column, formula, None, row[column].value)
     notes = [table.note, *(f"{MARKS[mark][0]} {column}: {MARKS[mark][1]}" for mark, column in _marked(table))]
     _write(sheet, [(note,) for note in notes if note], None, start=len(head) + len(rows) + 1)
     _sized(sheet, [*head[1:4], *rows])

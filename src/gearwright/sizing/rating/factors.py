@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from types import MappingProxyType
-from typing import Any, get_type_hints
+from typing import Any
 
 from gearwright.parts.iso6336 import GearSteel
-from gearwright.units import marks_in
+from gearwright.units import marks_of
 
 CHAPTERS: Mapping[str, str] = MappingProxyType({
     "dynamic": "dynamic factor", "face": "face load factor", "transverse": "transverse load factor",
@@ -46,18 +46,18 @@ def factor_rows(record: object, chapter: str) -> Iterator[Factor]:
         record: A dataclass.
         chapter: Of its rows.
     """
-    hints = get_type_hints(type(record), include_extras=True)
+    marks = marks_of(type(record))
     for field in fields(record):  # type: ignore[arg-type]
-        value, hint = getattr(record, field.name), hints[field.name]
+        value, mark = getattr(record, field.name), marks[field.name]
         inner = CHAPTERS.get(field.name, chapter)
         if is_dataclass(value):
             yield from factor_rows(value, inner) if field.name not in _HIDDEN else ()
         elif isinstance(value, tuple) and value and is_dataclass(value[0]):
             yield from map(_side_by_side, factor_rows(value[0], inner), factor_rows(value[1], inner))
-        elif (origin := marks_in(hint).origin) is not None and value is not None:
+        elif (origin := mark.origin) is not None and value is not None:
             values = value if isinstance(value, tuple) else (value,)
             words = field.name.replace("_", " ")
-            yield Factor(chapter, words, origin.equation, values, marks_in(hint).dimension or "number", origin.source)
+            yield Factor(chapter, words, origin.equation, values, mark.dimension or "number", origin.source)
 
 
 def steel_rows(steel: GearSteel) -> Iterator[Factor]:
