@@ -8,11 +8,13 @@ import pytest
 import gearwright as gw
 from gearwright.catalogue import bearings
 from gearwright.parts.bearings import BearingKind
-from gearwright.sizing.mass import CompleteMass, MassItem
+from gearwright.parts.gears import blank_volume
+from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
 from gearwright.sizing.mass.beside import requirement_of
 from gearwright.sizing.mass.calibration import Calibration
 from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
+from gearwright.sizing.mass.housing import bolt_of
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.rolling_mass import loaded_mass, rating_for, similar
 from gearwright.spec import edited
@@ -107,3 +109,52 @@ def test_weights_by_statistics_are_asked_with_the_fastest_engine_and_the_largest
     assert need.power == sizing.rated_power
     assert need.engine_speed == max(engines)
     assert need.propeller_speed == abs(flow.speeds[machines[largest].shaft])
+
+
+@pytest.mark.parametrize("share", [0.3, 0.45, 0.7, 0.95])
+def test_a_lightened_wheel_has_a_web_for_the_share_of_its_disc(share):
+    """Rim, hub and web together weigh the share of the disc between root and bore."""
+    sizing = sized("off-set", (("gears.web_ratio", share),))
+    blank = gear_blanks(sizing)["second.wheel"]
+    assert not blank.is_solid and blank.bore_radius < blank.hub_radius
+    assert 0.0 < blank.web_width <= blank.width
+    disc = math.pi * (blank.root_radius**2 - blank.bore_radius**2) * blank.width
+    assert blank_volume(blank) == near(share * disc, rel=1e-9)
+    module = next(gear.module for gear in sizing.gears if gear.name == "second.wheel")
+    rim = blank.root_radius - 1.2 * 2.25 * module
+    assert blank.rim_radius == near(rim) or (blank.rim_radius > rim and blank.web_width < 0.3 * blank.width)
+
+
+def test_bolts_of_a_flange_grip_its_torque():
+    """n π/4 d² σ μ r = T, n = U/(5 d), r = U/(2 π), σ = 700 N/mm², μ = 0.15: d = 40 T/(μ σ U²); 6 mm at least."""
+    torque, girth = 40e3, 0.9
+    bolt = bolt_of(torque, girth)
+    grip = girth / (5.0 * bolt) * math.pi / 4.0 * bolt**2 * 700e6 * 0.15 * girth / (2.0 * math.pi)
+    assert bolt > 6e-3 and grip == near(torque)
+    assert bolt_of(100.0, girth) == 6e-3
+
+
+def test_a_turning_ring_hangs_on_a_disc_as_thick_as_its_torque_asks():
+    """t = 2 T/(π d² τ), τ = R_p/(2 S), falling as 1/r² to a third; integrated in slices."""
+    sizing = next(
+        own
+        for own in map(sized, ("geared-turbofan-star", "star", "differential-hybrid"))
+        if any(item.part.endswith(" disc") for item in complete_mass(own).parts)
+    )
+    disc = next(item for item in complete_mass(sizing).parts if item.part.endswith(" disc"))
+    ring = next(gear for gear in sizing.gears if disc.part == f"{gear.name} disc")
+    shaft = next(shaft for shaft in sizing.shafts if shaft.name in ring.shafts)
+    hubs = [hub for hub in (shaft.diameter, 1.25 * shaft.diameter) if math.isfinite(hub)]
+    material, shafting = sizing.design.shaft_material, sizing.design.shafting
+    rows = [mesh for mesh in sizing.train.meshes if ring.name in mesh.gears]
+    torque = abs(sum(sizing.reference.meshes[mesh.name].torques[mesh.gears.index(ring.name)] for mesh in rows))
+    outside = ring.pitch_diameter / 2.0 + ring.rim
+
+    def weighed(hub):
+        thickness = 2.0 * torque / (math.pi * hub**2 * material.yield_strength / shafting.safety / 2.0)
+        middles = [hub / 2.0 + (outside - hub / 2.0) * (k + 0.5) / 20000 for k in range(20000)]
+        walls = [thickness * max((hub / 2.0 / place) ** 2, 1.0 / 3.0) for place in middles]
+        step = (outside - hub / 2.0) / 20000
+        return material.density * sum(2 * math.pi * r * wall * step for r, wall in zip(middles, walls, strict=True))
+
+    assert any(disc.each == near(weighed(hub), rel=1e-4) for hub in hubs)

@@ -9,6 +9,7 @@ import pytest
 from designs import HYBRID, changed
 from gearwright.spec import GROUND, parse
 from gearwright.train import (
+    Efficiency,
     Turning,
     along,
     build_train,
@@ -91,6 +92,8 @@ def test_losses_that_may_leave_several_states_are_not_solved_together(hybrid):
     turn = turning.turn({"propeller": turning.senses["output"] * 1.0}, [])
     part = np.full((1, len(train.meshes)), 0.9)
     assert along(turn, train.column["output"], part, np.ones((1, len(train.nodes)))) is None
+    part = np.where(np.arange(len(train.meshes)) == 0, 0.9, 0.001)[None]
+    assert along(turn, train.column["output"], part, np.ones((1, len(train.nodes)))) is None  # one mesh is enough
 
 
 def test_stages_give_shafts_what_machines_take_and_planets_and_ground_are_none_of_them(hybrid):
@@ -157,3 +160,14 @@ def test_a_shaft_turns_within_what_its_stages_leave_between_known_speeds():
     assert speed_range("fast", design, {"middle": fast}, sun=150) == near((2.5 * fast, 2.5 * fast))
     assert speed_range("slow", design, {"fast": fast}, sun=150) == speed_range("middle", design, {}, sun=150)
     assert speed_range("middle", design, {}, sun=150) == (0.0, math.inf)
+
+
+@pytest.mark.parametrize(
+    ("forwards", "backwards", "locked"),
+    [(0.9, 0.8, ()), (0.9, -0.1, ("out",)), (0.9, 0.0, ("out",)), (-0.2, 0.7, ("in",)), (0.0, 0.0, ("in", "out"))],
+)
+def test_shafts_cannot_drive_where_nothing_arrives(forwards, backwards, locked):
+    way = Efficiency(("in",), ("out",), forwards, backwards)
+    assert way.locked == locked
+    only = {(): "", ("out",): "out cannot drive it, only in can", ("in",): "in cannot drive it, only out can"}
+    assert way.locking == only.get(locked, "in and out cannot drive it")
