@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from gearwright.catalogue import propeller, propeller_loads, read_blades
     from gearwright.closure import Wishes, close, nearest_variant
     from gearwright.dynamics import (
         Model,
@@ -119,7 +120,10 @@ _VERBS = {
     "periodic": "dynamics",
     "phase_forces": "mission",
     "power_flow_figure": "render.schematic.schematic",
+    "propeller": "catalogue",
+    "propeller_loads": "catalogue",
     "read": "spec",
+    "read_blades": "catalogue",
     "read_duty": "mission",
     "read_mission": "spec",
     "read_mix": "spec",
@@ -210,7 +214,10 @@ __all__ = [
     "periodic",
     "phase_forces",
     "power_flow_figure",
+    "propeller",
+    "propeller_loads",
     "read",
+    "read_blades",
     "read_duty",
     "read_mission",
     "read_mix",

@@ -263,7 +263,8 @@ UNKNOWN = {
 FREE = {
     "source", "title", "text", "results", "designs", "tell",
     "path of load", "path of save", "shaft of waterfall_figure", "name of bending_shaft",
-    "path of read_duty", "path of from_rexs", "lives of mixed_life", "shares of mixed_life", "chosen of bearing_lives",
+    "path of read_duty", "path of read_blades", "path of from_rexs",
+    "lives of mixed_life", "shares of mixed_life", "chosen of bearing_lives",
     "bearings of durability",
 }  # fmt: skip
 """Texts that are no names of what is there."""

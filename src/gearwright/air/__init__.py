@@ -2,7 +2,7 @@
 
 from gearwright.air.airspeed import calibrated_of_true, stagnation_ratios, true_of_calibrated
 from gearwright.air.along import air_along, stagnation_along, true_along
-from gearwright.air.atmosphere import Air, air_at, height
+from gearwright.air.atmosphere import Air, air_at, height, sound_speed
 from gearwright.air.polar import Polar, drag_force, dynamic_force, stall_speed
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "drag_force",
     "dynamic_force",
     "height",
+    "sound_speed",
     "stagnation_along",
     "stagnation_ratios",
     "stall_speed",

@@ -86,7 +86,18 @@ def check_air(altitude: float, offset: float) -> None:
 def _state(altitude: float, offset: float) -> Air:
     temperature, pressure = standard_temperature(altitude) + offset, standard_pressure(altitude)
     density = pressure / (GAS_CONSTANT * temperature)
-    return Air(temperature, pressure, density, math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature))
+    return Air(temperature, pressure, density, sound_speed(temperature))
+
+
+def sound_speed(temperature: float) -> float:
+    """Return the speed of sound in air [m/s].
+
+    Args:
+        temperature: T [K].
+
+    Source: ISO 2533:1975: a² = κ R T.
+    """
+    return math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature)
 
 
 def standard_temperature(altitude: float) -> float:

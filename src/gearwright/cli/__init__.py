@@ -25,6 +25,7 @@ from gearwright.cli.commands.export import export
 from gearwright.cli.commands.files import new, schema
 from gearwright.cli.commands.lives import duty, mix
 from gearwright.cli.commands.mission import fly
+from gearwright.cli.commands.propeller import propeller
 from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.review import review
 from gearwright.cli.commands.run import run
@@ -44,7 +45,7 @@ YOUNG = 100_000
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
-    "Flights": (fly, window, mix, duty),
+    "Flights": (fly, window, mix, duty, propeller),
     "Studies": (compare, study, status, resume, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),

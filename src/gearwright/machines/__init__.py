@@ -35,6 +35,7 @@ from gearwright.machines.motor import (
 )
 from gearwright.machines.propeller_map import (
     INSIDE,
+    MachMap,
     PropellerMap,
     angle_for_power,
     angle_for_thrust,
@@ -43,6 +44,7 @@ from gearwright.machines.propeller_map import (
     coefficients,
     governs,
     look_up,
+    map_at,
 )
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
 from gearwright.machines.short_circuit import Winding, short_circuit_torque
@@ -62,6 +64,7 @@ __all__ = [
     "Governor",
     "GovernorState",
     "LimitCycle",
+    "MachMap",
     "MotorLosses",
     "PowerLimits",
     "PropellerMap",
@@ -82,6 +85,7 @@ __all__ = [
     "ideal_power",
     "limit_cycle",
     "look_up",
+    "map_at",
     "marched",
     "motor_diameter",
     "motor_loss",

@@ -32,6 +32,45 @@ class PropellerMap(NamedTuple):
     """Index of the largest one, shape (n,) [-]."""
 
 
+class MachMap(NamedTuple):
+    """A propeller's maps by the Mach number of its tips' rotation, over the same advance ratios and blade angles."""
+
+    tip_mach: Floats
+    """π n D over the speed of sound, rising, shape (k,) [-]."""
+    maps: tuple[PropellerMap, ...]
+    """One for each."""
+
+
+def map_at(chart: PropellerMap | MachMap, tip_mach: float) -> PropellerMap:
+    """Return a propeller's map at a Mach number of its tips.
+
+    Args:
+        chart: The map, or maps over the Mach number.
+        tip_mach: π n D over the speed of sound [-].
+
+    Source: linear between the maps; below the first one that one, as air hardly feels its compressibility there.
+
+    Raises:
+        DesignError: The Mach number is beyond the last map.
+    """
+    if isinstance(chart, PropellerMap):
+        return chart
+    known = chart.tip_mach
+    if tip_mach > known[-1]:
+        message = f"Mach {tip_mach:.3f} at the tips: the map ends at {known[-1]:.3g}; turn slower, or give maps beyond"
+        raise DesignError([Problem("propeller.map", message)])
+    k = min(max(int(np.searchsorted(known, tip_mach)) - 1, 0), max(len(known) - 2, 0))
+    below, above = chart.maps[k], chart.maps[min(k + 1, len(known) - 1)]
+    step = known[min(k + 1, len(known) - 1)] - known[k]
+    part = max((tip_mach - known[k]) / step, 0.0) if step else 0.0
+    return below._replace(
+        power=(1.0 - part) * below.power + part * above.power,
+        thrust=(1.0 - part) * below.thrust + part * above.thrust,
+        first=np.maximum(below.first, above.first),
+        last=np.minimum(below.last, above.last),
+    )
+
+
 class Coefficients(NamedTuple):
     """What a map says at one point."""
 

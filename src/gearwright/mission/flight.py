@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.machines import HEATING_VALUE, PropellerMap
+from gearwright.machines import HEATING_VALUE, MachMap, PropellerMap
 from gearwright.mission.history import (
     BATTERY_LOSS,
     BEARING_LOSS,
@@ -134,7 +134,7 @@ class Flight(Shown):
     """Without oil, from the end of a phase that the mission names."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
-    propeller_map: PropellerMap | None
+    propeller_map: PropellerMap | MachMap | None
     """As read; None where powers are schedules."""
     paths: Paths
     """Phase -> path, where an aircraft flies it."""

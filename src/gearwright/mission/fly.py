@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.machines import PropellerMap
+from gearwright.machines import MachMap, PropellerMap
 from gearwright.mission.aircraft import paths_of
 from gearwright.mission.collect import Flown, Interval, Log, Lost, collect, logged, recorded
 from gearwright.mission.consumers import flown_airscrew
@@ -180,7 +180,7 @@ def _start(flown: Flown) -> _Before:
     return _Before(None, pack, started(supply.windings, supply.motors, air), warm, 0.0, {})
 
 
-def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
+def _chart(mission: Mission, folder: Path | None) -> PropellerMap | MachMap | None:
     name = mission.propeller_map
     if name == NO_MAP:
         return None

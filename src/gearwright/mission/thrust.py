@@ -7,7 +7,15 @@ from typing import NamedTuple
 
 from gearwright.catalogue import compressed
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients, governs
+from gearwright.machines import (
+    MachMap,
+    PropellerMap,
+    angle_for_power,
+    angle_for_thrust,
+    coefficients,
+    governs,
+    map_at,
+)
 from gearwright.mission.course import Moment
 from gearwright.mission.forces import stated_thrust
 from gearwright.mission.trim import trimmed
@@ -25,7 +33,7 @@ class Blades(NamedTuple):
 
     map_name: str
     """Shipped map, file, or none."""
-    chart: PropellerMap | None
+    chart: PropellerMap | MachMap | None
     """None where powers are schedules."""
     diameter: float
     """[m]"""
@@ -97,12 +105,13 @@ def wanted_of(blades: Blades, mission: Mission, moment: Moment, *, burnt: float)
     Raises:
         DesignError: Pitch or thrust lie outside the map.
     """
-    phase, chart = mission.phases[moment.phase], blades.chart
+    phase = mission.phases[moment.phase]
     if moment.power is None and mission.rotorcraft is not None:
         return Wanted(trimmed(mission.rotorcraft, mission, moment, diameter=blades.diameter, burnt=burnt).main)
-    if moment.power is not None or chart is None:
+    if moment.power is not None or blades.chart is None:
         return Wanted()
     advance = diameter, turns, ratio = _advance(blades, moment)
+    chart = map_at(blades.chart, _tip_mach(advance, moment))
     angle = phase.pitch
     if angle is None:
         needed = _needed_thrust(mission, moment, phase, burnt)
@@ -218,8 +227,11 @@ def _incompressible(name: str, moment: Moment, advance: Advance, thrust: float) 
 
 
 def _factor(name: str, moment: Moment, advance: Advance, thrust: float) -> float:
-    tip_mach = math.pi * advance.turns * advance.diameter / moment.air.sound_speed
-    return compressed(name, advance.ratio, thrust, mach=moment.mach, tip_mach=tip_mach)
+    return compressed(name, advance.ratio, thrust, mach=moment.mach, tip_mach=_tip_mach(advance, moment))
+
+
+def _tip_mach(advance: Advance, moment: Moment) -> float:
+    return math.pi * advance.turns * advance.diameter / moment.air.sound_speed
 
 
 def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, float]:
@@ -235,7 +247,7 @@ def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, floa
     """
     assert blades.chart is not None  # `mission_problems` refuses it
     advance = diameter, turns, ratio = _advance(blades, moment)
-    found = coefficients(blades.chart, ratio, pitch)
+    found = coefficients(map_at(blades.chart, _tip_mach(advance, moment)), ratio, pitch)
     factor = _factor(blades.map_name, moment, advance, found.thrust)
     scale = moment.air.density * turns**2 * diameter**4
     return found.power * scale * turns * diameter, factor * found.thrust * scale
@@ -257,7 +269,8 @@ def performed(blades: Blades, moment: Moment, work: float, *, pitch: float | Non
     if blades.chart is None:
         return Performance(advance.ratio)
     diameter, turns, ratio = advance
-    angle = angle_for_power(blades.chart, ratio, work / (density * turns**3 * diameter**5)) if pitch is None else pitch
-    thrust = coefficients(blades.chart, ratio, angle).thrust
+    chart = map_at(blades.chart, _tip_mach(advance, moment))
+    angle = angle_for_power(chart, ratio, work / (density * turns**3 * diameter**5)) if pitch is None else pitch
+    thrust = coefficients(chart, ratio, angle).thrust
     factor = _factor(blades.map_name, moment, advance, thrust)
     return Performance(ratio, angle, factor, factor * thrust * density * turns**2 * diameter**4)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.machines import Blades, ideal_power
-from gearwright.machines.propellers import BladeShape, SectionLoads, generic_blade, loads, section_loads
+from gearwright.machines.propellers import SectionLoads, generic_blade, loads, section_loads
 
 FOUR = generic_blade(Blades(4, 150.0, 0.5))
 SPAN = np.radians(np.linspace(-60.0, 90.0, 151))
@@ -93,26 +93,3 @@ def test_mach_number_raises_lift_then_drag():
     slow, middle, fast = (loads(FOUR, 0.5, math.radians(20.0), mach) for mach in (0.0, 0.5, 0.95))
     assert middle.thrust > slow.thrust
     assert fast.thrust / fast.power < 0.97 * middle.thrust / middle.power
-
-
-def test_analytic_propeller_of_a_textbook():
-    """Aerodynamics for Students, as pinned in CCBlade.jl's tests: thrust [N], torque [N m]; 2e-5 is its convergence."""
-    radius = np.linspace(0.08, 0.8, 11)
-    pitch = np.arctan(1.0 / (2.0 * math.pi * radius))
-
-    def polar(angle, design_lift, thickness, mach):
-        del design_lift, thickness, mach
-        lift = 6.2 * angle
-        return SectionLoads(lift, 0.008 - 0.003 * lift + 0.01 * lift**2)
-
-    at = math.atan(1.0 / (2.0 * math.pi * 0.6))
-    none = 0.0 * radius
-    shape = BladeShape(
-        2, radius / 0.8, np.full(11, 0.09), np.full(11, 0.125), pitch - at, none, none, polar=polar, losses=False
-    )
-    turns, diameter, density = 35.0, 1.6, 1.225
-    found = loads(shape, np.array([1.0, 10.0, 20.0, 30.0, 40.0]) / (turns * diameter), at)
-    thrust = found.thrust * density * turns**2 * diameter**4
-    torque = found.power * density * turns**2 * diameter**5 / (2.0 * math.pi)
-    assert thrust == pytest.approx([1045.361193, 843.134981, 551.815917, 195.775319, -213.169213], rel=2e-5)
-    assert torque == pytest.approx([80.363869, 80.514192, 68.246728, 33.971104, -30.398095], rel=3e-5)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
+from gearwright.machines import PropellerMap
 from gearwright.mission.course import Course
 from gearwright.mission.thrust import Blades, Performance
 from gearwright.mission.together.charts import angle_along, power_and_thrust, squeezed_along
@@ -25,6 +26,7 @@ def asked_power(blades: Blades, course: Course, pitch: Floats) -> tuple[Floats, 
     power, outside = np.full(len(pitch), math.nan), np.zeros(len(pitch), bool)
     if blades.chart is None:
         return power, outside
+    assert isinstance(blades.chart, PropellerMap)  # maps over the Mach number are flown alone
     held = np.isnan(course.power) & ~np.isnan(pitch)
     if held.any():
         turns, ratio = _turning(blades, course)
@@ -49,6 +51,7 @@ def performance_along(blades: Blades, course: Course, work: Floats, *, pitch: Fl
     density, sound = course.air.density, course.air.sound_speed
     if blades.chart is None:
         return Performance(ratio), np.zeros(len(work), bool)  # type: ignore[arg-type]
+    assert isinstance(blades.chart, PropellerMap)  # as above
     taken = work / (density * turns**3 * blades.diameter**5)
     governed, held = angle_along(blades.chart, ratio, taken, blades.chart.power), np.isnan(course.power)
     angle = np.where(held, pitch, governed.value)

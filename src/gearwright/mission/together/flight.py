@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
+from gearwright.machines import MachMap
 from gearwright.mission.endurance import bounds_of
 from gearwright.mission.gearbox import Drag, Point
 from gearwright.mission.supply import Supply
@@ -50,7 +51,8 @@ class Together(NamedTuple):
 
 
 def flown_together(box: Box, blades: Blades, supply: Supply, deck: Deck) -> Together | None:
-    """Return what all intervals ask and get; None where the gearbox loses too much to be solved so.
+    """Return what all intervals ask and get; None where the gearbox loses too much to be solved so, or
+    the propeller has maps over the Mach number.
 
     Args:
         box: The gearbox.
@@ -61,6 +63,8 @@ def flown_together(box: Box, blades: Blades, supply: Supply, deck: Deck) -> Toge
     Source: `mission.fly`, over all intervals; those that are asked what the one before is asked get what it gets, as
         soon as rounds would have settled.
     """
+    if isinstance(blades.chart, MachMap):
+        return None
     short, source = shortened(deck, ROUNDS)
     course, machines = short.course, box.gearbox.machines
     speeds = _machine_speeds(box, course.propeller_speed)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.air import sound_speed
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import (
@@ -22,6 +23,7 @@ from gearwright.machines import (
     governor_rates,
     limit_cycle,
     look_up,
+    map_at,
     marched,
 )
 from gearwright.mission.consumers import flown_airscrew
@@ -107,7 +109,7 @@ def trim_at(flight: Flight, time: float) -> Trim:
     k = int(np.argmin(np.abs(history.time - time)))
     diameter = flight.sizing.design.airscrews[flown_airscrew(flight.sizing)].diameter
     return Trim(
-        chart=flight.propeller_map,
+        chart=chart_at(flight, k),
         density=float(history.air_density[k]),
         true_airspeed=float(history.true_airspeed[k]),
         diameter=diameter,
@@ -115,6 +117,23 @@ def trim_at(flight: Flight, time: float) -> Trim:
         pitch=float(history.pitch[k]),
         inertia=flight.inertia,
     )
+
+
+def chart_at(flight: Flight, interval: int) -> PropellerMap:
+    """Return the propeller's map in an interval of a flight: of maps over the Mach number that of its tips there.
+
+    Args:
+        flight: As flown, with a map.
+        interval: Of its histories.
+
+    Raises:
+        DesignError: The Mach number is beyond the last map.
+    """
+    assert flight.propeller_map is not None  # refused before
+    history = flight.history
+    diameter = flight.sizing.design.airscrews[flown_airscrew(flight.sizing)].diameter
+    sound = sound_speed(float(history.air_temperature[interval]))
+    return map_at(flight.propeller_map, 0.5 * float(history.propeller_speed[interval]) * diameter / sound)
 
 
 @verb

@@ -25,6 +25,7 @@ from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.curves import value_at
 from gearwright.mission.windows.events import changed
 from gearwright.mission.windows.faults import caught, failing, freewheels
+from gearwright.mission.windows.governed import chart_at
 from gearwright.mission.windows.kept import window_outputs
 from gearwright.mission.windows.stop import brake_drive, rest_time, seized, stream_map
 from gearwright.showing import Shown
@@ -228,8 +229,7 @@ def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
 
 
 def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
-    chart, stops = back.flight.propeller_map, back.brake is not None
-    assert chart is not None  # `_check` refuses a flight without one
+    chart, stops = chart_at(back.flight, back.interval), back.brake is not None
     chart = stream_map(back.flight.mission.propeller_map, chart) if stops else chart
     name = back.gearbox.propeller
     diameter = back.flight.sizing.design.airscrews[name].diameter

@@ -38,7 +38,10 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "allowed_pressure": "p_perm", "critical_speed": "n_crit",
 })  # fmt: skip
 """Field -> symbol of the trade."""
-_HEADERS = {"name": ""}
+_HEADERS = {
+    "name": "", "power_coefficient": "C_P", "thrust_coefficient": "C_T",
+    "windmilling_angle": "idle angle", "windmilling_thrust": "idle C_T",
+}  # fmt: skip
 NOISE = 1e-9
 """Magnitude, in the unit that is shown, below which a number is rounding."""
 SMALLEST_PLAIN = 1e-3

@@ -1,0 +1,55 @@
+"""A made propeller in words: its blades, its map, and what it does at a point of flight."""
+
+from __future__ import annotations
+
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from gearwright.catalogue import MadePropeller, PropellerLoads
+from gearwright.machines.propellers import BladeShape, activity_factor, integrated_lift
+from gearwright.render.tables.propeller import propeller_table
+from gearwright.render.words.text import table_text
+from gearwright.units import text
+
+
+def blades_line(shape: BladeShape) -> str:
+    """Return number, activity factor and design lift of blades.
+
+    Args:
+        shape: The blades.
+    """
+    return f"{shape.number} blades, activity factor {activity_factor(shape):.3g}, C_Li {integrated_lift(shape):.3g}"
+
+
+def made_text(made: MadePropeller) -> RenderableType:
+    """Return a made map for the terminal.
+
+    Args:
+        made: The map.
+    """
+    _, chart = made.maps[0]
+    machs = f" at {len(made.maps)} tip Mach numbers" if len(made.maps) > 1 else ""
+    source = "by blade elements" if made.by == "elements" else "by the Hamilton Standard charts"
+    lines = [] if made.blades is None else [Text(blades_line(made.blades))]
+    size = f"{len(chart.advance_ratio)} advance ratios by {len(chart.blade_angle)} blade angles{machs}, {source}"
+    return Group(*lines, Text(size), Text(), table_text(propeller_table(made)))
+
+
+def loads_text(found: PropellerLoads) -> RenderableType:
+    """Return what a propeller does at a point of flight, with the two keys of a design that its incidence gives.
+
+    Args:
+        found: At that point.
+    """
+    lines = (
+        f"At advance ratio {found.advance_ratio:.4g}, tip Mach {found.tip_mach:.3f},"
+        f" blade angle {text(found.blade_angle, 'angle')}:",
+        f"  power {text(found.power, 'power')}, torque {text(found.torque, 'torque')},"
+        f" thrust {text(found.thrust, 'force')}, efficiency {found.efficiency:.4f}",
+        f"  by incidence {text(found.in_plane_force, 'force')} across the shaft and"
+        f" {text(found.hub_moment, 'torque')} at the hub,",
+        f"  which bend the shaft once a turn; each blade by ±{text(found.blade_bending, 'torque')}",
+        f"  in a design: in_plane_force_n = {found.in_plane_force:.0f}, hub_moment_nm = {found.hub_moment:.0f},"
+        f" thrust_n = {found.thrust:.0f}",
+    )
+    return Group(*map(Text, lines))
