@@ -10,7 +10,15 @@ from gearwright.catalogue.bearing_choice import (
     least_ratings,
 )
 from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
-from gearwright.catalogue.bearings import STEEL_DENSITY, STEEL_SHARE, Bearing, bearing, bearings, with_ratings
+from gearwright.catalogue.bearings import (
+    STEEL_DENSITY,
+    STEEL_SHARE,
+    Bearing,
+    bearing,
+    bearings,
+    pressure_centre,
+    with_ratings,
+)
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
@@ -110,6 +118,7 @@ __all__ = [
     "modified_life",
     "nearest",
     "notes",
+    "pressure_centre",
     "propeller",
     "propeller_loads",
     "propeller_map",

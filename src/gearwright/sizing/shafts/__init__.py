@@ -3,6 +3,7 @@
 from gearwright.sizing.shafts.building import Built
 from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
+from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.retention import Retention, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
@@ -15,6 +16,8 @@ __all__ = [
     "Strength",
     "built_checks",
     "carrier_checks",
+    "centred_bearings",
+    "pressure_centre_checks",
     "refuse_bores",
     "refuse_idle_shafts",
     "retention_checks",
