@@ -1,7 +1,8 @@
 """Sums of parts held against published gearboxes: printed, computed, band; the fit of the housing's constant.
 
 ``python benchmarks/gearbox_masses.py`` prints the tables of docs/theory/gearbox-mass.md; with ``--figure FILE`` it
-draws the figure, too, and with ``--fit`` it fits the constant and leaves each gearbox out of its own fit.
+draws the figure, too, with ``--causes`` it builds the wind gearboxes otherwise, and with ``--fit`` it fits the constant
+and leaves each gearbox out of its own fit.
 """
 
 from __future__ import annotations
@@ -10,14 +11,22 @@ import math
 import sys
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from gearwright.catalogue import published_gearboxes
-from gearwright.sizing.mass import CALIBRATED
-from gearwright.validate.gearboxes import Held, fitted, held, left_out, score
+from gearwright.catalogue import PublishedGearbox, published_gearboxes
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.mass import CALIBRATED, shell_around
+from gearwright.spec import Design, edited
+from gearwright.validate.gearboxes import Held, design_of, fitted, held, left_out, score
 
-_FAMILIES = {"catalogue": "catalogues", "study": "WindPACT", "model": "SIMPACK", "press": "fan drive"}
+_FAMILIES = {
+    "catalogue": "catalogues", "study": "WindPACT", "model": "SIMPACK", "press": "fan drive",
+    "design": "propeller gear",
+}  # fmt: skip
+_SHARING = {3: 1.1, 4: 1.25, 5: 1.35}
+"""Planets -> K_γ (IEC 61400-4) [-]."""
 
 
 def main() -> None:
@@ -31,6 +40,8 @@ def main() -> None:
         told(name, own, [row.mass().total for row in own])
     if "--fit" in sys.argv:
         fit(rows)
+    if "--causes" in sys.argv:
+        causes()
     if "--figure" in sys.argv:
         figure(rows, sys.argv[sys.argv.index("--figure") + 1])
 
@@ -72,6 +83,56 @@ def fit(rows: Sequence[Held]) -> None:
             np.log([row.gearbox.torque for row in wind]), np.log([row.mass().of(group) for row in wind]), 1
         )[0]
         print(f"{group} of wind gearboxes ~ T^{slope:.3f}")
+
+
+def causes() -> None:
+    """Print the exponents of wind gearboxes that are built otherwise, all alike or with their torque."""
+    wind = [box for box in published_gearboxes().values() if box.status in ("catalogue", "study")]
+    print("| built | catalogues | of it gears | of it housing | WindPACT |")
+    print("| --- | --- | --- | --- | --- |")
+    for name, made in {
+        "as above": design_of,
+        "3, 4 and 5 planets below 1, 2.9 MW and above": _more_planets,
+        "two sets and a pair, all": _two_sets,
+        "S_H ~ T^-0.15, S_F ~ T^-0.2": _bolder,
+    }.items():
+        told_exponents(name, [Held(box, size(made(box))) for box in wind])
+    rows = held(wind)
+    told_exponents("walls of 6 mm + 0.010 L", [Held(row.gearbox, _cast(row)) for row in rows])
+
+
+def told_exponents(name: str, rows: Sequence[Held]) -> None:
+    """Print how sums, gears and housings grow with the torque."""
+    cells = []
+    for status, groups in (("catalogue", ("", "gears", "housing")), ("study", ("",))):
+        own = [row for row in rows if row.gearbox.status == status]
+        torque, masses = np.log([row.gearbox.torque for row in own]), [row.mass() for row in own]
+        for group in groups:
+            weighed = [mass.of(group) if group else mass.total for mass in masses]
+            cells.append(f"T^{np.polyfit(torque, np.log(weighed), 1)[0]:.2f}")
+    print(f"| {name} | {' | '.join(cells)} |")
+
+
+def _more_planets(box: PublishedGearbox) -> Design:
+    planets = 3 if box.power < 1e6 else 4 if box.power < 2.9e6 else 5
+    changes = {"planetaries.first.planets": planets, "planetaries.first.gears.mesh_load_factor": _SHARING[planets]}
+    return edited(design_of(box), changes)
+
+
+def _two_sets(box: PublishedGearbox) -> Design:
+    return design_of(replace(box, kind="wind-large"))
+
+
+def _bolder(box: PublishedGearbox) -> Design:
+    torque = box.torque / 1e6
+    safeties = {"pitting_safety": max(1.25 * torque**-0.15, 1.0), "bending_safety": max(1.56 * torque**-0.2, 1.0)}
+    return edited(design_of(box), {f"gears.iso6336.{name}": value for name, value in safeties.items()})
+
+
+def _cast(row: Held) -> Sizing:
+    shell = shell_around(row.sizing.arrangement.bodies)
+    wall = 6.0 + 0.010 * 1e3 * max(shell.length, shell.girth / math.pi)
+    return size(edited(design_of(row.gearbox), {"housing.wall_mm": wall}))
 
 
 def figure(rows: Sequence[Held], path: str) -> None:

@@ -57,6 +57,22 @@ def test_the_fan_drive_is_within_two_thirds_of_a_journalist_s_round_pounds():
     assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(18 * 0.0254, rel=0.25)  # "about 18 in" across
 
 
+def test_the_teeth_of_the_propeller_gear_are_those_of_all_its_published_ratios():
+    """7.917 in between centres and eleven ratios: 95 teeth together, six to the inch, as the page rounds them."""
+    printed = (2.958, 2.800, 2.654, 2.519, 2.393, 2.276, 2.167, 2.065, 1.969, 1.879, 1.794)
+    assert [round((95 - pinion) / pinion, 3) for pinion in range(24, 35)] == list(printed)
+    assert pytest.approx(7.917, abs=5e-4) == 95 / 6 / 2
+    found = row("EPI Mark-10")
+    assert {gear.teeth for gear in found.sizing.gears} == {29, 66}
+    assert found.gearbox.torque * 29 / 66 == pytest.approx(800 * 1.3558179483, rel=1e-4)
+
+
+def test_the_propeller_gear_which_no_fit_has_seen_is_within_the_scatter():
+    found = row("EPI Mark-10")
+    assert found.gearbox.mass == pytest.approx(57 * 0.45359237, rel=1e-3)
+    assert 1.0 / CALIBRATED.scatter < found.mass().total / found.gearbox.mass < CALIBRATED.scatter
+
+
 def test_the_fit_finds_the_constant_that_made_the_masses():
     made = CALIBRATED._replace(stress_share=0.2)
     rows = [

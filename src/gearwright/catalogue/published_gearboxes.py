@@ -20,7 +20,7 @@ class PublishedGearbox:
 
     name: str
     kind: str
-    """By which design it is sized: wind-small, wind-large, simpack-5mw or geared-fan."""
+    """By which design it is sized: wind-small, wind-large, simpack-5mw, geared-fan or propeller-pair."""
     power: Power
     """Rated [W]."""
     torque: Torque
@@ -30,7 +30,7 @@ class PublishedGearbox:
     mass: Mass
     """As published [kg]."""
     status: str
-    """catalogue, study, model or press."""
+    """catalogue, study, model, design or press."""
     source: str
 
 

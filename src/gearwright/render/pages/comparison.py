@@ -12,6 +12,7 @@ from gearwright.render.pages.report_parts import Figure, Section
 from gearwright.render.schematic.schematic import power_flow_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
+from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries
@@ -20,6 +21,11 @@ from gearwright.study import Table
 from gearwright.units import Origin, Quantity
 from gearwright.version import __version__
 
+_COUNTED = (
+    "Gearbox: gears, shafts and carriers, by which designs are chosen and ranked here. Complete: with housing,"
+    " bearings, oil system and small parts; it grows where requirements are not met yet, and gearwright compare"
+    " --life-h ranks by it."
+)
 _WHY = (
     "By Lewis and by Hertz the module's cube, and with it the volume of a"
     " stage's gears, is in proportion to the torque of one mesh: a stage is light where many meshes share its torque,"
@@ -37,6 +43,12 @@ class DesignView:
     power_density: Annotated[float, Quantity("specific_power"), Origin("rated power / gearbox", "definition")]
     """[W/kg]"""
     gearbox: Annotated[float, Quantity("mass"), Origin("gears, shafts, carriers", "sum")]
+    """[kg]"""
+    complete: Annotated[float, Quantity("mass"), Origin("Σ of all parts, housing, bearings and oil too", "sum")]
+    """[kg]"""
+    lightest: Annotated[float, Quantity("mass"), Origin("end of the 68 % band of the complete mass", "held against")]
+    """[kg]"""
+    heaviest: Annotated[float, Quantity("mass"), Origin("end of the 68 % band of the complete mass", "held against")]
     """[kg]"""
     total: Annotated[float, Quantity("mass"), Origin("gearbox and motors", "sum")]
     """By which the designs are ranked [kg]."""
@@ -75,8 +87,10 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[
     rows = [stage for name, sizing in ranked.items() for stage in stage_summaries(sizing, name)]
     stages = table("Stages", rows, tuple(field.name for field in fields(StageSummary)))
     failed = tuple(f"{row.design} is infeasible: {row.problem}" for row in variants.failed)
+    beside = tuple(f"{name}: {mass_sentence(reviews[name].complete, reviews[name].statistics)}" for name in ranked)
     sections = [
-        Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
+        Section("Masses", tables=(wholes,), figures=(masses,), notes=(_COUNTED, *failed)),
+        Section("Complete masses beside real gearboxes", notes=beside),
         Section("Why they rank so", tables=(stages,), notes=(_WHY,)),
         *(_flow(name, sizing, reviews[name]) for name, sizing in ranked.items()),
     ]
@@ -97,6 +111,8 @@ def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:
         name,
         sizing.power_density,
         sizing.mass,
+        review.complete.total,
+        *review.complete.band,
         sizing.mass + sizing.motor_mass,
         sizing.motor_mass,
         box.width,

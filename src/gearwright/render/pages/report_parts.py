@@ -12,6 +12,7 @@ from gearwright.render.tables.checks import check_sentence
 from gearwright.render.words.headline import headline, sizing_headline, unneeded_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, asked_speeds, remarks
+from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS
@@ -60,11 +61,15 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[tuple[str
     rated = sizing.reference
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
+    whole = complete_mass(sizing)
+    low, high = whole.band
     numbers = [
         ("level", sizing.level),
         ("rated power", text(sizing.rated_power, "power")),
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),
+        ("complete mass", text(whole.total, "mass", 3)),
+        ("68 % of it", f"{text(low, 'mass', 3)} to {text(high, 'mass', 3)}"),
         ("power density", text(sizing.power_density, "specific_power")),
         ("verdict", sizing_headline(sizing) if review is None else headline(review)),
     ]
@@ -124,6 +129,10 @@ def _yielded(sizing: Sizing) -> list[str]:
     return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
 
 
+_COUNTED = (
+    "The mass of the train, by which designs are chosen, counts gears, shafts and carriers; the complete mass counts"
+    " housing, bearings, oil system and small parts, too. Motors are in neither."
+)
 _MOUNTED = (
     "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"
     " left out.",
@@ -140,7 +149,7 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
         sizing: As sized.
     """
     design = sizing.design
-    sentences = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
+    sentences = [_COUNTED]
     if not any(flow.loss for flow in sizing.flows.values()):
         sentences.append("Power flow without losses in the meshes.")
     if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):

@@ -3,7 +3,8 @@
 All wind gearboxes: ISO 6336 with 18CrNiMo7-6, S_H = 1.25 and S_F = 1.56 (IEC 61400-4), 200 000 h at 1.1 times the rated
 load (WindPACT). Which stages a catalogue's gearbox has is not published: below 1 MW one planetary set and two helical
 pairs, as the 750 kW gearbox of the Gearbox Reliability Collaborative; above two sets and a pair, as the 5 MW reference
-gearbox. WindPACT's have one set and two pairs. Masses are dry: no oil is in them.
+gearbox. WindPACT's have one set and two pairs. Masses are dry: no oil is in them. The propeller gear of a piston engine
+has its published teeth; its life of 2000 h and K_A = 1.25 behind a flexible coupling are assumed.
 """
 
 from __future__ import annotations
@@ -131,6 +132,40 @@ application_factor = 1.0
 own = false
 oil_system = "shared"
 """
+_PROPELLER = """schema = 1
+name = "{name}"
+level = "concept"
+shafts = ["fast", "slow"]
+[turbines.engine]
+shaft = "fast"
+power_kw = {power!r}
+speed_rpm = {fast!r}
+[loads.propeller]
+shaft = "slow"
+speed_rpm = {slow!r}
+[pairs.only]
+pinion = "fast"
+wheel = "slow"
+pinion_teeth = 29
+wheel_teeth = 66
+module_mm = 4.2333333333
+[gears]
+material = "AISI-9310"
+rating = "iso6336"
+[gears.iso6336]
+pitting_safety = 1.0
+bending_safety = 1.2
+tolerance_class = 5
+standard_modules = false
+[shafting]
+bore_ratio = 0.5
+[service]
+life_h = 2000
+application_factor = 1.25
+[housing]
+material = "aluminium"
+oil_system = "shared"
+"""
 
 
 def design_of(gearbox: PublishedGearbox) -> Design:
@@ -142,7 +177,9 @@ def design_of(gearbox: PublishedGearbox) -> Design:
     slow = gearbox.power / gearbox.torque / RPM
     size = math.cbrt(gearbox.torque / 1e6)  # lengths of a gearbox grow as the cube root of its torque
     form, stages = _FAN, ""
-    if gearbox.kind != "geared-fan":
+    if gearbox.kind == "propeller-pair":
+        form = _PROPELLER
+    elif gearbox.kind != "geared-fan":
         form, stages = _WIND, {"wind-small": _SMALL, "wind-large": _LARGE, "simpack-5mw": _SIMPACK}[gearbox.kind]
     return parse(
         form.format(
