@@ -14,6 +14,8 @@ READ = ("1.0", "1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7")
 DEEPEST = 20
 """How deep elements may stand in each other [-]; REXS's own need 7."""
 _BOM = "\ufeff"
+_OTHERS: Mapping[str, str] = {"PK": "an archive (.rexsz)", "{": "JSON (.rexsj)"}
+"""How other forms of a REXS file begin -> what they are."""
 
 
 def document_of(text: str, source: str) -> Document:
@@ -26,6 +28,9 @@ def document_of(text: str, source: str) -> Document:
     Raises:
         DesignError: If it is no XML, declares a document type, or is no REXS file of a version that is read.
     """
+    kind = next((kind for begins, kind in _OTHERS.items() if text.lstrip(f"{_BOM} \n\r\t").startswith(begins)), "")
+    if kind:
+        refuse([Problem("", f"this is {kind}; REXS is read as XML: unpack it, or export it as .rexs")], source)
     reading = _Reading()
     parser = expat.ParserCreate()
     reading.parser = parser
