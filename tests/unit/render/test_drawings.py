@@ -14,7 +14,7 @@ import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
-from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.sheet.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.sheet.dxf import sheet_document, sheet_dxf
 from gearwright.render.drawings.sheet.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
@@ -334,6 +334,22 @@ def test_joints_stand_with_their_designations(drawings):
     shown = {words.text for sheet in drawings.values() for words in words_of(sheet)}
     assert {row[4] for row in JOINTS if row[4]} <= shown
     assert any("DIN 5480 - N 100 x 3 x 32" in text for text in shown)
+
+
+@pytest.mark.parametrize("name", shipped_designs())
+def test_every_gear_has_a_sheet_with_its_tooth_data_and_sheets_agree(name):
+    """Its own, or that of the shaft that it is one piece with; a bevel pinion stands on both, with the same rows."""
+    sizing = sized(name)
+    told = {}
+    for content in contents(sizing):
+        for grid in content.grids:
+            if grid.title.startswith("Tooth data: "):
+                told.setdefault(grid.title.removeprefix("Tooth data: "), []).append((content.name, grid.rows))
+    assert told.keys() == {gear.name for gear in sizing.gears}
+    for gear, listed in told.items():
+        shafts = {rows for sheet, rows in listed if sheet.startswith("shaft-")}
+        own = [rows for sheet, rows in listed if sheet.startswith("gear-")]
+        assert all(rows in own for rows in shafts) or not own, gear
 
 
 def test_seats_of_bearings_run_out_by_half_of_it5_against_both_radial_ones():
