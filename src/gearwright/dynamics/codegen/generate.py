@@ -5,18 +5,35 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from collections.abc import Sequence
+from typing import Literal, NamedTuple, Protocol
 
 from gearwright.dynamics.codegen.emit import CHUNK, Emitter
 from gearwright.dynamics.codegen.topology import LineShape, filled
 from gearwright.dynamics.codegen.writer import Writer, drive_width, wave_width
 from gearwright.dynamics.equations import WORKS
 
+Output = Literal["", "record", "statistics"]
+"""What a slope keeps of the lines."""
+Pulls = dict[int, dict[tuple[int, int], list[int]]]
+"""Lines that pull on each coordinate, by the number and the sign of their weight."""
+Frame = Literal["gyroscopic", "centripetal"]
+"""Kind of entry."""
 PART = 8
 """Lines that share what they have loaded: among more, registers run out."""
 
 
-def slope(writer: Writer, name: str, output: Literal["", "record", "statistics"]) -> str:
+class Numbers(Protocol):
+    """Values by number."""
+
+    def __getitem__(self, number: int, /) -> str:
+        """Return the name of a value."""
+
+    def __setitem__(self, number: int, value: str, /) -> None:
+        """Give a number another value."""
+
+
+def slope(writer: Writer, name: str, output: Output) -> str:
     """Return the function that works out the forces at (q, q̇) and from them the next stage of a step.
 
     The next stage is (bq + c q̇, bv + c q̈); the works grow by their rates times a share.
@@ -28,20 +45,21 @@ def slope(writer: Writer, name: str, output: Literal["", "record", "statistics"]
     """
     code, works = Emitter(writer.lanes), [Emitter(writer.lanes).zero] * WORKS
     if writer.shape.drives.records:
-        _drives(writer, code, output)
+        drive_laws(writer, code, output)
     carried = []
     for j in range(writer.count):
         if j % PART == 0:
             code.part(f"lines{j}")
             position, velocity = (_state(writer, code, name) for name in ("%q", "%v"))
-        carried.append(_line(writer, code, j, (position, velocity, works), output))
+        carried.append(carried_by(writer, code, j, (position, velocity, works), output))
     code.part("next")
     position, velocity = (_state(writer, code, name) for name in ("%q", "%v"))
     factor = writer.clock(code, 0)
-    force = _loads(writer, code, velocity, factor, works)
-    _spread(writer, code, carried, force)
-    _frames(writer, code, Registers(position, velocity, force, works), factor)
-    _next(writer, code, force, works)
+    force, everything = [code.zero] * writer.shape.size, range(writer.shape.size)
+    loads(writer, code, everything, (velocity, force, works), factor)
+    pulled(writer, code, pulls_of(writer.shape.lines), (everything, carried, force))
+    frame_forces(writer, code, frames_of(writer), Registers(position, velocity, force, works), factor)
+    next_stage(writer, code, force, works)
     pointers = ("p", "own", "row", "now", "bq", "bv", "q", "v", "qn", "vn", "works", "out")
     return writer.function(code, name, pointers)
 
@@ -50,8 +68,15 @@ def _state(writer: Writer, code: Emitter, pointer: str) -> list[str]:
     return [code.load(pointer, i * writer.lanes) for i in range(writer.shape.size)]
 
 
-def _next(writer: Writer, code: Emitter, force: list[str], works: list[str]) -> None:
-    """Store the next stage and let the works grow."""
+def next_stage(writer: Writer, code: Emitter, force: Numbers, works: Numbers) -> None:
+    """Store the next stage and let the works grow.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        force: On each coordinate.
+        works: Rates of the works.
+    """
     wide = code.wide
     for number, cell in enumerate(writer.cells(writer.shape.size)):
         place = CHUNK * number
@@ -68,10 +93,20 @@ def _next(writer: Writer, code: Emitter, force: list[str], works: list[str]) -> 
             wide.store(wide.add(before, wide.multiply("%share", rate)), "%works", CHUNK * number)
 
 
-def _loads(writer: Writer, code: Emitter, velocity: list[str], factor: str, works: list[str]) -> list[str]:
-    """Return the external load of each coordinate, and fill in the first two powers."""
-    shape, force = writer.shape, [code.zero] * writer.shape.size
+def loads(writer: Writer, code: Emitter, dofs: range, parts: tuple[Numbers, Numbers, Numbers], factor: str) -> None:
+    """Fill in the external load of some coordinates, and the first two powers.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        dofs: Coordinates.
+        parts: Velocities; forces and rates of the works, which are filled.
+        factor: s.
+    """
+    shape, (velocity, force, works) = writer.shape, parts
     for i, damped, squared in shape.loaded:
+        if i not in dofs:
+            continue
         total = code.add(code.multiply(writer.number(code, "speed", i), factor), velocity[i])
         load = writer.number(code, "constant", i)
         for number, dof in enumerate(shape.scheduled):
@@ -89,12 +124,18 @@ def _loads(writer: Writer, code: Emitter, velocity: list[str], factor: str, work
         works[0] = code.add(works[0], code.larger(code.zero, power))
         works[1] = code.subtract(works[1], code.smaller(code.zero, power))
     for i in shape.turning:
-        force[i] = code.subtract(force[i], code.multiply(writer.number(code, "inertia", i), writer.clock(code, 1)))
-    return force
+        if i in dofs:
+            force[i] = code.subtract(force[i], code.multiply(writer.number(code, "inertia", i), writer.clock(code, 1)))
 
 
-def _drives(writer: Writer, code: Emitter, output: str) -> None:
-    """Call the drives' laws: they fill torques, the rates of their states, and what they report."""
+def drive_laws(writer: Writer, code: Emitter, output: Output) -> None:
+    """Call the drives' laws: they fill torques, the rates of their states, and what they report.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        output: What is kept.
+    """
     # Loaded here because compiling it the first time takes seconds, and most systems do without it.
     from gearwright.dynamics.codegen.drive_call import laws
 
@@ -109,8 +150,16 @@ def _drives(writer: Writer, code: Emitter, output: str) -> None:
     code.lines.append(f"  call void inttoptr (i64 {laws.address} to ptr)({numbers}, {pointers})")
 
 
-def _line(writer: Writer, code: Emitter, j: int, parts: tuple[list[str], ...], output: str) -> str:
-    """Return the force that a line carries."""
+def carried_by(writer: Writer, code: Emitter, j: int, parts: tuple[Numbers, Numbers, Numbers], output: Output) -> str:
+    """Return the force that a line carries.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        j: Line.
+        parts: Positions, velocities; rates of the works, which are filled.
+        output: What is kept.
+    """
     position, velocity, works = parts
     line, room = writer.shape.lines[j], filled(writer.count * writer.lanes)
     now = {number: code.load("%now", number * room + j * writer.lanes) for number in _used(line)}
@@ -136,7 +185,7 @@ def _line(writer: Writer, code: Emitter, j: int, parts: tuple[list[str], ...], o
     return carried
 
 
-def _along(writer: Writer, code: Emitter, line: LineShape, vector: list[str]) -> str:
+def _along(writer: Writer, code: Emitter, line: LineShape, vector: Numbers) -> str:
     """Return a line's weights times a vector, the terms that most lines share first."""
     entries, total = zip(line.dofs, line.weights, line.signs, strict=True), code.zero
     for dof, weight, sign in sorted(entries, key=lambda entry: (-writer.uses[entry[:2]], entry[0])):
@@ -149,22 +198,40 @@ def _along(writer: Writer, code: Emitter, line: LineShape, vector: list[str]) ->
     return total
 
 
-def _spread(writer: Writer, code: Emitter, carried: list[str], force: list[str]) -> None:
-    """Subtract the lines' forces from their coordinates; those of one weight are summed before."""
-    pulls: dict[tuple[int, int, int], list[str]] = {}
-    for line, value in zip(writer.shape.lines, carried, strict=True):
-        for entry in zip(line.dofs, line.weights, line.signs, strict=True):
-            pulls.setdefault(entry, []).append(value)
-    for (dof, weight, sign), values in pulls.items():
-        total = code.total(values)
-        if sign < 0:
-            force[dof] = code.add(force[dof], total)
-        else:
-            part = total if sign > 0 else code.multiply(writer.number(code, "weight", weight), total)
-            force[dof] = code.value(f"fsub contract nsz {code.type} {force[dof]}, {part}")
+def pulls_of(lines: Sequence[LineShape]) -> Pulls:
+    """Return the lines that pull on each coordinate.
+
+    Args:
+        lines: Structure of each.
+    """
+    pulls: Pulls = {}
+    for j, line in enumerate(lines):
+        for dof, weight, sign in zip(line.dofs, line.weights, line.signs, strict=True):
+            pulls.setdefault(dof, {}).setdefault((weight, sign), []).append(j)
+    return pulls
 
 
-def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], output: str) -> None:
+def pulled(writer: Writer, code: Emitter, pulls: Pulls, parts: tuple[range, Numbers, Numbers]) -> None:
+    """Subtract the lines' forces from some coordinates; those of one weight are summed before.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        pulls: As `pulls_of` finds them.
+        parts: Coordinates, forces of the lines; forces on the coordinates, which are changed.
+    """
+    dofs, carried, force = parts
+    for dof in (dof for dof in pulls if dof in dofs):
+        for (weight, sign), lines in pulls[dof].items():
+            total = code.total([carried[j] for j in lines])
+            if sign < 0:
+                force[dof] = code.add(force[dof], total)
+            else:
+                part = total if sign > 0 else code.multiply(writer.number(code, "weight", weight), total)
+                force[dof] = code.value(f"fsub contract nsz {code.type} {force[dof]}, {part}")
+
+
+def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], output: Output) -> None:
     carried, deflection = values
     if output == "record":
         code.store(carried, "%out", j)
@@ -181,21 +248,44 @@ def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], outp
 class Registers(NamedTuple):
     """Values of a state by coordinate, and the works that are summed up."""
 
-    position: list[str]
-    velocity: list[str]
-    force: list[str]
-    works: list[str]
+    position: Numbers
+    velocity: Numbers
+    force: Numbers
+    works: Numbers
 
 
-def _frames(writer: Writer, code: Emitter, registers: Registers, factor: str) -> None:
+def frames_of(writer: Writer) -> list[tuple[Frame, int]]:
+    """Return the gyroscopic entries by their numbers, then the centripetal ones.
+
+    Args:
+        writer: Of the structure.
+    """
+    shape = writer.shape
+    entries: list[tuple[Frame, int]] = [("gyroscopic", number) for number in range(len(shape.gyroscopic))]
+    return entries + [("centripetal", number) for number in range(len(shape.centripetal))]
+
+
+def frame_forces(
+    writer: Writer, code: Emitter, entries: Sequence[tuple[Frame, int]], registers: Registers, factor: str
+) -> None:
+    """Add what turning frames and rotors do, and the power that holds them at their speed.
+
+    Args:
+        writer: Of the structure.
+        code: Body.
+        entries: Some of `frames_of`.
+        registers: The state; forces and rates of the works, which are changed.
+        factor: s.
+    """
     position, velocity, force, works = registers
-    for number, (row, column) in enumerate(writer.shape.gyroscopic):
+    for number in (number for kind, number in entries if kind == "gyroscopic"):
+        row, column = writer.shape.gyroscopic[number]
         value = code.multiply(writer.number(code, "gyroscopic", number), factor)
         part = code.multiply(value, velocity[column])
         force[row] = code.value(f"fsub contract nsz {code.type} {force[row]}, {part}")
         works[5] = code.value(f"fsub contract nsz {code.type} {works[5]}, {code.multiply(part, velocity[row])}")
-    square = code.multiply(factor, factor) if writer.shape.centripetal else code.zero
-    for number, (row, column) in enumerate(writer.shape.centripetal):
+    for number in (number for kind, number in entries if kind == "centripetal"):
+        (row, column), square = writer.shape.centripetal[number], code.multiply(factor, factor)
         value = code.multiply(writer.number(code, "centripetal", number), square)
         part = code.multiply(value, position[column])
         force[row] = code.add(force[row], part)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from gearwright.dynamics.codegen.emit import CHUNK, VECTOR, splat
 from gearwright.dynamics.codegen.generate import slope
 from gearwright.dynamics.codegen.instant import instant
+from gearwright.dynamics.codegen.parts import SPLIT, slope_in_parts
 from gearwright.dynamics.codegen.topology import filled
 from gearwright.dynamics.codegen.writer import Writer, record_width, table_width, wave_width
 from gearwright.dynamics.equations import WORKS
@@ -23,9 +24,16 @@ def assembly(writer: Writer) -> str:
         writer: Of its functions.
     """
     alone = writer.lanes == 1
-    look = slope(writer, "look", "record" if alone else "statistics")
-    parts = [_DECLARATIONS, instant(writer), look, slope(writer, "slope", ""), _loop(writer)]
+    written = slope_in_parts if writer.count > SPLIT else slope
+    slopes = [written(writer, "look", "record" if alone else "statistics")]
+    slopes += [] if _shared(writer) else [written(writer, "slope", "")]
+    parts = [_DECLARATIONS, instant(writer), *slopes, _loop(writer)]
     return "\n\n".join([*parts, *([_alone(writer)] if alone else [])])
+
+
+def _shared(writer: Writer) -> bool:
+    """Tell whether all stages of a step run the code of the first, so that half as much is compiled and fetched."""
+    return writer.lanes == 1 and writer.count > SPLIT
 
 
 _DECLARATIONS = """declare double @llvm.fabs.f64(double)
@@ -40,6 +48,7 @@ declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
 def _loop(writer: Writer) -> str:
     """Return the function that takes the steps."""
     shape, lanes = writer.shape, writer.lanes
+    slope_name = "unseen" if _shared(writer) else "slope"
     row, numbers = table_width(shape, writer.clocks), shape.size * lanes
     stride = record_width(shape) if lanes == 1 else 0
     keep = _moved("%place", 0, "%q", numbers) + _moved("%place", numbers, "%v", numbers) if lanes == 1 else []
@@ -68,11 +77,11 @@ head:
 {_lines(*keep)}
   {_stage("look", "%row0", "q v q v qa v2", c="%half", share="%sixth")}
   {_instant("%row1")}
-  {_stage("slope", "%row1", "q v qa v2 qb v3", c="%half", share="%third")}
-  {_stage("slope", "%row1", "q v qb v3 qa v4", c="%h", share="%third")}
+  {_stage(slope_name, "%row1", "q v qa v2 qb v3", c="%half", share="%third")}
+  {_stage(slope_name, "%row1", "q v qb v3 qa v4", c="%h", share="%third")}
 {_last_base(_room(writer))}
   {_instant("%row2")}
-  {_stage("slope", "%row2", "bq bv qa v4 q v", c="%sixth", share="%sixth")}
+  {_stage(slope_name, "%row2", "bq bv qa v4 q v", c="%sixth", share="%sixth")}
   %next = add i64 %i, 1
   %more = icmp slt i64 %next, %steps
   br i1 %more, label %head, label %done
@@ -107,6 +116,7 @@ def _arrays(writer: Writer, names: tuple[str, ...], cleared: tuple[str, ...]) ->
     rooms = dict.fromkeys(names, _room(writer))
     rooms |= {"works": filled(WORKS * lanes), "now": 4 * filled(len(shape.lines) * lanes)}
     rooms["wave"] = 4 * wave_width(shape, writer.clocks)
+    rooms |= {"unwanted": record_width(shape)} if _shared(writer) else {}
     lines = [f"%{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
     lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * rooms[name]}, i1 false)" for name in cleared]
     return _lines(*lines)
@@ -146,8 +156,9 @@ def _instant(row: str) -> str:
 
 def _stage(name: str, row: str, arrays: str, *, c: str, share: str) -> str:
     """Return the call of a slope on arrays, with names as `generate.slope` orders them from ``bq`` on."""
+    name, seen = ("look", "%unwanted") if name == "unseen" else (name, "%seen")
     pointers = ", ".join(f"ptr {at}" for at in ("%p", "%own", row, "%now", *(f"%{name}" for name in arrays.split())))
-    return f"call void @{name}({pointers}, ptr %works, ptr %seen, {VECTOR} {c}, {VECTOR} {share})"
+    return f"call void @{name}({pointers}, ptr %works, ptr {seen}, {VECTOR} {c}, {VECTOR} {share})"
 
 
 def _last_base(width: int) -> str:

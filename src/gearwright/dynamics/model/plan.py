@@ -31,6 +31,7 @@ class Plan(NamedTuple):
     """Numbers that cannot change, with what was made of them."""
 
     arrays: Arrays
+    """The numbers, in arrays that no one else has."""
     answers: dict[Hashable, dict[Hashable, Any]]
     """By function, and by what else it was given."""
 

@@ -54,7 +54,11 @@ from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.verbs import verb
 
 LARGEST_GENERATED = 250
-"""Lines up to which code is generated for the structure: beyond, generating it takes seconds."""
+"""Lines up to which code is generated for the structure whatever the run: a quarter of a second."""
+WORTH_GENERATING = 15_000
+"""Steps of a run from which code is generated for more lines: a line takes 1 ms to compile and saves 80 ns a step."""
+LARGEST_COMPILED = 5000
+"""Lines beyond which none is generated: it would take more than five seconds and gigabytes."""
 STIFF = 2.5e6
 """Fastest rate above which implicit steps may pay [rad/s]."""
 STIFF_GAIN = 40.0
@@ -115,7 +119,7 @@ def simulate(
     """
     system = replace(system, arrays=plan_of(system.arrays))
     kept(system.arrays, (check_finite,), lambda: check_finite(system))
-    method, reason = _method(system.arrays, method)
+    method, reason = _method(system.arrays, method, _steps(system.arrays, step, duration))
     state, outputs = _start(system, start), outputs or Outputs()
     pace = pace_of(system, method, step, state)
     if step is None or isinstance(step, Accuracy):
@@ -234,12 +238,23 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     return recorder.samples(1)
 
 
-def _method(arrays: Arrays, method: str) -> tuple[str, str]:
+def _steps(arrays: Arrays, step: float | Accuracy | None, duration: float) -> float:
+    """Return about how many explicit steps a run would take [-]; asked of large systems alone."""
+    if len(arrays.stiffness) <= LARGEST_GENERATED:
+        return 0.0
+    asked = step if isinstance(step, Accuracy) else Accuracy()
+    return duration / (step if isinstance(step, float | int) and step > 0.0 else default_step(arrays, asked))
+
+
+def _method(arrays: Arrays, method: str, steps: float) -> tuple[str, str]:
     if method == "auto":
         if is_exact(arrays):
             return "exact", "exact step: constant stiffness and speed, no backlash, loads linear in speed"
-        if len(arrays.stiffness) > LARGEST_GENERATED:
-            return "runge-kutta generic", f"Runge–Kutta, generic code: more than {LARGEST_GENERATED} lines"
+        lines = len(arrays.stiffness)
+        if lines > LARGEST_COMPILED or (lines > LARGEST_GENERATED and steps < WORTH_GENERATING):
+            much = f"{lines} lines, above {LARGEST_COMPILED}, take too long to compile"
+            brief = f"{lines} lines and fewer than {WORTH_GENERATING} steps: code of their own would not pay"
+            return "runge-kutta generic", f"Runge–Kutta, generic code: {much if lines > LARGEST_COMPILED else brief}"
         stiff = not len(arrays.drives.table) and fastest_rate(arrays) > STIFF
         if stiff and excited_step(arrays) > STIFF_GAIN * default_step(arrays):
             return "implicit", f"implicit: modes up to {fastest_rate(arrays):.1e} rad/s, far above what excites"
