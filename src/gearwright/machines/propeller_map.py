@@ -218,10 +218,21 @@ def angle_near(chart: PropellerMap, advance_ratio: float, power: float, near: fl
 def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Floats, name: str) -> float:
     angles, row = _row(chart, advance_ratio, table)
     rising = _rising(row)
+    stalls = rising.stop < len(row)
     row, angles = row[rising], angles[rising]
+    if stalls and value > row[-1]:
+        raise _stalled(advance_ratio, f"{name} {value:.4g}", row[-1], angles[-1])
     if not row[0] <= value <= row[-1]:
         raise _outside(chart, advance_ratio, f"{name} {value:.4g}, of {row[0]:.4g} to {row[-1]:.4g}")
     return float(np.interp(value, row, angles))
+
+
+def _stalled(advance_ratio: float, asked: str, most: float, angle: float) -> DesignError:
+    message = (
+        f"advance ratio {advance_ratio:.4g}, {asked}: the blades stall at {np.degrees(angle):.4g}°, where they give the"
+        f" most, {most:.4g}; ask for less, turn the propeller faster, or take wider or more blades"
+    )
+    return DesignError([Problem("propeller.map", message)])
 
 
 def _rising(row: Floats) -> slice:
