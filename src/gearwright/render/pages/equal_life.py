@@ -43,8 +43,9 @@ def _told(rows: Sequence[EqualLife]) -> tuple[str, ...]:
 
 
 def _lightest(row: EqualLife) -> str:
-    weighs, machines = text(row.with_machines or 0.0, "mass", 3), text(row.machines or 0.0, "mass", 3)
-    return f"The lightest that passes as far as assessed: {row.title}, {weighs} with machines of {machines}."
+    machines = f" with machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
+    weighs = text(row.with_machines or 0.0, "mass", 3)
+    return f"The lightest that passes as far as assessed: {row.title}, {weighs}{machines}."
 
 
 def _beside(rows: Sequence[EqualLife]) -> tuple[str, ...]:

@@ -97,7 +97,8 @@ def _sentence(mass: CompleteMass, median: float, band: tuple[float, float]) -> s
     way = "lighter" if high < band[0] else "heavier"
     return (
         f"{said}: the sum of parts is {way}, and the bands do not meet. Where requirements are not met yet"
-        " (gearwright review), or loads differ from those of aircraft, the sum is not that of a gearbox that flies."
+        " (gearwright review), or life and loads that are asked differ from those of aircraft, the sum is not that of a"
+        " gearbox that flies."
     )
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from gearwright.render.grid.csv_text import csv_text
 from gearwright.render.grid.table import Table, table
-from gearwright.sizing.mass import GROUPS, CompleteMass
+from gearwright.sizing.mass import GROUPS, CompleteMass, Statistics
 from gearwright.study.running.equal_life import EqualLife
 from gearwright.units import Mass, text
 
@@ -18,6 +18,9 @@ _COLUMNS = (
     "shortest_life",
     "limits", "fails",
 )  # fmt: skip
+ALIKE = 1.1
+"""Largest over smallest of the statistics' limits up to which designs are of one requirement [-]: teeth give speeds
+only nearly."""
 _NOTE = (
     "Complete mass with its band of 68 %, machines beside it; those that pass come first, the lightest with its"
     " machines at the top. Verdict: that of an independent review of the written design; what fails stands with its"
@@ -62,17 +65,19 @@ def equal_life_csv(rows: Sequence[EqualLife]) -> str:
 
 
 def _beside(rows: Sequence[EqualLife]) -> str:
-    """Return what real gearboxes weigh and whose band does not meet theirs; for designs of one requirement."""
-    bands = {(row.statistics.low, row.statistics.high) for row in rows if row.statistics and row.statistics.mass}
-    if len(bands) != 1:
+    """Return what real gearboxes weigh and whose band does not meet theirs; for designs of about one requirement."""
+    known = {row.title: (row, *_band(row.statistics)) for row in rows if row.statistics and row.statistics.mass}
+    if not known or max(high for _, _, high in known.values()) > ALIKE * min(high for _, _, high in known.values()):
         return ""
-    ((low, high),) = bands
-    lighter = [row.title for row in rows if row.heaviest is not None and low is not None and row.heaviest < low]
-    heavier = [row.title for row in rows if row.lightest is not None and high is not None and row.lightest > high]
-    ends = f"{text(low or 0.0, 'mass', 3)} to {text(high or 0.0, 'mass', 3)}"
-    said = f" 61 real gearboxes of this power and these speeds: 68 % from {ends}."
-    if lighter:
-        said += f" Lighter, bands apart: {', '.join(lighter)}."
-    if heavier:
-        said += f" Heavier, bands apart: {', '.join(heavier)}."
+    ends = [min(low for _, low, _ in known.values()), max(high for _, _, high in known.values())]
+    lighter = [name for name, (row, low, _) in known.items() if (row.heaviest or 0.0) < low]
+    heavier = [name for name, (row, _, high) in known.items() if (row.lightest or 0.0) > high]
+    span = " to ".join(text(mass, "mass", 3) for mass in ends)
+    said = f" 61 real gearboxes of this power and these speeds: 68 % from {span}."
+    said += f" Lighter, bands apart: {', '.join(lighter)}." if lighter else ""
+    said += f" Heavier, bands apart: {', '.join(heavier)}." if heavier else ""
     return said if lighter or heavier else f"{said} All bands meet it."
+
+
+def _band(known: Statistics) -> tuple[float, float]:
+    return known.low or 0.0, known.high or 0.0
