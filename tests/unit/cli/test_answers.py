@@ -55,6 +55,7 @@ LINES = {
     "sharing": "sharing face-gear-split-torque --target 55/45",
     "fly": "fly in-line-h2 thesis --life-h 2000",
     "mix": "mix in-line-h2 regional-life",
+    "propeller": "propeller --ratios 0:2:0.5 --angles-deg 0:40:10 --rpm 1212 --blade-angle-deg 30",
     "duty": "duty duty.csv",
     "window": "window in-line-h2 short.toml cut",
     "compare": "compare in-line star",
