@@ -9,6 +9,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.sizing import size, size_many
+from gearwright.sizing.many.columns import LANES
 from gearwright.spec import edited, read
 
 HYBRID, MIXED = read("in-line-h2"), read("mixed-h2")
@@ -115,3 +116,15 @@ def test_keep_outs_that_leave_no_room_are_checks_that_fail_by_name_in_their_rows
     failing = [check for check in sizings.at(20).checks if check.ratio is not None and check.ratio < 1.0]
     assert any("wall" in check.name for check in failing)
     assert margins[20] == sizings.at(20).worst_margin
+
+
+def test_one_cell_that_is_no_number_is_refused_alone_also_beyond_the_first_lanes() -> None:
+    """More rows than go together at once, by one, so that the last one stands alone behind them."""
+    count, bad = LANES + 40, LANES + 17
+    speeds = np.linspace(4400.0, 4600.0, count)
+    speeds[bad] = math.nan
+    sizings = size_many(HYBRID, {SPEED: speeds}, results=["mass"])
+    assert list(sizings.reasons) == [bad]
+    assert np.flatnonzero(~np.isfinite(sizings.columns["mass"])).tolist() == [bad]
+    assert sizings.together.sum() == count - 1
+    assert sizings.columns["mass"][bad - 1] == sizings.at(bad - 1).mass

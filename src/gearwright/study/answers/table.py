@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -88,12 +89,12 @@ class Table(Shown):
             raise DesignError([Problem("results", f"{result!r} was not asked for; {near(result, self.results)}")])
         return [row.number(result) for row in self.good]
 
-    @property
+    @cached_property
     def good(self) -> tuple[Row, ...]:
         """Rows that did not fail."""
-        return tuple(row for row in self.rows if not row.problem)
+        return tuple([row for row in self.rows if not row.problem])
 
-    @property
+    @cached_property
     def numbers(self) -> tuple[str, ...]:
         """Results that are numbers, not names."""
         return tuple(name for name in self.results if self.good and self.good[0].results[name].dimension != TEXT)
@@ -112,10 +113,10 @@ class Table(Shown):
 
         return frame(columns(self), "")
 
-    @property
+    @cached_property
     def failed(self) -> tuple[Row, ...]:
         """Rows that failed."""
-        return tuple(row for row in self.rows if row.problem)
+        return tuple([row for row in self.rows if row.problem])
 
 
 def quantiles(values: Sequence[float] | Floats, parts: Sequence[float]) -> list[float]:
