@@ -5,6 +5,7 @@ What is checked and how is for the layers below: sizing, dynamics, mission. What
 
 from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
+from gearwright.closure.flown import OnMission
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
 from gearwright.closure.variants import Tried, Variant, Variants, nearest_variant
@@ -13,6 +14,7 @@ from gearwright.closure.wishes import Wishes
 __all__ = [
     "REQUIREMENTS",
     "Closed",
+    "OnMission",
     "Outcome",
     "Requirement",
     "Round",

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gearwright.checks import Check, Status, accepted
 from gearwright.closure.closed import Closed, Round, Step, Unmet
+from gearwright.closure.flown import OnMission, lived
 from gearwright.closure.life import stage_lives
 from gearwright.closure.loop import CONFIRMS, Settled, Task, settled
 from gearwright.closure.planet_bearings import borne
@@ -27,7 +28,13 @@ ABOVE = 1.01
 
 
 @verb
-def close(design: Design, *, wishes: Wishes | None = None, tell: Callable[[str], None] | None = None) -> Closed:
+def close(
+    design: Design,
+    *,
+    wishes: Wishes | None = None,
+    on_mission: OnMission | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> Closed:
     """Return a design whose free sizes meet every requirement that its checks know, written out for `review`.
 
     Proportion: the least module and width of every stage under all its strengths, then shafts, pins and plates.
@@ -38,6 +45,7 @@ def close(design: Design, *, wishes: Wishes | None = None, tell: Callable[[str],
     Args:
         design: As `gearwright.read` gives it; what it gives is kept, and told where it does not do.
         wishes: Life, rounding, what is left out; left out: as the design says.
+        on_mission: What its gears live through beside their cases; left out: no flight.
         tell: Called with what is being done.
 
     Raises:
@@ -51,7 +59,13 @@ def close(design: Design, *, wishes: Wishes | None = None, tell: Callable[[str],
     if asked.separate and "critical speeds" not in asked.left_out:
         state = separated(state, say)
     state, peaks = _simulated(state, say)
-    return _closed(design, state, peaks)
+    flown = list[Check]()
+    if on_mission is not None:
+        before = state.proportioned
+        state, flown = lived(state, on_mission, say)
+        if state.proportioned is not before:
+            state, peaks = _simulated(state, say)
+    return _closed(design, state, [*peaks, *flown])
 
 
 def _silent(_: str) -> None:
@@ -89,10 +103,10 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
     return {stage: factor for stage, factor in factors.items() if factor > state.factors.get(stage, 1.0)}
 
 
-def _closed(design: Design, state: Settled, peaks: list[Check]) -> Closed:
+def _closed(design: Design, state: Settled, moved: list[Check]) -> Closed:
     asked = state.task.wishes
     written, sizing, _ = written_out(state.proportioned, asked.left_out)
-    checks = [*sizing.checks, *peaks, *resonance_checks(sizing)]
+    checks = [*sizing.checks, *moved, *resonance_checks(sizing)]
     checks = [*wanted(checks, asked.left_out), state.converged]
     judged = accepted(checks, sizing.design.waivers)
     return Closed(

@@ -31,6 +31,7 @@ class Step(StrEnum):
     BEAR = "bearings of planets"
     SEPARATE = "other teeth or modules"
     SIMULATE = "simulated"
+    FLY = "flown"
 
 
 @dataclass(frozen=True)

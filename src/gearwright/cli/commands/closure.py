@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
+from gearwright.cli.completion import missions
 from gearwright.cli.designs import design_of, placed_in
 from gearwright.cli.options import DesignArgument, JsonOption
 from gearwright.cli.terminal.output import show, tell
@@ -25,6 +26,9 @@ def close(
     life_h: Annotated[
         float | None,
         typer.Option(help="Life of gears and bearings; left out: as the design says", min=0.001),
+    ] = None,
+    mission: Annotated[
+        str | None, typer.Option(help="Mission through whose flights its gears live, too", autocompletion=missions)
     ] = None,
     continuous: Annotated[
         bool, typer.Option("--continuous", help="Modules and widths as they come, neither standard nor whole")
@@ -44,7 +48,8 @@ def close(
     json: JsonOption = False,
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
-    from gearwright.closure import Outcome, Wishes, nearest_variant
+    from gearwright.cli.commands.mission import mission_of
+    from gearwright.closure import OnMission, Outcome, Wishes, nearest_variant
     from gearwright.closure import close as closed_by
     from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import close_answer
@@ -57,7 +62,8 @@ def close(
     say = _quiet if json else tell
     with placed_in(design):
         own = design_of(design)
-        closed = closed_by(own, wishes=wishes, tell=say)
+        flights = None if mission is None else OnMission(*mission_of(mission))
+        closed = closed_by(own, wishes=wishes, on_mission=flights, tell=say)
         found = nearest_variant(own, closed, tell=say) if variants and closed.outcome is Outcome.OPEN else None
     if json:
         show_answer("close", close_answer(closed, found), design=closed.design.name)

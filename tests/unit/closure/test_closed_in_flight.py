@@ -1,0 +1,58 @@
+"""Gears of a design that is closed on a mission live through its flights, as a review of the written design says."""
+
+from functools import cache
+
+import pytest
+
+from gearwright.closure import OnMission, Step, Wishes, close, requirement_of
+from gearwright.closure import flown as flown_module
+from gearwright.reviews import review
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.spec import design_text, parse, read, read_mission
+
+HOUR = 3600.0
+FLOWN = "life in flight"
+LIGHT = frozenset({"peaks", "flank", "scuffing"})
+"""Left out, so that roots under the cases of the design alone make gears too light for the mission's flanks."""
+
+
+@cache
+def mission():
+    path = shipped_mission("thesis")
+    return OnMission(read_mission(path), path.parent)
+
+
+@cache
+def closed(*, on_mission=True):
+    design = read(shipped_design("mixed-h2"))
+    wishes = Wishes(20000 * HOUR, separate=False, left_out=LIGHT)
+    return close(design, wishes=wishes, on_mission=mission() if on_mission else None)
+
+
+def failing(found):
+    judged = review(parse(design_text(found.design)), mission().mission, folder=mission().folder)
+    return {check.name for check in judged.failing if requirement_of(check) == FLOWN}
+
+
+def test_gears_that_are_too_light_for_the_mission_grow_until_they_live():
+    assert failing(closed(on_mission=False)) != set()
+    assert failing(closed()) == set()
+    assert closed().mass > closed(on_mission=False).mass
+    rounds = [row for row in closed().rounds if row.step is Step.FLY]
+    assert rounds and all("times its cases" in row.what for row in rounds)
+
+
+def test_checks_of_the_flight_stand_with_the_others():
+    assert FLOWN in {requirement_of(check) for check in closed().checks}
+    assert FLOWN not in {requirement_of(check) for check in closed(on_mission=False).checks}
+
+
+def test_flights_that_do_not_come_to_rest_are_told(monkeypatch):
+    monkeypatch.setattr(flown_module, "MOST_ROUNDS", 1)
+    design = read(shipped_design("mixed-h2"))
+    wishes = Wishes(20000 * HOUR, separate=False, left_out=LIGHT)
+    found = close(design, wishes=wishes, on_mission=mission())
+    (told,) = (check for check in found.checks if check.mode == "convergence of the closure in flight")
+    assert told.fails
+    assert "live through them" in told.clause
+    assert told.margin == pytest.approx(min(c.reserve for c in found.checks if requirement_of(c) == FLOWN and c.fails))
