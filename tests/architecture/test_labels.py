@@ -16,6 +16,7 @@ ALLOWED = {
     "cli/": "arguments of commands, and text on the screen",
     "exchange/openmdao/": "paths of a design file, as names of variables",
     "exchange/rexs/bodies.py": "names of components in files of other tools",
+    "exchange/rexs/parsing.py": "how files of other forms begin",
     "study/cases/": "paths and names of results that a study asks for",
     "replays/colibri/report/printed.py": "keys and digits of the report's own table",
     "replays/colibri/page.py": "indices of printed symbols",
