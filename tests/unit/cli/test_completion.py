@@ -23,7 +23,7 @@ def offered(folder, *words, at=None):
     ("words", "expected"),
     [
         (("cam",), ["campbell"]),
-        (("run", "in-line-h"), ["in-line-h1", "in-line-h2"]),
+        (("run", "in-line-h2"), ["in-line-h2", "in-line-h2-star"]),
         (("run", "inl"), ["inland.toml"]),
         (("size", "sub/"), ["sub/mine.toml"]),
         (("fly", "in-line", "thesis-"), ["thesis-chapter-4"]),
