@@ -14,6 +14,7 @@ from gearwright.sizing.arrangement import NO_ANGLES, Moves, arrange
 from gearwright.sizing.places.frames import apart_of, frames_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.spec import GROUND
 from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.train import Mesh
 
@@ -33,7 +34,7 @@ def arrange_meshing(
     """
     arrangement = arrange(context, gears, angles)
     rows = [mesh for mesh in context.train.meshes if mesh.stage in context.design.pairs]
-    if len(rows) < 2:  # which close no loop
+    if not _closes(context, rows):
         return arrangement
     moves: Moves = {}
     for _ in rows:
@@ -42,6 +43,27 @@ def arrange_meshing(
             break
         arrangement, moves = closer
     return arrangement
+
+
+def _closes(context: Context, rows: list[Mesh]) -> bool:
+    """Tell whether meshes close a loop of shafts, which sets and clutches join, too."""
+    design, known = context.design, dict[str, str]()
+
+    def root(shaft: str) -> str:
+        while known.get(shaft, shaft) != shaft:
+            shaft = known[shaft]
+        return shaft
+
+    joined = [stage.members for stage in design.sets.values()]
+    joined += [(link.driving, link.driven) for link in design.links.values()]
+    for first, *others in ([shaft for shaft in members if shaft != GROUND] for members in joined):
+        known |= {root(other): root(first) for other in others if root(other) != root(first)}
+    for mesh in rows:
+        first, second = root(mesh.nodes[0]), root(mesh.nodes[1])
+        if first == second:
+            return True
+        known[second] = first
+    return False
 
 
 def _closer(

@@ -7,7 +7,7 @@ against each other all the same: where envelopes run into each other, the room b
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import Kind, PartId, Role
@@ -32,11 +32,15 @@ def axes_among(bodies: Sequence[Body]) -> list[int]:
     Args:
         bodies: Of a transmission.
     """
-    firsts, numbers = list[Body](), list[int]()
+    firsts, numbers, known = list[Body](), list[int](), dict[str, int]()
     for body in bodies:
-        number = next((k for k, first in enumerate(firsts) if _coaxial(first, body)), len(firsts))
-        if number == len(firsts):
-            firsts.append(body)
+        number = known.get(body.shaft)
+        if number is None:
+            number = next((k for k, first in enumerate(firsts) if _coaxial(first, body)), len(firsts))
+            if number == len(firsts):
+                firsts.append(body)
+            if body.shaft != GROUND:
+                known[body.shaft] = number
         numbers.append(number)
     return numbers
 
@@ -84,23 +88,26 @@ def coaxial_checks(bodies: Sequence[Body], sets: frozenset[str], built: frozense
         sets: Names of planetary sets.
         built: Shafts that are worked out along their axes.
     """
-    numbers, told = axes_among(bodies), set[tuple[str, str]]()
-    for (one, first), (other, second) in combinations(zip(bodies, numbers, strict=True), 2):
-        if first != second or one.shaft == other.shaft or {one.shaft, other.shaft} <= built:
+    if all(body.shaft in built for body in bodies):
+        return
+    told, on_axis = set[tuple[str, str]](), dict[int, list[Body]]()
+    for body, number in zip(bodies, axes_among(bodies), strict=True):
+        on_axis.setdefault(number, []).append(body)
+    for one, other in chain.from_iterable(combinations(alike, 2) for alike in on_axis.values()):
+        if one.shaft == other.shaft or (one.shaft in built and other.shaft in built):
             continue
-        parts = owner(one), owner(other)
-        names = str(parts[0]), str(parts[1])
-        if names not in told and not of_one_set(one, other, sets) and _meet(one, other):
-            told |= {names, names[::-1]}
-            low, high = sorted(parts, key=str)
-            yield not_assessed(high, f"room beside {low}", CLAUSE, _OPEN)
+        if not of_one_set(one, other, sets) and _meet(one, other):
+            low, high = sorted((owner(one), owner(other)), key=str)
+            if (str(low), str(high)) not in told:
+                told.add((str(low), str(high)))
+                yield not_assessed(high, f"room beside {low}", CLAUSE, _OPEN)
 
 
 def _meet(one: Body, other: Body) -> bool:
     """Tell whether two bodies on one axis run into each other: side by side, or one in the bore of the other."""
-    if one.radius <= other.bore or other.radius <= one.bore:
+    (a, b, c), (x, y, z), (u, v, w), (d, e, f) = one.direction, one.origin, other.origin, other.direction
+    start = (u - x) * a + (v - y) * b + (w - z) * c
+    end = start + other.length * (d * a + e * b + f * c)
+    if min(max(start, end), one.length) - max(min(start, end), 0.0) <= _TOUCH:
         return False
-    way, zero = one.direction, one.origin
-    start = sum((at - by) * along for at, by, along in zip(other.origin, zero, way, strict=True))
-    end = start + other.length * sum(here * there for here, there in zip(other.direction, way, strict=True))
-    return min(max(start, end), one.length) - max(min(start, end), 0.0) > _TOUCH
+    return one.radius > other.bore and other.radius > one.bore

@@ -165,7 +165,7 @@ def _minds(one: Body, other: Body, rules: Rules, *, coaxial: bool) -> bool:
     """Tell whether two bodies need room beside each other."""
     if one.shaft == other.shaft != GROUND:
         return _mind_on_one_shaft(one, other, rules)
-    if coaxial and not {one.shaft, other.shaft} <= rules.built:  # for `coaxial_checks`
+    if coaxial and not (one.shaft in rules.built and other.shaft in rules.built):  # for `coaxial_checks`
         return False
     return not of_one_set(one, other, rules.sets) and frozenset((one.part, other.part)) not in rules.mates
 
