@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import shutil
 import statistics
 import time
 from collections.abc import Callable
@@ -16,8 +17,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
+from by_hand import c_rk4, numba_rk4
 from cases import CASES, mesh_columns
-from peers import PEERS, Case, numba_slope
+from peers import PEERS, STEPS, Case, numba_slope
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import System, statics
@@ -26,13 +28,16 @@ from gearwright.dynamics.equations import line_state
 DURATION, INTERVALS = 0.02, 400
 HEAD = "| solver | setting | error | processor time for 20 ms [ms] | times slower |"
 TARGETS = (1e-3, 1e-5)
+BY_HAND = {"RK4 by hand in numba": (numba_rk4, STEPS)}
+if shutil.which("gcc"):
+    BY_HAND["RK4 as straight-line C, gcc (a bound)"] = (c_rk4, STEPS)
 PACKAGES = ("numpy", "scipy", "numba", "jax", "diffrax", "casadi", "numbalsoda")
 
 
 def prepare(system: System) -> Case:
     """Return a case that starts at static equilibrium at rest."""
     position = statics(system, balance="accelerate").position
-    return Case(system.arrays, np.concatenate([position, np.zeros_like(position)]), DURATION, INTERVALS)
+    return Case(system.arrays, np.concatenate([position, np.zeros_like(position)]), DURATION, INTERVALS, system)
 
 
 def mesh_forces(system: System, case: Case, states: np.ndarray) -> np.ndarray:
@@ -53,7 +58,7 @@ def reference(case: Case) -> np.ndarray:
 def loosest(system: System, case: Case, wanted: np.ndarray, target: float) -> dict[str, tuple[float, float, Callable]]:
     """Return for each peer the loosest setting that reaches the target: (setting, error, run)."""
     found = {}
-    for name, (make, settings) in PEERS.items():
+    for name, (make, settings) in {**PEERS, **BY_HAND}.items():
         for setting in settings:
             run = make(case, setting)
             error = np.max(np.abs(mesh_forces(system, case, run()) - wanted)) / np.max(np.abs(wanted))

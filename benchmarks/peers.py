@@ -15,6 +15,7 @@ import numpy as np
 from numba import njit
 from scipy.integrate import solve_ivp
 
+from gearwright.dynamics import Outputs, System, simulate
 from gearwright.dynamics.equations import line_state
 from gearwright.dynamics.model import Arrays, line_matrix
 from gearwright.dynamics.motion import blank_record, stepper
@@ -28,6 +29,8 @@ class Case:
     start: np.ndarray
     duration: float
     intervals: int
+    system: System | None = None
+    """Where the arrays are from: what the public verb takes."""
 
     @property
     def grid(self) -> np.ndarray:
@@ -149,6 +152,18 @@ def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:
             advance(first, part, state)
             rows.append(part[-first % steps :: steps, :width].copy())
         return np.concatenate(rows)
+
+    return run
+
+
+def gearwright_public(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """Our public verb with all that it does: a second run that measures the error, statistics, energies, notes."""
+    h, size = case.duration / (case.intervals * int(setting)), len(case.arrays.mass)
+    start, outputs = (case.start[:size], case.start[size:]), Outputs(samples=case.intervals + 1)
+
+    def run() -> np.ndarray:
+        samples = simulate(case.system, case.duration, step=h, start=start, outputs=outputs).samples
+        return np.hstack([samples.position, samples.velocity])
 
     return run
 
@@ -301,6 +316,7 @@ LOOSE = [10.0 ** (-power / 3) for power in range(6, 37)]
 STEPS = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24, 28, 32, 40, 48, 64]
 PEERS: dict[str, tuple[Callable, list[float]]] = {
     "gearwright RK4": (gearwright, STEPS),
+    "gearwright simulate()": (gearwright_public, STEPS[1:]),
     "gearwright Tsit5": (gearwright_adaptive, LOOSE),
     "scipy RK45, numba slope": (scipy_run(numba_slope, "RK45"), LOOSE),
     "scipy DOP853, numba slope": (scipy_run(numba_slope, "DOP853"), LOOSE),
