@@ -37,10 +37,10 @@ def component(
     """
     if find_spec("openmdao") is None:
         refuse([Problem("", f"this needs OpenMDAO, which is not here; {install('openmdao')}")])
-    from gearwright.exchange.openmdao.explicit import Transmission
+    from gearwright.exchange.openmdao.explicit import transmission
 
     asked = {"inputs": inputs, "outputs": outputs}
     refuse(Problem(name, "it is empty; give a list of at least one name") for name, names in asked.items() if not names)
     given: dict[str, float | None] = dict(inputs) if isinstance(inputs, Mapping) else dict.fromkeys(inputs)
     study = Study(name="component", designs=[design.name], results=list(outputs), mission=mission)
-    return Transmission(Held(design, given, study, frozen=teeth == "frozen"))
+    return transmission()(Held(design, given, study, frozen=teeth == "frozen"))
