@@ -21,7 +21,7 @@ def sized(name, more=""):
 
 
 def turning_parts(sizing):
-    """Yield inertia and speed of every part that turns; planets once about themselves, once around the axis."""
+    """Yield inertia and speed of every part that turns; planets, with their bearings, about themselves and the axis."""
     speeds = next(iter(sizing.flows.values())).speeds
     yield from ((shaft.inertia, speeds[shaft.name]) for shaft in sizing.shafts)
     if sizing.design.dynamics.machines == "inertia":
@@ -29,11 +29,11 @@ def turning_parts(sizing):
     for carrier in sizing.carriers:
         if carrier.shaft in speeds and carrier.shaft != "ground":
             planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role == "planet"]
-            carried = sum(planet.bodies * planet.mass * place(sizing, planet, carrier) ** 2 for planet in planets)
+            carried = sum(gear.bodies * gear.turning_mass * place(sizing, gear, carrier) ** 2 for gear in planets)
             yield carrier.inertia + carried, speeds[carrier.shaft]
     for gear in sizing.gears:
         nodes = [name for name in gear.shafts if name != "ground"]
-        yield from ((gear.inertia * gear.bodies / len(nodes), speeds[node]) for node in nodes)
+        yield from ((gear.turning_inertia * gear.bodies / len(nodes), speeds[node]) for node in nodes)
 
 
 def place(sizing, planet, carrier):
