@@ -76,7 +76,8 @@ def numbers(text):
         "shafts": [[s.diameter, s.mass, s.inertia, s.stiffness, s.axial_force, *s.axis] for s in sizing.shafts],
         "carriers": [[c.pin_diameter, c.mass, c.inertia] for c in sizing.carriers],
         "bearings": [[b.life, b.bearing.mass] for b in sizing.bearings],
-        "checks": sorted([check.margin] for check in sizing.checks),
+        "checks": sorted([check.margin] for check in sizing.checks if check.margin is not None),
+        "not assessed": [[sum(check.margin is None for check in sizing.checks)]],
     }
     return {name: np.array(rows, dtype=float) for name, rows in found.items()} | {
         "modes": modes(assemble(sizing)).frequency

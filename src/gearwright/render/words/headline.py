@@ -44,11 +44,13 @@ def sizing_headline(sizing: Sizing) -> str:
     Args:
         sizing: As sized.
     """
-    first, count = worst(sizing.checks), len(sizing.checks)
+    first, left = worst(sizing.checks), sum(check.ratio is None for check in sizing.checks)
+    count = len(sizing.checks) - left
     entry = check_sentence(first) if first is not None else "none is assessed"
     failing = sum(check.fails for check in sizing.checks)
     said = f"{failing} of {count} sizing checks {_fail(failing)}" if failing else f"{count} sizing checks pass"
-    return f"{said}, the worst: {entry}; peaks, resonances and lives: gearwright review"
+    unsaid = f"; {left} not assessed" if left else ""
+    return f"{said}, the worst: {entry}{unsaid}; peaks, resonances and lives: gearwright review"
 
 
 def _fail(count: int) -> str:
