@@ -62,7 +62,7 @@ NOTHINGS = """
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
     ClassDamage.within.start TransverseTooth.helix_angle TransverseTooth.profile_shift TransverseTooth.tip_alteration
     TransverseTooth.shaper pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
-    JointSizing.speed on_film.fastest Seat.speed Task.deviation ClutchDrive.carried
+    JointSizing.speed on_film.fastest Seat.speed Task.deviation ClutchDrive.carried TeethSearch.failing
 """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
@@ -71,7 +71,7 @@ NO = """
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
-    Needs.every PropellerDrive.beyond
+    Needs.every PropellerDrive.beyond Seated.is_machine Task.made
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
