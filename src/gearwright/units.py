@@ -63,73 +63,65 @@ SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 """Dimension -> suffix of the key -> SI value of one such unit."""
 
-_SHOWN: Mapping[str, tuple[str, float]] = {
-    "angle": ("°", math.pi / 180.0),
-    "area": ("mm²", 1e-6),
-    "density": ("kg/m³", 1.0),
-    "distance": ("NM", NAUTICAL_MILE),
-    "electric_energy": ("kWh", KWH),
-    "energy": ("kJ", 1e3),
-    "force": ("N", 1.0),
-    "frequency": ("Hz", 1.0),
-    "inertia": ("kg m²", 1.0),
-    "length": ("mm", 1e-3),
-    "film_thickness": ("µm", 1e-6),
-    "life": ("h", 3600.0),
-    "mass": ("kg", 1.0),
-    "power": ("kW", 1e3),
-    "specific_power": ("kW/kg", 1e3),
-    "specific_torque": ("N m/kg", 1.0),
-    "slope": ("mrad", 1e-3),
-    "speed": ("rpm", RPM),
-    "stiffness": ("N/µm", 1e6),
-    "stress": ("MPa", 1e6),
-    "time": ("s", 1.0),
-    "torque": ("N m", 1.0),
-    "torsional_damping": ("N m s/rad", 1.0),
-    "torsional_stiffness": ("kN m/rad", 1e3),
-    "velocity": ("m/s", 1.0),
-    "volume": ("l", 1e-3),
-    "number": ("", 1.0),
-    "ratio": ("", 1.0),
-    "percent": ("%", 0.01),
-    "altitude": ("ft", FOOT),
-    "flight_time": ("min", 60.0),
-    "bearing_force": ("kN", 1e3),
-    "elasticity_factor": ("√MPa", 1e3),
-    "mass_per_length": ("g/mm", 1.0),
-    "temperature": ("°C", 1.0),
-    "absolute_temperature": ("K", 1.0),
-    "current": ("A", 1.0),
-    "voltage": ("V", 1.0),
-    "mass_flow": ("kg/h", 1.0 / 3600.0),
-    "oil_flow": ("l/min", 1e-3 / 60.0),
-    "acceleration": ("m/s²", 1.0),
-    "ground_roll": ("m", 1.0),
-}
-_SI: Mapping[str, str] = MappingProxyType({
-    "angle": "rad", "area": "m²", "density": "kg/m³", "distance": "m",
-    "energy": "J", "electric_energy": "J", "force": "N",
-    "frequency": "Hz", "inertia": "kg m²", "length": "m", "altitude": "m", "life": "s", "flight_time": "s",
-    "film_thickness": "m", "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg",
-    "slope": "rad", "speed": "rad/s",
-    "stiffness": "N/m", "bearing_force": "N", "stress": "Pa", "time": "s", "torque": "N m",
-    "torsional_damping": "N m s/rad", "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³",
-    "number": "1", "ratio": "1", "percent": "1",
-    "elasticity_factor": "√Pa", "mass_per_length": "kg/m", "temperature": "°C", "absolute_temperature": "K",
-    "current": "A", "voltage": "V", "mass_flow": "kg/s", "oil_flow": "m³/s",
-    "acceleration": "m/s²", "ground_roll": "m",
-})  # fmt: skip
 
-_SUFFIX: Mapping[str, str] = MappingProxyType({
-    "distance": "nmi",
-    "electric_energy": "kwh", "specific_power": "kw_kg", "specific_torque": "nm_kg", "percent": "percent",
-    "altitude": "ft", "flight_time": "min", "bearing_force": "kn", "elasticity_factor": "sqrt_mpa",
-    "mass_per_length": "g_mm", "temperature": "degc", "absolute_temperature": "k", "current": "a", "voltage": "v",
-    "mass_flow": "kg_h", "oil_flow": "l_min", "film_thickness": "um",
-    "acceleration": "m_s2", "ground_roll": "m",
+class _Shown(NamedTuple):
+    """How a dimension is shown, kept, and written in a key."""
+
+    unit: str
+    """In which an engineer reads it."""
+    factor: float
+    """SI value of one such unit."""
+    si: str
+    """Unit in which it is kept."""
+    suffix: str
+    """Of a key that holds it in the unit in which it is shown; empty for what has none."""
+
+
+_SHOWN: Mapping[str, _Shown] = MappingProxyType({
+    "angle": _Shown("°", math.pi / 180.0, "rad", "deg"),
+    "area": _Shown("mm²", 1e-6, "m²", "mm2"),
+    "density": _Shown("kg/m³", 1.0, "kg/m³", "kg_m3"),
+    "distance": _Shown("NM", NAUTICAL_MILE, "m", "nmi"),
+    "electric_energy": _Shown("kWh", KWH, "J", "kwh"),
+    "energy": _Shown("kJ", 1e3, "J", "kj"),
+    "force": _Shown("N", 1.0, "N", "n"),
+    "frequency": _Shown("Hz", 1.0, "Hz", "hz"),
+    "inertia": _Shown("kg m²", 1.0, "kg m²", "kg_m2"),
+    "length": _Shown("mm", 1e-3, "m", "mm"),
+    "film_thickness": _Shown("µm", 1e-6, "m", "um"),
+    "life": _Shown("h", 3600.0, "s", "h"),
+    "mass": _Shown("kg", 1.0, "kg", "kg"),
+    "power": _Shown("kW", 1e3, "W", "kw"),
+    "specific_power": _Shown("kW/kg", 1e3, "W/kg", "kw_kg"),
+    "specific_torque": _Shown("N m/kg", 1.0, "N m/kg", "nm_kg"),
+    "slope": _Shown("mrad", 1e-3, "rad", "mrad"),
+    "speed": _Shown("rpm", RPM, "rad/s", "rpm"),
+    "stiffness": _Shown("N/µm", 1e6, "N/m", "n_um"),
+    "stress": _Shown("MPa", 1e6, "Pa", "mpa"),
+    "time": _Shown("s", 1.0, "s", "s"),
+    "torque": _Shown("N m", 1.0, "N m", "nm"),
+    "torsional_damping": _Shown("N m s/rad", 1.0, "N m s/rad", "nm_s_rad"),
+    "torsional_stiffness": _Shown("kN m/rad", 1e3, "N m/rad", "knm_rad"),
+    "velocity": _Shown("m/s", 1.0, "m/s", "m_s"),
+    "volume": _Shown("l", 1e-3, "m³", "l"),
+    "number": _Shown("", 1.0, "1", ""),
+    "ratio": _Shown("", 1.0, "1", ""),
+    "percent": _Shown("%", 0.01, "1", "percent"),
+    "altitude": _Shown("ft", FOOT, "m", "ft"),
+    "flight_time": _Shown("min", 60.0, "s", "min"),
+    "bearing_force": _Shown("kN", 1e3, "N", "kn"),
+    "elasticity_factor": _Shown("√MPa", 1e3, "√Pa", "sqrt_mpa"),
+    "mass_per_length": _Shown("g/mm", 1.0, "kg/m", "g_mm"),
+    "temperature": _Shown("°C", 1.0, "°C", "degc"),
+    "absolute_temperature": _Shown("K", 1.0, "K", "k"),
+    "current": _Shown("A", 1.0, "A", "a"),
+    "voltage": _Shown("V", 1.0, "V", "v"),
+    "mass_flow": _Shown("kg/h", 1.0 / 3600.0, "kg/s", "kg_h"),
+    "oil_flow": _Shown("l/min", 1e-3 / 60.0, "m³/s", "l_min"),
+    "acceleration": _Shown("m/s²", 1.0, "m/s²", "m_s2"),
+    "ground_roll": _Shown("m", 1.0, "m", "m"),
 })  # fmt: skip
-"""Dimension that no file has -> suffix of a key that holds it."""
+"""Dimension -> how it is shown and kept."""
 
 
 @dataclass(frozen=True)
@@ -202,7 +194,7 @@ def unit(dimension: str) -> str:
     Args:
         dimension: Such as ``"length"``.
     """
-    return _SHOWN[dimension][0]
+    return _SHOWN[dimension].unit
 
 
 _SYMBOLS: Mapping[str, str] = MappingProxyType({
@@ -227,7 +219,6 @@ def suffix_unit(suffix: str) -> str:
     return _SYMBOLS.get(suffix, suffix)
 
 
-@cache
 def key_suffix(dimension: str) -> str:
     """Return the suffix of a key that holds a dimension in the unit in which it is shown; empty for what has none.
 
@@ -237,9 +228,7 @@ def key_suffix(dimension: str) -> str:
     >>> key_suffix("length"), key_suffix("specific_power"), key_suffix("ratio")
     ('mm', 'kw_kg', '')
     """
-    units = SUFFIXES.get(dimension, {}).items()
-    same = (suffix for suffix, factor in units if math.isclose(factor * shown(1.0, dimension), 1.0))
-    return next(same, _SUFFIX.get(dimension, ""))
+    return _SHOWN[dimension].suffix if dimension in _SHOWN else ""
 
 
 def shown(value: float, dimension: str) -> float:
@@ -252,7 +241,7 @@ def shown(value: float, dimension: str) -> float:
     >>> shown(0.0254, "length")
     25.4
     """
-    return value / _SHOWN[dimension][1]
+    return value / _SHOWN[dimension].factor
 
 
 def text(value: float, dimension: str, digits: int = 4) -> str:
@@ -280,7 +269,7 @@ def si_unit(dimension: str) -> str:
     >>> si_unit("speed")
     'rad/s'
     """
-    return _SI[dimension]
+    return _SHOWN[dimension].si
 
 
 class Marks(NamedTuple):
