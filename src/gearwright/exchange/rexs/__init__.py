@@ -1,11 +1,10 @@
-"""Gearboxes in REXS, the exchange format of FVA: a writer of sizings, a reader of designs.
+"""Gearboxes in REXS, the exchange format of FVA: a writer of sizings, a reader of designs, and the words of both.
 
 The database of REXS itself, with which files are checked, lies with the tests.
 """
 
-from gearwright.exchange.rexs.read import LARGEST, ImportedRexs, from_rexs
-from gearwright.exchange.rexs.stated import Stated
+from gearwright.exchange.rexs.reading import LARGEST, ImportedRexs, Stated, from_rexs
 from gearwright.exchange.rexs.words import VERSIONS
-from gearwright.exchange.rexs.write import RexsFile, to_rexs
+from gearwright.exchange.rexs.writing import RexsFile, to_rexs
 
 __all__ = ["LARGEST", "VERSIONS", "ImportedRexs", "RexsFile", "Stated", "from_rexs", "to_rexs"]

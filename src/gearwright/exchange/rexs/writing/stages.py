@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from gearwright.exchange.rexs.sheet import Value
-from gearwright.exchange.rexs.task import Task
 from gearwright.exchange.rexs.words import MESH
-from gearwright.exchange.rexs.write_shafts import write_planets
+from gearwright.exchange.rexs.writing.shafts import write_planets
+from gearwright.exchange.rexs.writing.sheet import Value
+from gearwright.exchange.rexs.writing.task import Task
 from gearwright.shape import Contact, bevel_pair, kind_of, sized_mesh
 from gearwright.sizing import MeshSizing
 from gearwright.sizing.rating.iso6336 import Iso6336Rating

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 from gearwright.errors import Problem
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.bodies import Bodies
-from gearwright.exchange.rexs.document import Component
-from gearwright.exchange.rexs.gearing import Gear, Gearing, Table, stage_table
-from gearwright.exchange.rexs.sets import read_set
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.bodies import Bodies
+from gearwright.exchange.rexs.reading.document import Component
+from gearwright.exchange.rexs.reading.gearing import Gear, Gearing, Table, stage_table
+from gearwright.exchange.rexs.reading.sets import read_set
 
 SHARED = ("module_m", "outer_module_m", "centre_distance_m")
 """What a pair has from the one whose gear it shares."""

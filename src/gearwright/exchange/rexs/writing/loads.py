@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from gearwright.exchange.rexs.sheet import Value
-from gearwright.exchange.rexs.task import Task
+from gearwright.exchange.rexs.writing.sheet import Value
+from gearwright.exchange.rexs.writing.task import Task
 from gearwright.spec import GROUND
 from gearwright.spec.design import shares_of
 

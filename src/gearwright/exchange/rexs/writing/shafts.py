@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.exchange.rexs.sheet import Value
-from gearwright.exchange.rexs.task import Task, placed
 from gearwright.exchange.rexs.words import ABSORBS, BEARING_TYPES
+from gearwright.exchange.rexs.writing.sheet import Value
+from gearwright.exchange.rexs.writing.task import Task, placed
 from gearwright.shape import Stand
 from gearwright.sizing import CarrierSizing, ShaftSizing
 from gearwright.spec import GROUND

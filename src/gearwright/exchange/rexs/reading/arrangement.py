@@ -10,10 +10,10 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.catalogue import materials
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.bodies import Bodies
-from gearwright.exchange.rexs.document import Component
-from gearwright.exchange.rexs.gearing import Gear, Gearing
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.bodies import Bodies
+from gearwright.exchange.rexs.reading.document import Component
+from gearwright.exchange.rexs.reading.gearing import Gear, Gearing
 
 Table = dict[str, Any]
 

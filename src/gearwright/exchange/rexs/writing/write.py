@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gearwright.errors import Problem, near, refuse
-from gearwright.exchange.rexs.sheet import Sheet
-from gearwright.exchange.rexs.task import Task
 from gearwright.exchange.rexs.words import DESIGN, VERSIONS, Version
-from gearwright.exchange.rexs.write_gears import write_gears
-from gearwright.exchange.rexs.write_loads import write_cases, write_clutches, write_machines
-from gearwright.exchange.rexs.write_shafts import write_shafts
-from gearwright.exchange.rexs.write_stages import write_sets, write_stages
+from gearwright.exchange.rexs.writing.gears import write_gears
+from gearwright.exchange.rexs.writing.loads import write_cases, write_clutches, write_machines
+from gearwright.exchange.rexs.writing.shafts import write_shafts
+from gearwright.exchange.rexs.writing.sheet import Sheet
+from gearwright.exchange.rexs.writing.stages import write_sets, write_stages
+from gearwright.exchange.rexs.writing.task import Task
 from gearwright.shape import contacts_of, stands_of
 from gearwright.sizing import Sizing
 from gearwright.spec import design_text

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.bodies import Bodies
-from gearwright.exchange.rexs.document import Component
-from gearwright.exchange.rexs.gearing import Gear, Gearing, stage_table
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.bodies import Bodies
+from gearwright.exchange.rexs.reading.document import Component
+from gearwright.exchange.rexs.reading.gearing import Gear, Gearing, stage_table
 from gearwright.identity import Role, gear_part
 
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from gearwright.errors import Problem
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.bodies import Bodies, holds
-from gearwright.exchange.rexs.document import Component
-from gearwright.exchange.rexs.gearing import Gearing
-from gearwright.exchange.rexs.speeds import led_on
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.bodies import Bodies, holds
+from gearwright.exchange.rexs.reading.document import Component
+from gearwright.exchange.rexs.reading.gearing import Gearing
+from gearwright.exchange.rexs.reading.speeds import led_on
 from gearwright.spec import GROUND
 
 Table = dict[str, Any]

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from gearwright.errors import Problem
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.document import Component
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.document import Component
 from gearwright.spec import GROUND, LONGEST_NAME
 
 RIGID = ("coupling", "feather_key_connection", "cylindrical_interference_fit", "tapered_interference_fit")

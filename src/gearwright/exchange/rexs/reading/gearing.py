@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.document import Component
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.document import Component
 
 Table = dict[str, Any]
 GEARS = ("cylindrical_gear", "ring_gear", "bevel_gear")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.exchange.rexs.sheet import Sheet, Value
+from gearwright.exchange.rexs.writing.sheet import Sheet, Value
 from gearwright.parts import Material
 from gearwright.shape import Contact, Stand
 from gearwright.sizing import Sizing

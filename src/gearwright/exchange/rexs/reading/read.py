@@ -8,17 +8,17 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.exchange.rexs.arrangement import lone_shafts, read_layout, read_materials, read_service
-from gearwright.exchange.rexs.asking import Asking
-from gearwright.exchange.rexs.bodies import bodies_of
-from gearwright.exchange.rexs.gearing import gears_of
-from gearwright.exchange.rexs.loads import read_clutches, read_loads, read_oil
-from gearwright.exchange.rexs.mounting import Mounting, read_mounting, with_places
-from gearwright.exchange.rexs.own import own_design, own_labels
-from gearwright.exchange.rexs.parsing import document_of
-from gearwright.exchange.rexs.sound import unsound
-from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
-from gearwright.exchange.rexs.stated import Stated, read_stated
+from gearwright.exchange.rexs.reading.arrangement import lone_shafts, read_layout, read_materials, read_service
+from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.exchange.rexs.reading.bodies import bodies_of
+from gearwright.exchange.rexs.reading.gearing import gears_of
+from gearwright.exchange.rexs.reading.loads import read_clutches, read_loads, read_oil
+from gearwright.exchange.rexs.reading.mounting import Mounting, read_mounting, with_places
+from gearwright.exchange.rexs.reading.own import own_design, own_labels
+from gearwright.exchange.rexs.reading.parsing import document_of
+from gearwright.exchange.rexs.reading.sound import unsound
+from gearwright.exchange.rexs.reading.stages import read_stages, refuse_nothing
+from gearwright.exchange.rexs.reading.stated import Stated, read_stated
 from gearwright.reading import text_of
 from gearwright.sizing import size
 from gearwright.spec import Design, build, design_text, parse

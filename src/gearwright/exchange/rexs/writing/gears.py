@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from gearwright.exchange.rexs.sheet import Value
-from gearwright.exchange.rexs.task import Task, placed
 from gearwright.exchange.rexs.words import GEAR
-from gearwright.exchange.rexs.write_shafts import holder
+from gearwright.exchange.rexs.writing.shafts import holder
+from gearwright.exchange.rexs.writing.sheet import Value
+from gearwright.exchange.rexs.writing.task import Task, placed
 from gearwright.parts.bevel import Hand
 from gearwright.shape import Stand, bevel_pair, cylindrical_gear, halves_of, hand_of, is_internal, kind_of
 from gearwright.spec import GROUND
