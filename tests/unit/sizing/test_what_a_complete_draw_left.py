@@ -10,7 +10,7 @@ import pytest
 from designs import HYBRID, PAIR
 from gearwright.dynamics.assembly import loaded_bodies
 from gearwright.lanes import Lanes
-from gearwright.parts.gears import TransverseTooth, transverse_form
+from gearwright.parts.gears.transverse_form import _spread as spread  # outlines show it within a step only
 from gearwright.sizing import size
 from gearwright.sizing.insight.trial import Trial
 from gearwright.sizing.many.by_lane import of_lane
@@ -120,6 +120,7 @@ def test_one_lane_of_anything_is_what_it_holds_there():
     assert of_lane(Pairing(several, "word"), 2) == Pairing(3.0, "word")
     assert of_lane([several, (alike, 4)], 1) == [2.0, (7.0, 4)]
     assert of_lane({"a": Holder(several)}, 0) == {"a": Holder(1.0)}
+    assert of_lane(Lanes(np.array([1.0, 2.0])), 1) == 2.0
     untouched = Holder(5.0)
     assert of_lane(untouched, 1) is untouched
 
@@ -131,15 +132,16 @@ def test_an_array_of_one_lane_is_a_copy():
     assert lanes.data[1, 0] == 3.0
 
 
-@pytest.mark.parametrize("teeth", [20, 45, 90])
-def test_points_of_a_fillet_stand_evenly_along_it(teeth):
-    """Six of 64 points from the root to the involute: five ways alike, but for one of the fine steps they end on."""
-    tooth = TransverseTooth(teeth, 2e-3)
-    radius, angle = (part[:6] for part in transverse_form(tooth, fillet=6, flank=4))
-    fine = [part[:64] for part in transverse_form(tooth, fillet=64, flank=4)]
-    ways, steps = (np.hypot(np.diff(r), 0.5 * (r[1:] + r[:-1]) * np.diff(a)) for r, a in ((radius, angle), fine))
-    assert np.ptp(ways) <= 2.0 * steps.max()
-    assert (radius[0], angle[0]) == (fine[0][0], fine[1][0])
+@pytest.mark.parametrize(
+    ("radius", "angle", "chosen"),
+    [
+        ([2.0] * 5, [0.0, 0.125, 0.25, 0.5, 1.0], [0, 3, 4]),  # r Δθ: 0.25, 0.25, 0.5, 1; half of 2 is the fourth
+        ([1.0, 2.0, 3.0, 5.0], [0.5] * 4, [0, 2, 3]),  # along a radius: 1, 1, 2; half of 4 is the third
+        ([4.0, 1.0, 1.0, 1.0], [0.0, 4.0, 6.0, 9.0], [0, 1, 3]),  # (3, 1 · 4) is 5, then 2 and 3: half of 10 is 5
+    ],
+)
+def test_points_of_a_fillet_are_chosen_evenly_along_it(radius, angle, chosen):
+    assert spread(np.array(radius), np.array(angle), 3).tolist() == chosen
 
 
 def test_a_machine_without_inertia_loads_the_gear_of_its_shaft_and_any_other_itself():
