@@ -7,6 +7,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.catalogue import read_propeller_map
+from gearwright.catalogue.propellers.maps import LARGEST_MAP
 from gearwright.errors import DesignError
 from gearwright.reading import LARGEST_TEXT, beside, text_of
 from gearwright.shipped import find_design, shipped_mission
@@ -88,12 +89,21 @@ def test_what_stands_in_a_file_that_is_no_table_is_not_told(tmp_path: Path) -> N
     assert "hunter2" not in str(caught.value)
 
 
+@pytest.mark.parametrize("use", [read, read_mission, read_study], ids=lambda use: use.__name__)
 @pytest.mark.parametrize("size", [LARGEST_TEXT + 1, 100 * LARGEST_TEXT])
-def test_a_file_beyond_the_limit_is_refused(tmp_path: Path, size: int) -> None:
-    path = tmp_path / "large.csv"
+def test_a_file_beyond_the_limit_is_refused(tmp_path: Path, use, size: int) -> None:
+    path = tmp_path / "large.toml"
     with path.open("wb") as file:
         file.truncate(size)
     with pytest.raises(DesignError, match=f"more than {LARGEST_TEXT:,} bytes"):
+        use(path)
+
+
+def test_a_map_beyond_the_limit_of_maps_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "large.csv"
+    with path.open("wb") as file:
+        file.truncate(LARGEST_MAP + 1)
+    with pytest.raises(DesignError, match=f"more than {LARGEST_MAP:,} bytes"):
         read_propeller_map(path)
 
 

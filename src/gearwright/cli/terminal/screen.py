@@ -37,7 +37,7 @@ def folded(text: Text, width: int) -> Text:
     for line in lines:
         line.rstrip()
     wrapped = Text("\n").join(lines)
-    wrapped.no_wrap, wrapped.justify, wrapped.end = True, text.justify, text.end
+    wrapped.no_wrap, wrapped.overflow, wrapped.justify, wrapped.end = True, "ignore", text.justify, text.end
     return wrapped
 
 
