@@ -294,20 +294,25 @@ def mean_radius(gear, rules):
     return gear.pitch_diameter / 2.0 + (-thicker if gear.role is Role.RING else thicker)
 
 
+def bore_radius(gear):
+    """Return r_b: of the seat of a planet's bearing, nothing without one [m]."""
+    return gear.runs_on.outer_diameter / 2.0 if gear.runs_on else 0.0
+
+
 def gear_mass(gear, rules):
     radius, density = mean_radius(gear, rules), rules.material.density
     if gear.role is Role.RING:
         outer = gear.pitch_diameter / 2.0 + gear.rim
         return math.pi * (outer**2 - radius**2) * gear.face_width * density
     web = rules.rules.web_ratio if gear.role is Role.WHEEL else 1.0
-    return math.pi * radius**2 * gear.face_width * density * web
+    return math.pi * (radius**2 - bore_radius(gear) ** 2) * gear.face_width * density * web
 
 
 def gear_inertia(gear, rules):
     radius = mean_radius(gear, rules)
     if gear.role is Role.RING:
         return gear.mass * (radius**2 + (gear.pitch_diameter / 2.0 + gear.rim) ** 2) / 2.0
-    return gear.mass * radius**2 / 2.0
+    return gear.mass * (radius**2 + bore_radius(gear) ** 2) / 2.0
 
 
 def shift(gear, sizing):
@@ -332,8 +337,9 @@ OF_GEARS = {
     "d = m_n z / cos β": lambda gear, rules: gear.module * gear.teeth / math.cos(rules.helix_angle),
     "s = (k − x) m_n outside the pitch circle, k of the rules": lambda gear, rules: (
         (rules.rules.rim_thickness_ratio - gear.profile_shift) * gear.module if gear.role is Role.RING else 0.0),
-    "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n": gear_mass,
-    "I = m r²/2; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n": gear_inertia,
+    "m = π (r² − r_b²) b ρ, r_b under a planet's bearing, wheels times their web ratio; rings "
+    "π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n; preliminary: A_z b ρ and annuli of rim, web and hub": gear_mass,
+    "I = m (r² + r_b²)/2, r_b under a planet's bearing; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n": gear_inertia,
 }  # fmt: skip
 
 
@@ -429,22 +435,26 @@ FORCES_OF_COMPOUND = (TANGENTIAL, RADIAL, PLACE)
 
 
 def loaded_pin(sizing, carrier):
-    """Return length and mass of the planet whose pin is loaded most: of all steps on it."""
+    """Return length, turning mass and seat of the planet whose pin is loaded most: of all steps on it."""
     if carrier.stage in sizing.design.planetaries:
         planet = next(gear for gear in sizing.gears if (gear.stage, gear.role) == (carrier.stage, Role.PLANET))
-        return planet.face_width, planet.mass
+        on = planet.runs_on
+        return planet.face_width, planet.mass + (on.turning_mass if on else 0.0), on.pin_diameter if on else 0.0
     gears = {gear.own: gear for gear in sizing.gears if gear.stage == carrier.stage}
     epicyclic = sizing.design.epicyclics[carrier.stage]
     bodies = {body: [gears[step] for step in epicyclic.planets if epicyclic.body(step) == body]
               for body in map(epicyclic.body, epicyclic.planets)}  # fmt: skip
-    return max((sum(gear.face_width for gear in steps), sum(gear.mass for gear in steps)) for steps in bodies.values())
+    length, mass = max(
+        (sum(gear.face_width for gear in steps), sum(gear.mass for gear in steps)) for steps in bodies.values()
+    )
+    return length, mass, 0.0
 
 
 def of_carriers(sizing, carrier):
     """Return equation -> value for one carrier."""
     rules, steel = sizing.design.carriers, sizing.design.shaft_material
     speed = sizing.flows[carrier.case].speeds[sizing.design.stages[carrier.stage].carrier]
-    length, mass = loaded_pin(sizing, carrier)
+    length, mass, seat = loaded_pin(sizing, carrier)
     arm, d = carrier.pin_force * length / 2.0, carrier.pin_diameter
     hub = next((shaft.diameter for shaft in sizing.shafts if shaft.name == carrier.shaft), 0.0)
     shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
@@ -455,13 +465,15 @@ def of_carriers(sizing, carrier):
     simple = of_planets(sizing, carrier) if carrier.stage in sizing.design.planetaries else {}
     return {
         **simple,
-        "F_c = m_p r_c ω_c²": mass * carrier.radius * speed**2,
+        "F_c = m_p r_c ω_c², with what turns of its bearing": mass * carrier.radius * speed**2,
         "F = √(F_t² + (F_c + F_r)²)": math.hypot(
             carrier.tangential_force, carrier.centrifugal_force + carrier.radial_force
         ),
-        "d³ = 32 (F b/2) / (π σ)": solid,
+        "d³ = 32 (F b/2) / (π σ), at least the bearing's seat": max(solid, seat),
         "1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8": bore,
-        "σ = 32 (F b/2) / (π d³)": 32.0 * arm / (math.pi * d**3),
+        "σ = 32 (F b/2) / (π d³ (1 − κ⁴))": 32.0
+        * arm
+        / (math.pi * d**3 * (1.0 - ((carrier.pin_bore or 0.0) / d) ** 4)),
         "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),
         "share of b, or by τ = 2 T_c/(π d² t)": max(least, needed),
         "τ = 2 T_c / (π d² t)": shear,

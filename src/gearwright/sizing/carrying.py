@@ -101,7 +101,9 @@ class CarrierSizing:
         float, Quantity("force"), Origin("F_t = T_c K_γ / (N r_c); compound sets: of all meshes", f"{_THESIS}, §2.4")
     ]
     """Force of the teeth of one planet on its pin [N]."""
-    centrifugal_force: Annotated[float, Quantity("force"), Origin("F_c = m_p r_c ω_c²", "kinematics")]
+    centrifugal_force: Annotated[
+        float, Quantity("force"), Origin("F_c = m_p r_c ω_c², with what turns of its bearing", "kinematics")
+    ]
     """Centrifugal force of one planet on its pin [N]."""
     radial_force: Annotated[
         float,
@@ -114,10 +116,14 @@ class CarrierSizing:
     radius: Annotated[float, Quantity("length"), Origin("r_c = a_w", "geometry")]
     """Radius of the pin circle [m]."""
     pin_diameter: Annotated[
-        float, Quantity("length"), Origin("d³ = 32 (F b/2) / (π σ)", f"{_THESIS}, §2.4, cantilever")
+        float,
+        Quantity("length"),
+        Origin("d³ = 32 (F b/2) / (π σ), at least the bearing's seat", f"{_THESIS}, §2.4, cantilever"),
     ]
     """Diameter of a pin [m]."""
-    pin_stress: Annotated[float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³)", f"{_THESIS}, §2.4, cantilever")]
+    pin_stress: Annotated[
+        float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³ (1 − κ⁴))", f"{_THESIS}, §2.4, cantilever")
+    ]
     """Bending stress at the root of a pin [Pa]."""
     pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing")]
     """Allowable over actual stress of the pins [-]."""

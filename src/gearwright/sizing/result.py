@@ -72,7 +72,8 @@ class GearSizing:
         float,
         Quantity("mass"),
         Origin(
-            "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n",
+            "m = π (r² − r_b²) b ρ, r_b under a planet's bearing, wheels times their web ratio; rings "
+            "π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n; preliminary: A_z b ρ and annuli of rim, web and hub",
             f"{_THESIS}, eq. 3.3; annulus",
         ),
     ]
@@ -80,7 +81,10 @@ class GearSizing:
     inertia: Annotated[
         float,
         Quantity("inertia"),
-        Origin("I = m r²/2; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n", f"{_THESIS}, eq. 3.6; annulus"),
+        Origin(
+            "I = m (r² + r_b²)/2, r_b under a planet's bearing; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n",
+            f"{_THESIS}, eq. 3.6; annulus",
+        ),
     ]
     """Polar inertia of one body about its own axis [kg m²]."""
     profile_shift: Annotated[float, Quantity("ratio"), Origin("x", "design; DIN 3992 where balanced")]
