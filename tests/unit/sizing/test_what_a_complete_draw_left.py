@@ -137,7 +137,7 @@ def test_an_array_of_one_lane_is_a_copy():
     [
         ([2.0] * 5, [0.0, 0.125, 0.25, 0.5, 1.0], [0, 3, 4]),  # r Δθ: 0.25, 0.25, 0.5, 1; half of 2 is the fourth
         ([1.0, 2.0, 3.0, 5.0], [0.5] * 4, [0, 2, 3]),  # along a radius: 1, 1, 2; half of 4 is the third
-        ([4.0, 1.0, 1.0, 1.0], [0.0, 4.0, 6.0, 9.0], [0, 1, 3]),  # (3, 1 · 4) is 5, then 2 and 3: half of 10 is 5
+        ([4.0, 1.0, 1.0, 1.0], [0.0, 4.0, 12.0, 15.0], [0, 2, 3]),  # (3, 1 · 4) is 5, then 8 and 3: half is 8
     ],
 )
 def test_points_of_a_fillet_are_chosen_evenly_along_it(radius, angle, chosen):
