@@ -23,6 +23,8 @@ ENDLESS = (
 )  # fmt: skip
 """Fields that may be infinite: beyond the static limit a tooth lives for no cycle, a bearing without load for ever, and
 there may be no second choice of teeth."""
+ABSENT = ".runs_on.standing_mass"
+"""Mass that may be none: films, and rollers that run on the pin itself, have no inner rings."""
 
 
 def mute(error: GearwrightError) -> str | None:
@@ -47,7 +49,7 @@ def unsound(value: object, at: str = "", dimension: str = "") -> Iterator[str]:
     if isinstance(value, int | float | np.floating):
         if not math.isfinite(value) and not (value == math.inf and at.endswith(ENDLESS)):
             yield f"{at} is {value}"
-        elif dimension == "mass" and not value > 0.0:
+        elif dimension == "mass" and not value > 0.0 and not (value == 0.0 and at.endswith(ABSENT)):
             yield f"{at} is not positive"
         elif dimension == "inertia" and value < 0.0:  # a design may say that a shaft has none
             yield f"{at} is negative"
