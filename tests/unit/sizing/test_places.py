@@ -372,3 +372,16 @@ def test_both_pinions_of_a_split_torque_stand_in_the_plane_of_their_wheel():
     """By hand: the face wheels stand 2 × 25.6 mm apart about the pinion, so the right shaft is longer by as much."""
     plans = shipped("face-gear-split-torque").arrangement.plans
     assert plans["right"].length - plans["left"].length == pytest.approx(51.2e-3)
+
+
+@pytest.mark.parametrize("name", ["star", "in-line-star", "in-line-h1-star", "geared-turbofan-star", "wolfrom-reducer"])
+def test_a_plate_without_a_shaft_stands_away_from_the_ring_that_turns_and_lets_the_sun_s_shaft_through(name):
+    sizing = shipped(name)
+    assert not [check.name for check in sizing.checks if check.ratio is None]
+    stage = next(carrier.stage for carrier in sizing.carriers if sizing.design.sets[carrier.stage].carrier != "output")
+    bodies = sizing.arrangement.bodies
+    plate = next(body for body in bodies if body.part.name == stage and body.part.kind == "carrier")
+    sun = next(gear for gear in sizing.gears if gear.stage == stage and gear.role == "sun")
+    shaft = next(shaft for shaft in sizing.shafts if shaft.name == sun.shafts[0])
+    assert shaft.diameter / 2.0 + 0.005 == pytest.approx(plate.bore, abs=1e-12)  # PLATE_GAP; rounding
+    assert plate.origin.x + plate.length == pytest.approx(sizing.arrangement.plans[shaft.name].length - 0.005, abs=1e-9)

@@ -172,16 +172,27 @@ def _set_gears(parts: Parts) -> Iterator[Body]:
 
 
 def _carrier(parts: Parts, carrier: CarrierSizing) -> Iterator[Body]:
-    """Yield the plate of a carrier beside the planets, on the side on which its shaft lies."""
-    members = list(set_members(parts.context, parts.gears, parts.arrangement, carrier.stage))
-    host, middle = members[0]
-    lengths = {shaft: parts.arrangement.plans[shaft].length for shaft, _ in members}
-    own = next((at for shaft, at in members if shaft == carrier.shaft), None)
-    side = 1.0 if own is None or own <= lengths[carrier.shaft] / 2.0 else -1.0
+    """Yield the plate of a carrier beside the planets, on the side on which its shaft lies.
+
+    A plate without a shaft that goes on stands away from the rings that do: a shaft passes a plate, a ring's web does
+    not. It has a bore for the sun's shaft on its side, as far as its pins leave it.
+    """
+    members = dict(set_members(parts.context, parts.gears, parts.arrangement, carrier.stage))
+    middle, frame = next((at, parts.arrangement.frames[shaft]) for shaft, at in members.items())
+    plans = parts.arrangement.plans
+    sides = {shaft: 1.0 if at <= plans[shaft].length / 2.0 else -1.0 for shaft, at in members.items()}
+    side, bore = sides.get(carrier.shaft, 1.0), 0.0
+    if carrier.shaft not in plans or len(plans[carrier.shaft].places) == 1:
+        own = [gear for gear in parts.gears.values() if gear.stage == carrier.stage]
+        rings = {sides[shaft] for gear in own if gear.rim for shaft in gear.shafts if shaft in sides}
+        side = -side if rings == {side} else side
+        suns = {shaft for gear in own if gear.role is Role.SUN for shaft in gear.shafts if sides.get(shaft) == side}
+        through = max((shaft.diameter / 2.0 + PLATE_GAP for shaft in parts.shafts if shaft.name in suns), default=0.0)
+        bore = through if through < carrier.radius - carrier.pin_diameter / 2.0 else 0.0
     beside = set_length(parts.context, parts.gears, carrier.stage) / 2.0 + PLATE_GAP
     ends = sorted((middle + side * beside, middle + side * (beside + carrier.plate_thickness)))
     radius = carrier.radius + carrier.pin_diameter / 2.0
-    yield _cylinder(carrier.part, carrier.shaft, parts.arrangement.frames[host], (ends[0], ends[1]), radius)
+    yield _cylinder(carrier.part, carrier.shaft, frame, (ends[0], ends[1]), radius, bore=bore)
 
 
 def _bearing(parts: Parts, bearing: BearingSizing) -> Body:
