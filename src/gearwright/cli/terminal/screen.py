@@ -37,7 +37,9 @@ def folded(text: Text, width: int) -> Text:
     for line in lines:
         line.rstrip()
     wrapped = Text("\n").join(lines)
-    wrapped.no_wrap, wrapped.overflow, wrapped.justify, wrapped.end = True, "ignore", text.justify, text.end
+    wrapped.no_wrap, wrapped.justify, wrapped.end = True, text.justify, text.end
+    if any(line.cell_len > width for line in lines):
+        wrapped.overflow = "ignore"  # it keeps a wide word whole, and would take away the alignment of all others
     return wrapped
 
 
