@@ -123,10 +123,12 @@ class Check:
     @cached_property
     def rank(self) -> tuple[int, float, str, str]:
         """Its place in a list: a group, and what orders it there."""
-        if self.ratio is None:
+        ratio, reserve = self.ratio, self.reserve
+        if ratio is None:
             return NOT_ASSESSED, 0.0, str(self.part), self.mode
-        group = 0 if self.fails else 2 if self.waiver else 4
-        return group + (self.reserve is None), round(self.margin or 0.0, 9), str(self.part), self.what
+        group = 2 if self.waiver else 4 if ratio >= 1.0 - ROUNDING else 0
+        margin = ratio if reserve is None else reserve
+        return group + (reserve is None), round(margin or 0.0, 9), str(self.part), self.what
 
 
 _rank = attrgetter("rank")

@@ -57,7 +57,7 @@ def size(design: Design) -> Sizing:
     refused = list[DesignError]()
     train = build_train(design)
     lazily = design.level == PRELIMINARY and design.teeth.sized == 1
-    for choice in choose_teeth(edited(design, {"teeth.sized": LOOKED_AT}) if lazily else design, train):
+    for choice in choose_teeth(_looked_at(design) if lazily else design, train):
         try:
             sizing = sized_with(design, train, choice, given=given.values)
         except DesignError as error:
@@ -83,6 +83,11 @@ def size(design: Design) -> Sizing:
         next_sized_mass=sorted(alike)[1] if len(alike) > 1 else math.inf,
     )
     return replace(taken, search=search)
+
+
+def _looked_at(design: Design) -> Design:
+    """Return a design of which as many combinations are sized as a preliminary sizing looks at."""
+    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": LOOKED_AT})})
 
 
 def _passes(sizing: Sizing) -> bool:

@@ -30,7 +30,7 @@ _UNSTATED = ("accessory", "load")
 _ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure")
 """How the names of fields end that are infinite where nothing loads the part, limits it, or bears (a key too short)."""
 
-_PLAIN = (int, str, bool, NoneType, Role, Row, PartId)
+_PLAIN = frozenset({int, str, bool, NoneType, Role, Row, PartId})
 """Kinds of values that hold no number which could be none."""
 _WORDS = {"str", "bool", "int", "PartId", "Role", "Row", "tuple[str, str]"}
 """Annotations of fields that hold no number which could be none."""
@@ -73,18 +73,19 @@ def _is_number(value: Any, *, endless: bool = False) -> bool:
         return math.isfinite(value) or (endless and not math.isnan(value))
     if kind in _PLAIN:
         return True
-    if kind is tuple:
-        pairs = [(item, endless) for item in value]
-    elif kind is dict:
-        pairs = [(item, False) for item in value.values()]
-    elif names := _numbers_of(kind):
-        pairs = [(getattr(value, name), may_be) for name, may_be in names]
-    else:
+    if kind is tuple or kind is dict:
+        items, may_be = (value, endless) if kind is tuple else (value.values(), False)
+        for item in items:
+            if not (type(item) is float and item - item == 0.0) and not _is_number(item, endless=may_be):
+                return False
+        return True
+    if not (names := _numbers_of(kind)):
         return not any(True for _ in _wrong(value, "life" if endless else ""))
-    for item, may_be in pairs:
+    for name, may_be in names:
+        item = getattr(value, name)
         if type(item) is float and item - item == 0.0:  # which only finite numbers are
             continue
-        if not _is_number(item, endless=may_be):
+        if type(item) not in _PLAIN and not _is_number(item, endless=may_be):
             return False
     return True
 

@@ -32,7 +32,10 @@ def slots(context: Context, gears: Mapping[str, GearSizing], stage: str) -> dict
         gears: By name.
         stage: Name of the set.
     """
-    widths, lies = _widths(context, gears, stage), _planes(context, stage)
+    lies = _planes(context, stage)
+    if stage in context.design.planetaries:  # one plane, in the middle
+        return dict.fromkeys(lies, 0.0)
+    widths = _widths(context, gears, stage)
     reached, middles = -sum(widths.values()) / 2.0, {}
     for key, width in widths.items():
         middles[key] = (reached, reached + width)

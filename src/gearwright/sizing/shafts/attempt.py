@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-import numpy as np
-
 from gearwright.catalogue import Bearing
 from gearwright.parts import Material
 from gearwright.sizing.arrangement import root_diameter
@@ -63,8 +61,7 @@ class Task:
     @cached_property
     def stations(self) -> list[float]:
         """Where anything acts on the shaft, each place once, in order [m]."""
-        places: list[float] = np.unique(self.forces.drawn.position).tolist()
-        return places
+        return sorted(set(self.forces.drawn.position.tolist()))
 
     @cached_property
     def judge(self) -> Strength:

@@ -10,6 +10,7 @@ from gearwright.checks import Check
 from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.gears import (
     ISO53_A,
+    CylindricalGear,
     GearPair,
     assembly_room,
     involute_room,
@@ -43,33 +44,27 @@ def tooth_checks(
         meshes: Its rows.
     """
     rows = {mesh.name: mesh for mesh in context.train.meshes}
-    pairs = [tooth_pair(context, rows[mesh.name], gears, mesh.centre_distance) for mesh in meshes]
     own = {name: gears[name] for mesh in meshes for name in mesh.gears}
+    shapes = {name: cylindrical_gear(context.design, gear) for name, gear in own.items()}
+    pairs = [_tooth_pair(context, rows[mesh.name], shapes, mesh.centre_distance) for mesh in meshes]
     yield _undercut(context, list(own.values()))
     part = PartId(Kind.STAGE, stage)
     ratio = min(pair.transverse_contact_ratio for pair in pairs)
     yield Check(part, "contact ratio", "ISO 21771", ratio, LEAST_CONTACT_RATIO, exponent=None, symbol="ε_α")
     for gear in own.values():
         if gear.name not in context.train.internal and (gear.profile_shift or gear.tip_alteration):
-            tip = tip_thickness(cylindrical_gear(context.design, gear)) * math.cos(gear.helix_angle) / gear.module
+            tip = tip_thickness(shapes[gear.name]) * math.cos(gear.helix_angle) / gear.module
             yield Check(gear.part, "tip thickness", "DIN 3960", tip, THINNEST_TIP, exponent=None, symbol="s_an/m_n")
     for mesh, pair in zip(meshes, pairs, strict=True):
         yield from _play(context, mesh, gears)
         if pair.side < 0:
             yield from _inside(mesh.part, pair)
-    yield from _neighbours(context, stage, gears)
+    yield from _neighbours(context, stage, gears, shapes)
 
 
-def tooth_pair(context: Context, mesh: Mesh, gears: Mapping[str, GearSizing], centre: float) -> GearPair:
-    """Return one mesh of a row of cylindrical gears.
-
-    Args:
-        context: What sizing reads.
-        mesh: A row of the train.
-        gears: By name.
-        centre: Working centre distance [m].
-    """
-    first, second = (cylindrical_gear(context.design, gears[name]) for name in mesh.gears)
+def _tooth_pair(context: Context, mesh: Mesh, shapes: Mapping[str, CylindricalGear], centre: float) -> GearPair:
+    """Return one mesh of a row of cylindrical gears on its working centre distance [m]."""
+    first, second = (shapes[name] for name in mesh.gears)
     if mesh.sign == INTERNAL:
         second = replace(second, teeth=-second.teeth)
     return GearPair(first, second, centre if context.rating(mesh).shifts.centre is not None else None)
@@ -113,7 +108,9 @@ def _inside(part: PartId, pair: GearPair) -> Iterator[Check]:
             yield Check(part, mode, clause, room.there, room.needed, dimension, exponent=None, symbol=symbol)
 
 
-def _neighbours(context: Context, stage: str, gears: Mapping[str, GearSizing]) -> Iterator[Check]:
+def _neighbours(
+    context: Context, stage: str, gears: Mapping[str, GearSizing], shapes: Mapping[str, CylindricalGear]
+) -> Iterator[Check]:
     """Yield the gap between the tips of neighbouring planets."""
     if stage not in context.design.planetaries:
         return
@@ -122,6 +119,6 @@ def _neighbours(context: Context, stage: str, gears: Mapping[str, GearSizing]) -
     centre = context.ratings[stage].shifts.centre
     arm = (sun.pitch_diameter + planet.pitch_diameter) / 2.0 if centre is None else centre * sun.module
     if len(positions) > 1:
-        tips = 2.0 * cylindrical_gear(context.design, planet).tip_radius
+        tips = 2.0 * shapes[planet.name].tip_radius
         apart = tip_gap(arm, 0.0, positions)
         yield Check(PartId(Kind.STAGE, stage), "planets apart", "tip circles", apart, tips, "length", exponent=None)
