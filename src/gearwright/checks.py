@@ -32,8 +32,14 @@ BEYOND_SIZING = (
     "bearing static safety",
     "room for its bearing",
     "charge",
+    "axial retention",
+    "running clearance",
+    "wheel that grinds it",
+    "assembly",
+    "access to a nut",
+    "bridges between planets",
 )
-"""How the modes begin that only a run or a flight judges: a sizing knows no check of them."""
+"""How the modes begin that only a review, a run or a flight judges: a sizing knows no check of them."""
 
 
 class Status(StrEnum):

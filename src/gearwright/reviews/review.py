@@ -11,6 +11,7 @@ from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, unknown_wa
 from gearwright.dynamics.vibration import motion_checks
 from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
+from gearwright.reviews.making import making_checks
 from gearwright.reviews.open import open_checks
 from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results
@@ -112,7 +113,8 @@ def review_of(
         DesignError: If a waiver names no check.
     """
     design = sizing.design
-    checks = [*sizing.checks, *retention_checks(sizing), *pressure_centre_checks(sizing), *motion_checks(sizing)]
+    checks = [*sizing.checks, *retention_checks(sizing), *pressure_centre_checks(sizing), *making_checks(sizing)]
+    checks += motion_checks(sizing)
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)

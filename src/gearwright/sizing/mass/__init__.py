@@ -11,9 +11,11 @@ from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
+from gearwright.sizing.mass.rotating import BRIDGE
 from gearwright.sizing.mass.shell import Shell, shell_around
 
 __all__ = [
+    "BRIDGE",
     "CALIBRATED",
     "GROUPS",
     "Calibration",

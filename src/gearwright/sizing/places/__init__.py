@@ -4,7 +4,7 @@ Axes in the cross-section and places along shafts, which loads need before shaft
 """
 
 from gearwright.sizing.places.bodies import BACKUP, Parts, bodies_of, placed
-from gearwright.sizing.places.coaxial import CLAUSE, coaxial_checks
+from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks, of_one_set
 from gearwright.sizing.places.keep_out import keep_out_checks
 from gearwright.sizing.places.pins import pin_checks
 from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
@@ -23,12 +23,14 @@ __all__ = [
     "Rules",
     "Settled",
     "Solid",
+    "axes_among",
     "beside_checks",
     "bodies_of",
     "box_of",
     "coaxial_checks",
     "keep_out_checks",
     "meetings",
+    "of_one_set",
     "pin_checks",
     "placed",
     "room_between",

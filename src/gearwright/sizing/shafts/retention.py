@@ -65,6 +65,13 @@ class Retention(NamedTuple):
     """Beside it as far as the shaft is as thick, to the next part or the end of the shaft [m]."""
     ring: RetainingRing | None
     """That fits the diameter."""
+    place: float
+    """End of the part that is held, from the shaft's first end [m]."""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the ring has room and bears the force."""
+        return not _lacking(self)
 
 
 def retentions(sizing: Sizing) -> Iterator[Retention]:
@@ -157,4 +164,4 @@ def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *
     level = list(takewhile(lambda step: abs(step.diameter - seat) < _INSIDE, past))
     last = edge if not level else level[-1].end if way > 0 else level[-1].start
     room = max(0.0, min(way * (place - edge) for place in (*beyond, last)))
-    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat))
+    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat), edge)

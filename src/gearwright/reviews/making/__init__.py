@@ -1,0 +1,24 @@
+"""Whether what is sized runs clear, can be ground and can be put together: checks of a review, from places and bodies.
+
+Bodies that stand into each other are `sizing`'s to find; strength of what holds parts is its too.
+"""
+
+from gearwright.reviews.making.bridges import bridge_checks
+from gearwright.reviews.making.checks import making_checks
+from gearwright.reviews.making.grinding import grinding_checks, largest_wheel
+from gearwright.reviews.making.order import Withdrawn, order_checks, stack_checks, withdrawals
+from gearwright.reviews.making.running import running_checks
+from gearwright.reviews.making.spanner import spanner_checks
+
+__all__ = [
+    "Withdrawn",
+    "bridge_checks",
+    "grinding_checks",
+    "largest_wheel",
+    "making_checks",
+    "order_checks",
+    "running_checks",
+    "spanner_checks",
+    "stack_checks",
+    "withdrawals",
+]
