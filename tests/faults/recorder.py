@@ -4,11 +4,13 @@
 
 Functions, not lines: `sys.settrace` that looks at calls alone costs a third of a test's time, and a test that calls the
 faulty function is a test that may notice. What a test module calls while it is collected counts for all of its tests.
+A test that takes longer than `--longest` is broken off and left out, as no fault could afford it.
 """
 
 from __future__ import annotations
 
 import json
+import signal
 import sys
 import threading
 import time
@@ -27,8 +29,9 @@ CACHING = ("gearwright.parts", "gearwright.sizing.rating", "gearwright.catalogue
 class Recorder:
     """Collects the functions that run, test by test."""
 
-    def __init__(self, out: Path) -> None:
+    def __init__(self, out: Path, longest: float) -> None:
         self.out = out
+        self.longest = longest
         self.running: set[CodeType] = set()
         self.collected: dict[str, set[CodeType]] = {}
         self.calls: dict[str, set[CodeType]] = {}
@@ -64,6 +67,13 @@ class Recorder:
         threading.settrace(None)  # type: ignore[arg-type]
         self.calls[item.nodeid], self.seconds[item.nodeid] = self.running, time.process_time() - start
 
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_runtest_call(self):
+        """Break a test off that takes too long; what it shares with others is made before, and may take its time."""
+        signal.setitimer(signal.ITIMER_PROF, self.longest)
+        yield
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Leave out what is red, or skipped, without any fault."""
         if not report.passed:
@@ -91,6 +101,10 @@ def _forget() -> None:
                     thing.cache_clear()
 
 
+def _break_off(*_: object) -> None:
+    raise TimeoutError("it takes longer than --longest")
+
+
 def _label(code: CodeType) -> str:
     module = Path(code.co_filename).relative_to(PACKAGE).as_posix()
     return f"{module}:{code.co_qualname.replace('.<locals>', '')}"
@@ -98,7 +112,9 @@ def _label(code: CodeType) -> str:
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--calls", type=Path, required=True, help="Where to write which test calls what")
+    parser.addoption("--longest", type=float, default=10.0, help="Tests that take longer are broken off [s]")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.pluginmanager.register(Recorder(config.getoption("--calls")))
+    signal.signal(signal.SIGPROF, _break_off)
+    config.pluginmanager.register(Recorder(config.getoption("--calls"), config.getoption("--longest")))

@@ -14,14 +14,12 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.lanes import rebound
 from gearwright.machines.power import exhaust_heat
-from gearwright.mission.course import Moment
 from gearwright.mission.flight import Balance, Flight, PackWear, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
-from gearwright.mission.path import Paths
+from gearwright.mission.moments import Blades, Moment, Paths, Performance
 from gearwright.mission.plant import DryRun, GearHeat, Pack, PackState, Warm, Warmths, dry_run
 from gearwright.mission.supply import Drawn, Supply
-from gearwright.mission.thrust import Blades, Performance
 from gearwright.parts.losses import oil, oil_flow
 from gearwright.spec import Mission
 

@@ -27,7 +27,7 @@ from gearwright.mission.history import (
     Series,
     marked_series,
 )
-from gearwright.mission.path import Paths
+from gearwright.mission.moments import Paths
 from gearwright.mission.plant import DryRun
 from gearwright.showing import Shown, frame
 from gearwright.sizing import Sizing

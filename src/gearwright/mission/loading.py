@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Drag, Point, drag, efficiencies, operate
+from gearwright.mission.moments import Moment
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""

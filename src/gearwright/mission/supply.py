@@ -20,8 +20,8 @@ from gearwright.machines import (
     power_limits,
 )
 from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
-from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Gearbox, Point
+from gearwright.mission.moments import Moment
 from gearwright.mission.plant import (
     Pack,
     PackState,

@@ -6,10 +6,9 @@ from dataclasses import replace
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Gearbox, Point
 from gearwright.mission.loading import Asked, loaded
-from gearwright.mission.trim import trimmed
+from gearwright.mission.moments import Moment, trimmed
 
 _ROUNDS = 1
 """Corrections of the tail rotor's part of the power: losses hardly change with it [-]."""

@@ -1,7 +1,5 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
-from gearwright.spec.aircraft import Aircraft, Flaps, PhaseKind
-from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
 from gearwright.spec.bounds import LONGEST_NAME, NAME_RULE, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import (
     GROUND,
@@ -34,25 +32,44 @@ from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems
 from gearwright.spec.keys import keys_of
 from gearwright.spec.levels import LEVELS, against_fatigue, at_level
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
-from gearwright.spec.mix import Mix, MixFile, parse_mix, read_mix
+from gearwright.spec.missions import (
+    NO_MAP,
+    Aircraft,
+    BatteryRules,
+    BearingLifeRules,
+    Flaps,
+    GovernorRules,
+    Mission,
+    MotorRules,
+    Phase,
+    PhaseKind,
+    Rotorcraft,
+    WindowRules,
+    engine_out,
+)
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, brief, build
-from gearwright.spec.rotorcraft import Rotorcraft
 from gearwright.spec.schema import records, schema
-from gearwright.spec.study import (
+from gearwright.spec.studies import (
     MISSION_PATH,
+    MOST_VALUES,
+    Axis,
     Flown,
+    Mix,
+    MixFile,
     Simulated,
     Study,
+    axis_values,
     case_count,
     mission_changed,
+    parse_mix,
     parse_study,
+    read_mix,
     read_study,
+    value_at,
 )
 from gearwright.spec.text import design_text
-from gearwright.spec.windows import GovernorRules, WindowRules
 
 __all__ = [
     "GROUND",

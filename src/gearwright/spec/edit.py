@@ -15,7 +15,7 @@ from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.flying import mission_problems
 from gearwright.spec.keys import Key, keys_of, longer_keys
-from gearwright.spec.mission import Mission
+from gearwright.spec.missions import Mission
 from gearwright.spec.record import Location, Record, Written, brief, message_of
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb

@@ -15,10 +15,9 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.spec.keys import Key, keys_of
-from gearwright.spec.mission import Mission
-from gearwright.spec.mix import MixFile
+from gearwright.spec.missions import Mission
 from gearwright.spec.record import Record
-from gearwright.spec.study import Study
+from gearwright.spec.studies import MixFile, Study
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 

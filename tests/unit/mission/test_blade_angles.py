@@ -13,7 +13,7 @@ from gearwright.mission.fly import _one_by_one, _prepared
 from gearwright.mission.windows import fly_window
 from gearwright.shipped import shipped_mission
 from gearwright.spec import edited_mission, parse_mission, read_mission
-from gearwright.spec.windows import WindowRules
+from gearwright.spec.missions import WindowRules
 from shipped_work import sized
 
 ANGLES = np.arange(-30.0, 41.0, 2.0)

@@ -10,7 +10,7 @@ from gearwright import cli
 from gearwright.errors import DesignError
 from gearwright.spec import parse_mission, parse_study
 from gearwright.spec.former import FORMER, FormerWord
-from gearwright.spec.study import Bound
+from gearwright.spec.studies import Bound
 
 STUDY = """name = "s"
 designs = ["single-planetary"]

@@ -7,7 +7,7 @@ import pytest
 import gearwright as gw
 from gearwright.shipped import shipped_study
 from gearwright.sizing.answers import named_results
-from gearwright.spec.study import read_study
+from gearwright.spec.studies import read_study
 
 
 def test_both_densities_are_offered_and_differ_by_the_motor():

@@ -33,7 +33,7 @@ from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.spec import Design, Study
-    from gearwright.spec.axis import Value
+    from gearwright.spec.studies import Value
     from gearwright.study import Table
 
 JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]

@@ -7,10 +7,8 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Annotated, NamedTuple
 
-from gearwright.mission.course import Moment
 from gearwright.mission.flight import Flight
-from gearwright.mission.forces import Attitude, resistance
-from gearwright.mission.profile import moments
+from gearwright.mission.moments import Attitude, Moment, moments, resistance
 from gearwright.spec import Aircraft
 from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time
 from gearwright.verbs import verb

@@ -11,8 +11,7 @@ from typing import NamedTuple
 from gearwright.air import air_at, height
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.aircraft.march import Rates, State, books, march
-from gearwright.mission.forces import Attitude, lowest_speed, resistance
-from gearwright.mission.path import Node, Path, speed_by_law
+from gearwright.mission.moments import Attitude, Node, Path, lowest_speed, resistance, speed_by_law
 from gearwright.spec import Aircraft, Phase
 from gearwright.units import GRAVITY
 

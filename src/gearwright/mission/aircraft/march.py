@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from gearwright.mission.path import Energy
+from gearwright.mission.moments import Energy
 from gearwright.units import GRAVITY
 
 

@@ -11,11 +11,20 @@ from gearwright.mission.aircraft.given import Powered, Push, path_by_power
 from gearwright.mission.aircraft.march import State
 from gearwright.mission.aircraft.stated import stated_path
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Moment
 from gearwright.mission.loading import Asked, loaded
-from gearwright.mission.path import Node, Path, Paths, speed_by_law
-from gearwright.mission.profile import moments, phase_duration, ramped
-from gearwright.mission.thrust import performed, thrust_at, wanted_of
+from gearwright.mission.moments import (
+    Moment,
+    Node,
+    Path,
+    Paths,
+    moments,
+    performed,
+    phase_duration,
+    ramped,
+    speed_by_law,
+    thrust_at,
+    wanted_of,
+)
 from gearwright.spec import Mission, Phase
 
 SMOOTH = 0.5

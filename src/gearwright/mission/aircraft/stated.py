@@ -7,8 +7,7 @@ from collections.abc import Callable
 
 from gearwright.air import air_at
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.path import Node, Path, speed_by_law
-from gearwright.mission.profile import edges
+from gearwright.mission.moments import Node, Path, edges, speed_by_law
 from gearwright.spec import Mission, Phase
 
 LEAST = 4

@@ -15,7 +15,7 @@ from gearwright.mission.lives.spectrum import CLASSES, classed
 from gearwright.ranking import largest_first
 from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, reverse_parts, row_ask
 from gearwright.spec import Design
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 from gearwright.train import Gear, Mesh
 from gearwright.units import Ratio
 from gearwright.verbs import verb

@@ -12,15 +12,13 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import Battery, current_of, fuel_flow, highest_current, motor_loss
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Point
 from gearwright.mission.loading import Asked, loaded
-from gearwright.mission.profile import moments
+from gearwright.mission.moments import Moment, moments, wanted_of
 from gearwright.mission.strategies.plan import FORBIDDEN, Plan, Stage, optimal_plan
 from gearwright.mission.strategies.rules import driven
 from gearwright.mission.strategies.shares import Then, shared
 from gearwright.mission.supply import machine_speeds
-from gearwright.mission.thrust import wanted_of
 from gearwright.spec import Mission, Phase, StrategyRules, engine_out
 
 MARGIN = 1e-3

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Moment
 from gearwright.mission.gearbox import Point
 from gearwright.mission.loading import Asked, loaded
+from gearwright.mission.moments import Moment
 from gearwright.mission.strategies.rules import Demand, driven, electric_share
 from gearwright.mission.supply import machine_speeds
 from gearwright.spec import Phase, engine_out

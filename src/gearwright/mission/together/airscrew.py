@@ -8,8 +8,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.machines import PropellerMap
-from gearwright.mission.course import Course
-from gearwright.mission.thrust import Blades, Performance
+from gearwright.mission.moments import Blades, Course, Performance
 from gearwright.mission.together.charts import angle_along, power_and_thrust, squeezed_along
 
 

@@ -11,11 +11,16 @@ import numpy as np
 from gearwright.air import Polar, polar
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import rebound
-from gearwright.mission import forces
-from gearwright.mission.course import Course
-from gearwright.mission.forces import Attitude, friction_of, polar_of
-from gearwright.mission.profile import Stretch
-from gearwright.mission.thrust import LARGEST_LIFT, SQUEEZED_ROUNDS
+from gearwright.mission.moments import (
+    LARGEST_LIFT,
+    SQUEEZED_ROUNDS,
+    Attitude,
+    Course,
+    Stretch,
+    forces,
+    friction_of,
+    polar_of,
+)
 from gearwright.mission.together.charts import angle_along, governs_along, power_and_thrust, squeezed_along
 from gearwright.units import GRAVITY
 

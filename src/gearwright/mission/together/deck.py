@@ -11,8 +11,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.mission.collect import Flown
-from gearwright.mission.course import Course
-from gearwright.mission.profile import laid_out, stretches_of
+from gearwright.mission.moments import Course, laid_out, stretches_of
 from gearwright.mission.strategies import has_plan
 from gearwright.mission.together.craft import Craft, craft_of
 from gearwright.mission.together.shared import Strategies, strategies_of

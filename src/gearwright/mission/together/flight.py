@@ -10,8 +10,8 @@ from gearwright.arrays import Bools, Floats
 from gearwright.machines import MachMap
 from gearwright.mission.endurance import bounds_of
 from gearwright.mission.gearbox import Drag, Point
+from gearwright.mission.moments import Blades, Performance
 from gearwright.mission.supply import Supply
-from gearwright.mission.thrust import Blades, Performance
 from gearwright.mission.together.airscrew import asked_power, performance_along
 from gearwright.mission.together.deck import Deck
 from gearwright.mission.together.following import Flying, followed

@@ -8,9 +8,9 @@ import numpy as np
 
 from gearwright.air import stagnation_along
 from gearwright.arrays import Bools, Floats
+from gearwright.mission.moments import Blades
 from gearwright.mission.strategies import AGREED, Demand
 from gearwright.mission.supply import Supply
-from gearwright.mission.thrust import Blades
 from gearwright.mission.together.craft import angle_for_thrusts, needed_thrust
 from gearwright.mission.together.deck import Deck
 from gearwright.mission.together.gearbox import Box

@@ -14,7 +14,7 @@ from gearwright.errors import DesignError
 from gearwright.lanes import rebound
 from gearwright.machines import Battery, BatteryStep, Engine, current_of, gas_turbine, highest_current, motor
 from gearwright.machines.power import Exhaust, Gas, exhaust, gases
-from gearwright.mission.course import Course
+from gearwright.mission.moments import Course
 from gearwright.mission.plant import Pack, PackState
 from gearwright.mission.supply import Supply
 

@@ -11,8 +11,8 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.lanes import rebound
 from gearwright.machines import motor_loss
+from gearwright.mission.moments import Stretch
 from gearwright.mission.plant import PackState
-from gearwright.mission.profile import Stretch
 from gearwright.mission.strategies import AGREED, Demand, driven, electric_share, rules
 from gearwright.mission.supply import Supply
 from gearwright.spec import StrategyRules

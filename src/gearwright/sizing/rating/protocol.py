@@ -18,7 +18,7 @@ from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.factors import Factor
 from gearwright.sizing.rating.rules import Ask, Rating
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 from gearwright.units import Origin, Quantity
 
 LEAST_TORQUE = 1e-9

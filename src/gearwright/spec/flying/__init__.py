@@ -1,6 +1,6 @@
 """Missions as files: what does not fit together in one, and their reader.
 
-What a mission says is in `spec/mission`; nothing here flies it.
+What a mission says is in `spec/missions/mission`; nothing here flies it.
 """
 
 from gearwright.spec.flying.checks import MOST_INTERVALS, mission_problems

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.air import height
 from gearwright.errors import Problem
-from gearwright.spec.aircraft import GROUND_KINDS
-from gearwright.spec.mission import NO_MAP, Mission, Phase
+from gearwright.spec.missions import GROUND_KINDS, NO_MAP, Mission, Phase
 
 SPEEDS = ("cas", "tas", "mach")
 _WAYS = ("rate_of_climb", "path_angle", "power", "pitch", "duration")

@@ -11,9 +11,8 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.flying.aircraft import aircraft_problems, kind_problems
 from gearwright.spec.flying.strategies import strategy_problems
-from gearwright.spec.mission import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase
+from gearwright.spec.missions import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase, window_problems
 from gearwright.spec.power import WindingRules
-from gearwright.spec.windows import window_problems
 
 _SAME_ALTITUDE = 0.1
 """Altitudes nearer than this are the same [m]."""

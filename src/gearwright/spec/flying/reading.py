@@ -9,7 +9,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission
 from gearwright.spec.flying.checks import mission_problems
-from gearwright.spec.mission import Mission
+from gearwright.spec.missions import Mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import build
 from gearwright.verbs import verb

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.errors import Problem, near
-from gearwright.spec.mission import Mission
+from gearwright.spec.missions import Mission
 from gearwright.spec.power import KEYS_OF, NEEDED
 
 

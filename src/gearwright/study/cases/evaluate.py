@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
 from gearwright.sizing import TEXT, Named, Sizing, asked_results, pick, size
 from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, edited_mission, path_problem, value_at
-from gearwright.spec.axis import Value
+from gearwright.spec.studies import Value
 from gearwright.study.answers import Row
 from gearwright.study.cases.sampling import Case
 

@@ -10,7 +10,7 @@ from typing import Any
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.sizing import Named, Sizing, asked_results, size
 from gearwright.spec import Design, Mission, Study, edited, edited_mission
-from gearwright.spec.axis import Value
+from gearwright.spec.studies import Value
 from gearwright.study.answers import Row
 from gearwright.study.cases.evaluate import evaluate, row_of, split
 from gearwright.study.cases.sampling import Case

@@ -15,7 +15,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.spec import Study, axis_values, case_count, value_at
-from gearwright.spec.axis import Value
+from gearwright.spec.studies import Value
 
 
 class Case(NamedTuple):

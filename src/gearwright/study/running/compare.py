@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from gearwright.shipped import shipped_study
 from gearwright.spec import Design, Study, read, read_study
-from gearwright.spec.axis import Value
+from gearwright.spec.studies import Value
 from gearwright.study.answers import Table
 from gearwright.study.cases import cases, evaluate, for_requirement, refuse_no_size
 from gearwright.study.running.run import table_of

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from gearwright.errors import Problem, refuse
 from gearwright.spec import Axis, Design, Mission, Study
-from gearwright.spec.study import study_problems
+from gearwright.spec.studies import study_problems
 from gearwright.study.answers import Table
 from gearwright.study.running.runner import Progress, run_study
 from gearwright.verbs import verb

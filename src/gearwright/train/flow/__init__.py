@@ -7,8 +7,7 @@ from gearwright.train.flow.case import power_flow, power_flows
 from gearwright.train.flow.efficiencies import Efficiency, efficiencies
 from gearwright.train.flow.passes import passes
 from gearwright.train.flow.recirculation import recirculation
-from gearwright.train.flow.sharing import Sharing
-from gearwright.train.flow.statics import balance, solve_torques
+from gearwright.train.flow.torques import Sharing, balance, solve_torques
 from gearwright.train.flow.turning import Turning, asked_speeds
 
 __all__ = [

@@ -10,10 +10,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.spec import Design
 from gearwright.train.flow.carried import Dragged
-from gearwright.train.flow.lossy import State, solve_lossless, solve_lossy
 from gearwright.train.flow.refusals import ambiguous, unbalanced
-from gearwright.train.flow.statics import undecided
-from gearwright.train.flow.tooth_losses import lost_parts
+from gearwright.train.flow.torques import State, lost_parts, solve_lossless, solve_lossy, undecided
 from gearwright.train.flow.turning import Turn
 from gearwright.train.graph import Damper, Train
 

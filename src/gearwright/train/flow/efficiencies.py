@@ -17,10 +17,7 @@ from gearwright.spec import Design
 from gearwright.train.algebra import remembered
 from gearwright.train.flow.balanced import STANDSTILL
 from gearwright.train.flow.carried import PowerFlow
-from gearwright.train.flow.lossy import lossy, solve_lossy
-from gearwright.train.flow.sharing import Sharing, sharing_of
-from gearwright.train.flow.statics import balance
-from gearwright.train.flow.tooth_losses import Laws, lost, lost_parts
+from gearwright.train.flow.torques import Laws, Sharing, balance, lossy, lost, lost_parts, sharing_of, solve_lossy
 from gearwright.train.graph import Train
 from gearwright.train.kinematics import rows
 from gearwright.units import Ratio

@@ -11,10 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.spec import Design, Drive, case_named, cases_of
 from gearwright.train.algebra import RANK_TOLERANCE
-from gearwright.train.flow.lossy import Lossy, lossy
-from gearwright.train.flow.sharing import Sharing, sharing_of
-from gearwright.train.flow.statics import Balance, balance
-from gearwright.train.flow.tooth_losses import Laws, lost
+from gearwright.train.flow.torques import Balance, Laws, Lossy, Sharing, balance, lossy, lost, sharing_of
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
 

@@ -29,7 +29,7 @@ from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Mak
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import widest_ratio
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 
 
 class Agma2001:

@@ -33,7 +33,7 @@ from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Mak
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import by_teeth
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 
 USUAL_BEVEL_WIDTH = 0.30
 """Face width of bevel gears over the outer cone distance b/R_e [-] (ANSI/AGMA 2003-D19, annex D)."""

@@ -27,7 +27,7 @@ from gearwright.sizing.rating.iso10300.scuffing import SCUFFING, bevel_scuffing
 from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 
 USUAL_BEVEL_WIDTH = 0.30
 """Face width of bevel gears over the outer cone distance b/R_e [-] (ISO 23509:2016, annex B)."""

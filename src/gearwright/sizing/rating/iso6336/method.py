@@ -38,7 +38,7 @@ from gearwright.sizing.rating.rims import rim_factors
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 
 SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"pitting": ("iso6336", "pitting_safety"), "bending": ("iso6336", "bending_safety")}

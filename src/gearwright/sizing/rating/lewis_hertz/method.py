@@ -22,7 +22,7 @@ from gearwright.sizing.rating.protocol import ClassDamage, LoadedMesh, Making, M
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import working_radii
 from gearwright.spec.design import Iso6336Rules
-from gearwright.spec.mission import GearLifeRules
+from gearwright.spec.missions import GearLifeRules
 
 _OIL_VISCOSITY = 100.0
 """ν_40 where no standard rates the gears [mm²/s]: the film factor Z_L is 1 there."""

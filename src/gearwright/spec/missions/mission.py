@@ -7,12 +7,12 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.showing import Shown
-from gearwright.spec.aircraft import Aircraft, PhaseKind, Setting
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
+from gearwright.spec.missions.aircraft import Aircraft, PhaseKind, Setting
+from gearwright.spec.missions.rotorcraft import Rotorcraft
+from gearwright.spec.missions.windows import GovernorRules, WindowRules
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
-from gearwright.spec.rotorcraft import Rotorcraft
-from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Distance, Energy, Length, Power, Ratio, Speed, Time, Velocity
 
 NO_MAP = "none"

@@ -12,8 +12,8 @@ import numpy as np
 from gearwright.air import Air, air_along, true_along
 from gearwright.arrays import Floats, Ints
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.course import Course, Moment, air_of, joined
-from gearwright.mission.path import Path, Paths
+from gearwright.mission.moments.course import Course, Moment, air_of, joined
+from gearwright.mission.moments.path import Path, Paths
 from gearwright.spec import Mission, Phase
 
 _ROUNDING = 1e-9

@@ -13,7 +13,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.train.algebra import null_space, remembered
-from gearwright.train.flow.sharing import Sharing, completing
+from gearwright.train.flow.torques.sharing import Sharing, completing
 
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""

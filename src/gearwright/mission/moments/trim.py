@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
 from gearwright.machines.rotor_power import Disc, Stream, rotor_power
-from gearwright.mission.course import Moment
+from gearwright.mission.moments.course import Moment
 from gearwright.spec import Mission, Rotorcraft
 from gearwright.units import GRAVITY
 

@@ -12,12 +12,12 @@ from pydantic import Field
 from gearwright.errors import DesignError, Problem, excerpt
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_mix, shipped_missions, shipped_mixes
-from gearwright.spec.axis import Value
 from gearwright.spec.edit import edited_mission
 from gearwright.spec.flying import is_map_file, read_mission
-from gearwright.spec.mission import BearingLifeRules, Mission
+from gearwright.spec.missions import BearingLifeRules, Mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
+from gearwright.spec.studies.axis import Value
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from gearwright.air import Air, Polar, drag_force, dynamic_force, stall_speed
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.course import Moment
+from gearwright.mission.moments.course import Moment
 from gearwright.spec import Aircraft, Phase
-from gearwright.spec.aircraft import Setting
+from gearwright.spec.missions import Setting
 from gearwright.units import GRAVITY
 
 USUAL_FLAPS: dict[str | None, Setting] = {"take-off": "take-off", "approach": "landing", "landing": "landing"}

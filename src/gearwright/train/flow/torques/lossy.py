@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearwright.arrays import Floats
-from gearwright.train.flow.senses import Losing, states
-from gearwright.train.flow.statics import Balance, solve_torques
-from gearwright.train.flow.tooth_losses import Laws
+from gearwright.train.flow.torques.senses import Losing, states
+from gearwright.train.flow.torques.statics import Balance, solve_torques
+from gearwright.train.flow.torques.tooth_losses import Laws
 
 
 class State(NamedTuple):

@@ -13,12 +13,12 @@ from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
 from gearwright.showing import Shown
-from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
 from gearwright.spec.flying import is_map_file, mission_problems, read_mission
 from gearwright.spec.former import today
-from gearwright.spec.mission import Mission
+from gearwright.spec.missions import Mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
+from gearwright.spec.studies.axis import Axis, Value, axis_length, axis_problems
 from gearwright.units import Time
 from gearwright.verbs import verb
 

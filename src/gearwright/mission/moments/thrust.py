@@ -16,9 +16,9 @@ from gearwright.machines import (
     governs,
     map_at,
 )
-from gearwright.mission.course import Moment
-from gearwright.mission.forces import stated_thrust
-from gearwright.mission.trim import trimmed
+from gearwright.mission.moments.course import Moment
+from gearwright.mission.moments.forces import stated_thrust
+from gearwright.mission.moments.trim import trimmed
 from gearwright.spec import Aircraft, Mission, Phase
 from gearwright.units import GRAVITY
 

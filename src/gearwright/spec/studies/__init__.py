@@ -1,0 +1,41 @@
+"""Files about many designs or missions: studies, the axes that they vary, mixes of missions.
+
+What is computed of them is in `study` and `mission/lives`.
+"""
+
+from gearwright.spec.studies.axis import MOST_VALUES, Axis, Value, axis_values, value_at
+from gearwright.spec.studies.mix import Mix, MixFile, parse_mix, read_mix
+from gearwright.spec.studies.study import (
+    MISSION_PATH,
+    Bound,
+    Flown,
+    Simulated,
+    Study,
+    case_count,
+    mission_changed,
+    parse_study,
+    read_study,
+    study_problems,
+)
+
+__all__ = [
+    "MISSION_PATH",
+    "MOST_VALUES",
+    "Axis",
+    "Bound",
+    "Flown",
+    "Mix",
+    "MixFile",
+    "Simulated",
+    "Study",
+    "Value",
+    "axis_values",
+    "case_count",
+    "mission_changed",
+    "parse_mix",
+    "parse_study",
+    "read_mix",
+    "read_study",
+    "study_problems",
+    "value_at",
+]
