@@ -17,6 +17,7 @@ ALLOWED = {
     "exchange/openmdao/": "paths of a design file, as names of variables",
     "exchange/rexs/reading/bodies.py": "names of components in files of other tools",
     "exchange/rexs/reading/parsing.py": "how files of other forms begin",
+    "exchange/step/kernel.py": "packages in names of Open CASCADE's classes",
     "study/cases/": "paths and names of results that a study asks for",
     "replays/colibri/report/printed.py": "keys and digits of the report's own table",
     "replays/colibri/page.py": "indices of printed symbols",

@@ -1,6 +1,8 @@
 """STEP files, read back by Open CASCADE: names, colours, places and volumes of what was written."""
 
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -17,6 +19,25 @@ def test_who_lacks_open_cascade_is_told_what_to_install(monkeypatch):
     monkeypatch.setattr(write, "find_spec", lambda name: None)
     with pytest.raises(gw.DesignError, match=r"Open CASCADE.*pip install.*\[cad\].*or use glb"):
         to_step(sized("star"))
+
+
+def test_the_rooms_of_step_import_where_open_cascade_is_not():
+    """A finder that knows no Open CASCADE stands before all others in an interpreter of its own."""
+    code = """
+import sys
+class Without:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == "OCP":
+            raise ModuleNotFoundError(name)
+sys.meta_path.insert(0, Without())
+from gearwright.exchange.step import assembly, kernel, solids, wires
+try:
+    kernel.occ.gp_Pnt
+except ModuleNotFoundError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "OCP\n"
 
 
 def read_back(content, folder):

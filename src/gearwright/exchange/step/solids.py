@@ -8,28 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.BRepBuilderAPI import (
-    BRepBuilderAPI_MakeEdge,
-    BRepBuilderAPI_MakeFace,
-    BRepBuilderAPI_MakeSolid,
-    BRepBuilderAPI_MakeWire,
-    BRepBuilderAPI_Sewing,
-)
-from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.BRepGProp import BRepGProp
-from OCP.BRepLib import BRepLib
-from OCP.BRepOffsetAPI import BRepOffsetAPI_ThruSections
-from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
-from OCP.Geom import Geom_ConicalSurface, Geom_CylindricalSurface
-from OCP.GeomAbs import GeomAbs_CurveType
-from OCP.gp import gp_Ax1, gp_Ax3, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
-from OCP.GProp import GProp_GProps
-from OCP.ShapeFix import ShapeFix_Edge, ShapeFix_Face, ShapeFix_Shape
-from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS
 
+from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
 from gearwright.shape.solids import Section, Solid
 
@@ -37,7 +17,6 @@ Place = tuple[float, float]
 """z and radius [m]."""
 FLAT, CURVED = 1e-3, 1e-2
 """How far edges of neighbouring faces may lie apart that are sewn, of flat ends and of ends on cones [mm]."""
-_UP = gp_Dir(0.0, 0.0, 1.0)
 
 
 def made_of(solid: Solid) -> Any:
@@ -47,11 +26,11 @@ def made_of(solid: Solid) -> Any:
         solid: What it is made of.
     """
     if not solid.sections:
-        return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
+        return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     wires, wall = _wall(solid)
-    behind = BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
+    behind = occ.BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
     flat = _is_flat(solid.sections[0])
-    sewn = BRepBuilderAPI_Sewing(FLAT if flat else CURVED)
+    sewn = occ.BRepBuilderAPI_Sewing(FLAT if flat else CURVED)
     sewn.Add(wall)
     sewn.Add(behind)
     for end, place in zip((0, -1) if solid.inside else (-1, 0), (solid.profile[0], solid.profile[-1]), strict=True):
@@ -59,13 +38,13 @@ def made_of(solid: Solid) -> Any:
         loops = (ring, wires[end]) if solid.inside else (wires[end], ring)
         sewn.Add(_flat_end(section, *loops) if flat else _round_end(section, *loops, place))
     sewn.Perform()
-    body = BRepBuilderAPI_MakeSolid(
-        TopoDS.Shell(next(_parts(sewn.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)))
+    body = occ.BRepBuilderAPI_MakeSolid(
+        occ.TopoDS.Shell(next(_parts(sewn.SewedShape(), occ.TopAbs_ShapeEnum.TopAbs_SHELL)))
     ).Solid()
-    BRepLib.OrientClosedSolid_s(body)
-    if BRepCheck_Analyzer(body).IsValid():
+    occ.BRepLib.OrientClosedSolid_s(body)
+    if occ.BRepCheck_Analyzer(body).IsValid():
         return body
-    mended = ShapeFix_Shape(body)
+    mended = occ.ShapeFix_Shape(body)
     mended.Perform()
     return mended.Shape()
 
@@ -78,13 +57,17 @@ def volume_of(shape: Any) -> float:
     Args:
         shape: In millimetres.
     """
-    properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, properties)
+    properties = occ.GProp_GProps()
+    occ.BRepGProp.VolumeProperties_s(shape, properties)
     return float(properties.Mass()) / MM**3
 
 
+def _up() -> Any:
+    return occ.gp_Dir(0.0, 0.0, 1.0)
+
+
 def _axis() -> Any:
-    return gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), _UP)
+    return occ.gp_Ax1(occ.gp_Pnt(0.0, 0.0, 0.0), _up())
 
 
 def _way(profile: Sequence[Place]) -> Any:
@@ -93,10 +76,10 @@ def _way(profile: Sequence[Place]) -> Any:
     places += [there for here, there in pairwise(profile) if math.dist(here, there) > SAME]
     if places[0] != places[-1] and places[0][1] == places[-1][1] == 0.0:
         places.append(places[0])
-    wire = BRepBuilderAPI_MakeWire()
+    wire = occ.BRepBuilderAPI_MakeWire()
     for here, there in pairwise(places):
-        ends = (gp_Pnt(MM * radius, 0.0, MM * height) for height, radius in (here, there))
-        wire.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
+        ends = (occ.gp_Pnt(MM * radius, 0.0, MM * height) for height, radius in (here, there))
+        wire.Add(occ.BRepBuilderAPI_MakeEdge(*ends).Edge())
     return wire.Wire()
 
 
@@ -107,9 +90,9 @@ def _wall(solid: Solid) -> tuple[list[Any], Any]:
     wires = [wire_of(section, pieces) for section in solid.sections]
     first, last = solid.sections[0], solid.sections[-1]
     if np.array_equal(first.angle, last.angle) and np.array_equal(first.radius, last.radius):
-        prism = BRepPrimAPI_MakePrism(wires[0], gp_Vec(0.0, 0.0, MM * float(last.height[0] - first.height[0])))
-        return [TopoDS.Wire(prism.FirstShape()), TopoDS.Wire(prism.LastShape())], prism.Shape()
-    loft = BRepOffsetAPI_ThruSections(False, len(wires) == 2, SAME * MM)
+        prism = occ.BRepPrimAPI_MakePrism(wires[0], occ.gp_Vec(0.0, 0.0, MM * float(last.height[0] - first.height[0])))
+        return [occ.TopoDS.Wire(prism.FirstShape()), occ.TopoDS.Wire(prism.LastShape())], prism.Shape()
+    loft = occ.BRepOffsetAPI_ThruSections(False, len(wires) == 2, SAME * MM)
     for wire in wires:
         loft.AddWire(wire)
     loft.CheckCompatibility(False)
@@ -118,7 +101,7 @@ def _wall(solid: Solid) -> tuple[list[Any], Any]:
 
 
 def _parts(shape: Any, kind: Any) -> Iterator[Any]:
-    walk = TopExp_Explorer(shape, kind)
+    walk = occ.TopExp_Explorer(shape, kind)
     while walk.More():
         yield walk.Current()
         walk.Next()
@@ -126,14 +109,14 @@ def _parts(shape: Any, kind: Any) -> Iterator[Any]:
 
 def _ring(behind: Any, place: Place) -> Any:
     """Return the circle of a surface of revolution at a place, as a wire."""
-    for part in _parts(behind, TopAbs_ShapeEnum.TopAbs_EDGE):
-        edge = TopoDS.Edge(part)
-        curve = BRepAdaptor_Curve(edge)
-        if curve.GetType() == GeomAbs_CurveType.GeomAbs_Circle:
+    for part in _parts(behind, occ.TopAbs_ShapeEnum.TopAbs_EDGE):
+        edge = occ.TopoDS.Edge(part)
+        curve = occ.BRepAdaptor_Curve(edge)
+        if curve.GetType() == occ.GeomAbs_CurveType.GeomAbs_Circle:
             circle = curve.Circle()
             found = (circle.Location().Z() / MM, circle.Radius() / MM)
             if math.dist(found, place) < SAME:
-                return BRepBuilderAPI_MakeWire(edge).Wire()
+                return occ.BRepBuilderAPI_MakeWire(edge).Wire()
     raise AssertionError(f"no circle at {place}")
 
 
@@ -142,10 +125,10 @@ def _is_flat(section: Section) -> bool:
 
 
 def _flat_end(section: Section, outer: Any, inner: Any) -> Any:
-    plane = gp_Pln(gp_Pnt(0.0, 0.0, MM * float(section.height[0])), _UP)
-    face = BRepBuilderAPI_MakeFace(plane, outer, True)
-    face.Add(TopoDS.Wire(inner.Reversed()))
-    mended = ShapeFix_Face(face.Face())
+    plane = occ.gp_Pln(occ.gp_Pnt(0.0, 0.0, MM * float(section.height[0])), _up())
+    face = occ.BRepBuilderAPI_MakeFace(plane, outer, True)
+    face.Add(occ.TopoDS.Wire(inner.Reversed()))
+    mended = occ.ShapeFix_Face(face.Face())
     mended.FixOrientation()
     mended.Perform()
     return mended.Face()
@@ -156,15 +139,16 @@ def _round_end(section: Section, outer: Any, inner: Any, place: Place) -> Any:
     low, high = int(np.argmin(section.height)), int(np.argmax(section.height))
     rise, out = float(section.height[high] - section.height[low]), float(section.radius[high] - section.radius[low])
     if abs(out) < SAME:
-        surface = Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0.0, 0.0, 0.0), _UP), MM * float(section.radius[0]))
+        about = occ.gp_Ax3(occ.gp_Pnt(0.0, 0.0, 0.0), _up())
+        surface = occ.Geom_CylindricalSurface(about, MM * float(section.radius[0]))
     else:
-        base = gp_Ax3(gp_Pnt(0.0, 0.0, MM * place[0]), _UP)
-        surface = Geom_ConicalSurface(base, math.atan(out / rise), MM * place[1])
-    build = BRepBuilderAPI_MakeFace(surface, outer, True)
-    build.Add(TopoDS.Wire(inner.Reversed()))
+        base = occ.gp_Ax3(occ.gp_Pnt(0.0, 0.0, MM * place[0]), _up())
+        surface = occ.Geom_ConicalSurface(base, math.atan(out / rise), MM * place[1])
+    build = occ.BRepBuilderAPI_MakeFace(surface, outer, True)
+    build.Add(occ.TopoDS.Wire(inner.Reversed()))
     face = build.Face()
-    for edge in _parts(face, TopAbs_ShapeEnum.TopAbs_EDGE):
-        ShapeFix_Edge().FixAddPCurve(TopoDS.Edge(edge), face, False)
-    mended = ShapeFix_Shape(face)
+    for edge in _parts(face, occ.TopAbs_ShapeEnum.TopAbs_EDGE):
+        occ.ShapeFix_Edge().FixAddPCurve(occ.TopoDS.Edge(edge), face, False)
+    mended = occ.ShapeFix_Shape(face)
     mended.Perform()
     return mended.Shape()

@@ -8,13 +8,9 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire
-from OCP.collections import HArray1_gp_Pnt
-from OCP.GC import GC_MakeArcOfCircle
-from OCP.GeomAPI import GeomAPI_Interpolate
-from OCP.gp import gp_Pnt
 
 from gearwright.arrays import Bools, Floats
+from gearwright.exchange.step.kernel import occ
 from gearwright.shape.solids import Section
 
 MM = 1e3
@@ -69,7 +65,7 @@ def wire_of(section: Section, pieces: Sequence[Piece]) -> Any:
         section: The outline.
         pieces: As its wall is divided.
     """
-    wire = BRepBuilderAPI_MakeWire()
+    wire = occ.BRepBuilderAPI_MakeWire()
     for piece in pieces:
         wire.Add(_edge(section, piece))
     return wire.Wire()
@@ -80,15 +76,15 @@ def _edge(section: Section, piece: Piece) -> Any:
     radius, height, angle = section.radius[points], section.height[points], np.unwrap(section.angle[points])
     if piece.is_arc:
         places = [_place(radius[0], height[0], turn) for turn in (angle[0], angle.mean(), angle[1])]
-        return BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(*places).Value()).Edge()
+        return occ.BRepBuilderAPI_MakeEdge(occ.GC_MakeArcOfCircle(*places).Value()).Edge()
     if np.ptp(radius) < SAME:
         radius, height, angle = (_divided(values) for values in (radius, height, angle))
-    through = HArray1_gp_Pnt(1, len(radius))
+    through = occ.HArray1_gp_Pnt(1, len(radius))
     for k, values in enumerate(zip(radius, height, angle, strict=True)):
         through.SetValue(k + 1, _place(*values))
-    spline = GeomAPI_Interpolate(through, False, SAME * MM)
+    spline = occ.GeomAPI_Interpolate(through, False, SAME * MM)
     spline.Perform()
-    return BRepBuilderAPI_MakeEdge(spline.Curve()).Edge()
+    return occ.BRepBuilderAPI_MakeEdge(spline.Curve()).Edge()
 
 
 def _divided(values: Floats) -> Floats:
@@ -97,4 +93,4 @@ def _divided(values: Floats) -> Floats:
 
 
 def _place(radius: float, height: float, angle: float) -> Any:
-    return gp_Pnt(MM * float(radius) * math.cos(angle), MM * float(radius) * math.sin(angle), MM * float(height))
+    return occ.gp_Pnt(MM * float(radius) * math.cos(angle), MM * float(radius) * math.sin(angle), MM * float(height))
