@@ -54,10 +54,24 @@ def _part(sizing: Sizing, scene: Scene, node: Node, checks: Sequence[Check]) -> 
              if check.margin is not None and math.isfinite(check.margin)]  # fmt: skip
     found: dict[str, Any] = {"title": _label(node.part), "rows": _rows(sizing, node.part), "checks": shown,
                              "margin": round(min(margins), 4) if margins else None}  # fmt: skip
-    gear = _gear(sizing, node.part)
+    gear, force = _gear(sizing, node.part), _force(sizing, node.part)
+    found |= {"force": force, "force_text": "" if force is None else text(force, "force")}
     if gear is not None and node.part.kind is Kind.GEAR:
         found["teeth"] = gear.teeth
     return found
+
+
+def _force(sizing: Sizing, part: PartId) -> float | None:
+    """Return the largest force of a part in the cases that it is sized for [N]: of a mesh, a bearing or a pin."""
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        rows = [mesh for mesh in sizing.meshes if gear.name in mesh.gears]
+        return max(math.hypot(row.tangential_force, row.radial_force, row.axial_force) for row in rows)
+    carried = [math.hypot(own.radial, own.axial) for own in sizing.bearings
+               if part == PartId(Kind.BEARING, own.name)]  # fmt: skip
+    carried += [carrier.pin_force for carrier in sizing.carriers
+                if part == carrier.part or (gear is not None and carrier.stage == gear.stage)]  # fmt: skip
+    return max(carried, default=None)
 
 
 def _concerns(sizing: Sizing, checked: PartId, part: PartId) -> bool:

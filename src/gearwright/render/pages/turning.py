@@ -17,6 +17,7 @@ from gearwright.render.style.templates import environment
 from gearwright.render.words.text import summary
 from gearwright.shape import glb, scene
 from gearwright.sizing import Sizing
+from gearwright.units import text
 from gearwright.verbs import verb
 from gearwright.version import __version__
 
@@ -49,6 +50,7 @@ def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> st
         facts=Markup(_json(facts)),
         model=Markup(b64encode(glb(built)).decode()),
         drawing=Markup(theme.to_svg(schematic_figure(sizing), "train")),
+        most=text(max((part["force"] or 0.0 for part in parts.values()), default=0.0), "force"),
         approximations=built.approximations,
         three=three["version"],
         version=__version__,

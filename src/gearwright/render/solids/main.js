@@ -38,7 +38,7 @@
   at("section").addEventListener("change", cut);
   at("depth").addEventListener("input", cut);
   at("apart").addEventListener("input", event => { gearbox.explode(facts.explode, Number(event.target.value)); view.draw(); });
-  at("colour").addEventListener("change", event => { by = event.target.value; at("legend").hidden = by !== "margin"; panel.colour(by, picked); view.draw(); });
+  at("colour").addEventListener("change", event => { by = event.target.value; at("legend").hidden = by !== "margin"; at("burden").hidden = by !== "force"; panel.colour(by, picked); view.draw(); });
   for (const box of document.querySelectorAll("[data-look]")) box.addEventListener("change", () => {
     const looks = box.dataset.look.split(" ");
     for (const body of gearbox.bodies) if (body.solid && looks.includes(body.look)) body.solid.visible = box.checked;

@@ -6,6 +6,7 @@ class Panel {
     this.gearbox = gearbox;
     this.list = document.getElementById("parts");
     this.numbers = document.getElementById("numbers");
+    this.most = Math.max(0, ...Object.values(facts.parts).map(part => part.force || 0));
     for (const [label, part] of Object.entries(facts.parts)) {
       const item = document.createElement("li"), button = document.createElement("button");
       button.type = "button";
@@ -15,12 +16,9 @@ class Panel {
       const swatch = document.createElement("span");
       swatch.className = "swatch";
       button.prepend(swatch);
-      if (part.margin !== null) {
-        const margin = document.createElement("span");
-        margin.className = "margin";
-        margin.textContent = part.margin.toFixed(2);
-        button.append(margin);
-      }
+      const number = document.createElement("span");
+      number.className = "margin";
+      button.append(number);
       button.addEventListener("click", () => picked(label));
       item.append(button);
       this.list.append(item);
@@ -58,17 +56,30 @@ class Panel {
     return margin < 1 ? fails.lerp(even, Math.max(0, (margin - 0.5) / 0.5) * 0.5) : even.lerp(room, Math.min(1, (margin - 1) / 1));
   }
 
+  /* Pale bears little, dark red bears the most of all parts; grey has no force of its own. */
+  static burden(share) {
+    return share === null ? new THREE.Color(0xb9bec5) : new THREE.Color(0xf3ead7).lerp(new THREE.Color(0x8c1d04), Math.sqrt(share));
+  }
+
+  hueOf(part, by, own) {
+    if (by === "margin") return Panel.hue(part ? part.margin : null);
+    if (by === "force") return Panel.burden(part && part.force !== null ? part.force / (this.most || 1) : null);
+    return own;
+  }
+
   colour(by, label) {
     for (const body of this.gearbox.bodies) {
       if (!body.solid) continue;
       const part = this.facts.parts[body.label];
-      const hue = by === "margin" ? Panel.hue(part ? part.margin : null) : body.own.color;
+      const hue = this.hueOf(part, by, body.own.color);
       if (body.solid.material === body.own) body.solid.material = Gearbox.paint(new THREE.Color());
       body.solid.material.color.copy(hue);
       body.solid.material.emissive.set(label && body.label === label ? 0x664f00 : 0x000000);
     }
     for (const button of this.list.querySelectorAll("button")) {
       const body = this.gearbox.bodies.find(one => one.label === button.dataset.part && one.solid);
+      const part = this.facts.parts[button.dataset.part];
+      button.lastChild.textContent = by === "force" ? part.force_text : part.margin === null ? "" : part.margin.toFixed(2);
       button.firstChild.style.background = body ? "#" + body.solid.material.color.getHexString() : "none";
     }
   }
