@@ -17,7 +17,7 @@ from gearwright.render.pages.report import report
 from gearwright.render.pages.report_parts import warnings
 from gearwright.render.pages.study import study_page
 from gearwright.render.words.flight import flight_text
-from gearwright.render.words.headline import energy_text, headline, sizing_headline
+from gearwright.render.words.headline import energy_text, headline, said_of, sizing_headline
 from gearwright.render.words.review import review_text
 from gearwright.reviews import Review, review_of
 from gearwright.shipped import shipped_design
@@ -53,8 +53,9 @@ def said(page):
 
 
 def shows(page, reviewed):
-    """Whether a page has the headline of a review, folded as it may be."""
-    return " ".join(headline(reviewed).split()) in " ".join(said(page).split())
+    """Whether a page has verdict and worst entry of a review, folded as it may be, an index above or below."""
+    words, shown = (" ".join(text.replace("_", "").lower().split()) for text in (said_of(reviewed), said(page)))
+    return words in shown and str(reviewed.verdict) in shown
 
 
 PAGES = {

@@ -2,24 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Annotated
 
 from gearwright.render.figures.study.lines import comparison_figure
-from gearwright.render.grid.table import MARKS, table
-from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.grid.table import table
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    Verdict,
+    judged,
+    quantity,
+    set_page,
+    worst_of,
+)
 from gearwright.render.schematic.schematic import power_flow_figure
 from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
 from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
 from gearwright.study import Table
-from gearwright.units import Origin, Quantity
-from gearwright.version import __version__
+from gearwright.units import Origin, Quantity, text
+
+_SHOWN = 5
+"""Designs in the head [-]."""
+_RANKED = Origin("gearbox and motors", "sum; the order of this page")
 
 _COUNTED = (
     "Gearbox: gears, shafts and carriers, by which designs are chosen and ranked here. Complete: with housing,"
@@ -40,6 +55,10 @@ class DesignView:
     """One design as a whole."""
 
     design: str
+    verdict: str
+    """Of its review."""
+    total: Annotated[float, Quantity("mass"), Origin("gearbox and motors", "sum")]
+    """By which the designs are ranked [kg]."""
     power_density: Annotated[float, Quantity("specific_power"), Origin("rated power / gearbox", "definition")]
     """[W/kg]"""
     gearbox: Annotated[float, Quantity("mass"), Origin("gears, shafts, carriers", "sum")]
@@ -50,8 +69,6 @@ class DesignView:
     """[kg]"""
     heaviest: Annotated[float, Quantity("mass"), Origin("end of the 68 % band of the complete mass", "held against")]
     """[kg]"""
-    total: Annotated[float, Quantity("mass"), Origin("gearbox and motors", "sum")]
-    """By which the designs are ranked [kg]."""
     motors: Annotated[float, Quantity("mass"), Origin("NDARC or thesis law", "NASA/TP-2015-218751; Pulvirenti 2023")]
     """[kg]"""
     width: Annotated[float, Quantity("length"), Origin("box around tip circles", "geometry")]
@@ -60,27 +77,29 @@ class DesignView:
     """[m]"""
     length: Annotated[float, Quantity("length"), Origin("longest axis", "layout")]
     """[m]"""
-    verdict: str
-    """Of its review."""
     worst: str
     """Worst check."""
     margin: Annotated[float | None, Quantity("ratio"), Origin("of the worst check", "review")]
     """[-]"""
 
 
-def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[str, Review]) -> str:
+def comparison(
+    variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[str, Review], *, stamp: Stamp = UNSTAMPED
+) -> str:
     """Return several sizings side by side as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         variants: Table of the study that compares them.
         sizings: Design -> what was sized, of the rows that did not fail.
         reviews: Design -> every check of it.
+        stamp: Date of the page.
     """
     ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
+    verdicts = {name: judged(reviews[name]) for name in ranked}
     masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
     designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]
     wholes = table(
-        "Designs, the lightest gearbox with its motors first",
+        "Designs, in the order of the column total: gearbox and motors, the lightest first",
         designs,
         tuple(field.name for field in fields(DesignView)),
     )
@@ -94,9 +113,32 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[
         Section("Why they rank so", tables=(stages,), notes=(_WHY,)),
         *(_flow(name, sizing, reviews[name]) for name, sizing in ranked.items()),
     ]
-    return environment().get_template("comparison.html.j2").render(
-        title=variants.name, description=variants.description, sections=sections, marks=MARKS, version=__version__
+    return set_page(
+        Page("Comparison", variants.name, variants.description, _verdict(verdicts, designs, failed),
+             tuple(_numbers(designs)), tuple(sections), stamp=stamp)
     )  # fmt: skip
+
+
+def _verdict(verdicts: Mapping[str, Verdict], designs: Sequence[DesignView], failed: Sequence[str]) -> Verdict:
+    """Return who is lightest, and how many fail; one that fails keeps the page from saying that all is well."""
+    if not designs:
+        return Verdict(Tone.BAD, "No design is feasible", " ".join(failed))
+    failing = [name for name, verdict in verdicts.items() if verdict.tone is Tone.BAD]
+    first = designs[0]
+    said = f"The lightest with its motors is {first.design}, {text(first.total, 'mass', 3)}: it {first.verdict}."
+    if not failing and not failed:
+        return Verdict(worst_of(verdicts.values()), "All pass as far as assessed", said)
+    passing = [view.design for view in designs if view.design not in failing]
+    lightest = f" The lightest that passes as far as assessed: {passing[0]}." if passing else " None passes."
+    infeasible = f" {len(failed)} cannot be sized." if failed else ""
+    word = f"{len(failing)} of {len(verdicts)} designs fail"
+    return Verdict(Tone.BAD, word, f"{said}{'' if passing[:1] == [first.design] else lightest}{infeasible}")
+
+
+def _numbers(designs: Sequence[DesignView]) -> Iterator[Number]:
+    """Yield the lightest designs, each with its complete mass and band below what it is ranked by."""
+    for view in designs[:_SHOWN]:
+        yield quantity(f"{view.design}, with motors", view.total, "mass", origin=_RANKED)
 
 
 def _flow(name: str, sizing: Sizing, review: Review) -> Section:
@@ -109,16 +151,16 @@ def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:
     box, first = envelope(sizing), review.worst
     return DesignView(
         name,
+        str(review.verdict),
+        sizing.mass + sizing.motor_mass,
         sizing.power_density,
         sizing.mass,
         review.complete.total,
         *review.complete.band,
-        sizing.mass + sizing.motor_mass,
         sizing.motor_mass,
         box.width,
         box.height,
         box.length,
-        str(review.verdict),
         "" if first is None else first.name,
         None if first is None else first.margin,
     )

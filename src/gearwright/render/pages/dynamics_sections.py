@@ -12,7 +12,7 @@ from gearwright.dynamics.vibration import SpeedCase, first_meshes
 from gearwright.render.figures.dynamics import campbell_figure
 from gearwright.render.figures.motion import every_step, mesh_frequencies
 from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
-from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.pages.page import Figure, Section
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style import theme
 from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table

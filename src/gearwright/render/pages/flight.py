@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import fields
+from dataclasses import dataclass, fields
 
 from matplotlib.figure import Figure as Drawing
 
@@ -14,10 +14,21 @@ from gearwright.render.figures.flight import heat_figure, power_figure, profile_
 from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.window import window_figure
-from gearwright.render.grid.table import MARKS, Table, table
-from gearwright.render.pages.report_parts import Figure, Section, formulas
+from gearwright.render.grid.table import Table, table
+from gearwright.render.pages.appendices import inputs
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    judged,
+    quantity,
+    reserve,
+    set_page,
+)
 from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.flight import (
     asked_table,
@@ -29,14 +40,12 @@ from gearwright.render.tables.flight import (
     phase_table,
 )
 from gearwright.render.words.flight import count_text, life_text, verdict_text
-from gearwright.render.words.headline import energy_text, headline
-from gearwright.render.words.inputs import entries
+from gearwright.render.words.headline import energy_text
 from gearwright.render.words.window import window_verdict
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KNOT, KWH
-from gearwright.version import __version__
 
-_HOUR, _LITRE_PER_MINUTE, _MILE = 3600.0, 1e-3 / 60.0, 1852.0
+_LITRE_PER_MINUTE, _MILE = 1e-3 / 60.0, 1852.0
 BASIS = (
     ("Air", "standard atmosphere with offset; CAS, TAS and Mach by Saint-Venant", "ISO 2533:1975"),
     ("Propeller", "map J × β → C_P, C_T", "NASA CR-114399 (shipped maps), or a file of the user"),
@@ -59,6 +68,7 @@ def flight_page(
     *,
     life: LifeSizing | None = None,
     windows: Sequence[DynamicWindow] = (),
+    stamp: Stamp = UNSTAMPED,
 ) -> str:
     """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
 
@@ -68,6 +78,7 @@ def flight_page(
         review: Of the gearbox that flew.
         life: How the design was strengthened, if it was.
         windows: Of its mission, as flown dynamically.
+        stamp: Date of the page, and lines of the mission file.
     """
     sections = [_verdict(flight, parts, review, life), *_way(flight), *_effects(flight, parts)]
     if life is not None:
@@ -77,30 +88,41 @@ def flight_page(
         sections.append(Section("What a life costs", figures=(drawn,), notes=(f"{life_text(life)}.",)))
     if flight.mission.windows:
         sections.append(_windows(flight, windows))
-    tables = [table for section in sections for table in section.tables]
-    return environment().get_template("flight_page.html.j2").render(
-        design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts, review), sections=sections,
-        entries=[entry for entry in entries(flight.mission) if not entry.path.startswith("phases.")],
-        basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
+    given, default = inputs(flight.mission, of="mission", lines=stamp.lines, leaving="phases.")
+    rows = [_Model(*row) for row in BASIS]
+    models = Section("Models", tables=(table("", rows, ("of", "model", "source")),))
+    design, mission = flight.sizing.design, flight.mission
+    return set_page(
+        Page("Flight", mission.name, f"Flown by {design.name}. {mission.description}", judged(review),
+             tuple(_numbers(flight, parts, review)), tuple(sections), (models, given, default), design, stamp,
+             footer=f"Steady flight in intervals of {mission.step:.0f} s at most; transients are not in it."
+                    " Everything is that of one gearbox.")
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Model:
+    of: str
+    model: str
+    source: str
 
 
 def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawn, name), caption)
 
 
-def _numbers(flight: Flight, parts: Durability, review: Review) -> Iterator[tuple[str, str]]:
+def _numbers(flight: Flight, parts: Durability, review: Review) -> Iterator[Number]:
     balance, first = flight.balance, next(iter(parts.parts), None)
-    yield "verdict", headline(review)
-    yield "flown", f"{flight.duration / _HOUR:.2f} h"
-    yield "fuel", f"{flight.fuel:.0f} kg"
-    if flight.has_battery:
-        yield "charge", f"{balance.battery / KWH:.0f} kWh"
-    yield "hottest oil", f"{flight.hottest_oil - CELSIUS:.0f} °C"
-    yield "gearbox efficiency", f"{flight.efficiency():.2%}"
     if first is not None and first.damage:
         scope = " of what is rated" if parts.is_partial else ""
-        yield f"first to fail{scope}: {first.name}", f"{count_text(first.flights)} flights"
+        yield Number(f"first to fail{scope}: {first.name}", f"{count_text(first.flights)} flights")
+    yield from reserve(review.worst)
+    yield quantity("fuel", flight.fuel, "mass", digits=3)
+    if flight.has_battery:
+        yield quantity("charge", balance.battery, "electric_energy", digits=3)
+    yield quantity("hottest oil", flight.hottest_oil - CELSIUS, "temperature", digits=3)
+    yield quantity("gearbox efficiency", flight.efficiency(), "percent")
+    yield quantity("flown", flight.duration, "life", digits=3)
 
 
 def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:

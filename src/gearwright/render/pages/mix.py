@@ -10,44 +10,62 @@ from gearwright.mission import FlownMix
 from gearwright.render.figures.flight import power_figure, profile_figure
 from gearwright.render.figures.lives import life_figure, spectrum_figure
 from gearwright.render.figures.mix import eaten_figure
-from gearwright.render.grid.table import MARKS
-from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.grid.table import written
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    Verdict,
+    quantity,
+    set_page,
+)
 from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
 from gearwright.render.tables.flight import forces_table, phase_table
 from gearwright.render.tables.mix import mission_table, part_table
 from gearwright.render.words.flight import count_text
 from gearwright.render.words.mix import notes, totals, verdict
-from gearwright.units import KWH
-from gearwright.version import __version__
-
-_HOUR, _TONNE = 3600.0, 1e3
+from gearwright.units import Origin
 
 
-def mix_page(flown: FlownMix) -> str:
+def mix_page(flown: FlownMix, *, stamp: Stamp = UNSTAMPED) -> str:
     """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
 
     Args:
         flown: As flown.
+        stamp: Date of the page.
     """
+    sections = (_life(flown), *(_mission(flown, name) for name in flown.flights))
     title = f"{flown.mix.name}: {flown.sizing.design.name}"
-    sections = [_life(flown), *(_mission(flown, name) for name in flown.flights)]
-    return environment().get_template("comparison.html.j2").render(
-        title=title, description=flown.mix.description, numbers=tuple(_numbers(flown)), sections=sections, marks=MARKS,
-        version=__version__,
+    return set_page(
+        Page("Life of several missions", title, flown.mix.description, _verdict(flown), tuple(_numbers(flown)),
+             sections, design=flown.sizing.design, stamp=stamp)
     )  # fmt: skip
 
 
-def _numbers(flown: FlownMix) -> Iterator[tuple[str, str]]:
-    yield "verdict", verdict(flown)
-    yield "flights", f"{flown.mix.flights}"
-    yield "flight time", f"{flown.duration / _HOUR:.0f} h"
-    yield "fuel of one gearbox", f"{flown.fuel / _TONNE:.4g} t"
-    if any(flight.has_battery for flight in flown.flights.values()):
-        yield "from the battery", f"{flown.battery / KWH / 1e3:.5g} MWh"
+def _verdict(flown: FlownMix) -> Verdict:
+    """Return whether it lives all flights; what is not rated leaves it open."""
+    if flown.damage >= 1.0:
+        return Verdict(Tone.BAD, "Does not live", verdict(flown))
+    partial = bool(flown.life.unrated) or any(lived.is_partial for lived in flown.lives.values())
+    tone, word = (Tone.OPEN, "Lives as far as rated") if partial else (Tone.GOOD, "Lives all flights")
+    return Verdict(tone, word, verdict(flown))
+
+
+def _numbers(flown: FlownMix) -> Iterator[Number]:
     if flown.life.parts and flown.life.parts[0].damage:
         first = flown.life.parts[0]
-        yield f"first to fail: {first.name}", f"{count_text(first.flights)} flights"
+        yield Number(f"first to fail: {first.name}", f"{count_text(first.flights)} flights")
+        miner = Origin("D = Σ n_i/N_i", "Palmgren 1924, Miner 1945")
+        yield Number("Miner's sum", written(flown.damage, 3), value=flown.damage, origin=miner)
+    yield Number("flights", f"{flown.mix.flights}")
+    yield quantity("flight time", flown.duration, "life")
+    yield quantity("fuel of one gearbox", flown.fuel, "mass")
+    if any(flight.has_battery for flight in flown.flights.values()):
+        yield quantity("from the battery", flown.battery, "electric_energy")
 
 
 def _figure(drawn: Drawing, name: str, caption: str) -> Figure:

@@ -4,21 +4,34 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from matplotlib.figure import Figure as Drawing
 
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.motion import Error
-from gearwright.dynamics.vibration import SpeedCase
+from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
-from gearwright.render.grid.table import MARKS, Table
+from gearwright.render.grid.table import Table
+from gearwright.render.pages.appendices import inputs
 from gearwright.render.pages.dynamics_sections import dynamics_sections
-from gearwright.render.pages.report_parts import Figure, Section, assumptions, formulas, key_numbers, warnings
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    Verdict,
+    judged,
+    judged_by_sizing,
+    set_page,
+)
+from gearwright.render.pages.report_parts import assumptions, key_numbers, warnings
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
@@ -26,11 +39,9 @@ from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
-from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
-from gearwright.version import __version__
 
 
 @verb
@@ -43,6 +54,7 @@ def report(
     system: System | None = None,
     campbell: Sequence[SpeedCase] = (),
     review: Review | None = None,
+    stamp: Stamp = UNSTAMPED,
 ) -> str:
     """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
 
@@ -54,11 +66,13 @@ def report(
         system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
         campbell: Critical speeds, if they are to be in it.
         review: Every check, from `gw.review`; left out: the page shows those of sizing alone, and says so.
+        stamp: Date of the page and lines of the design file, which only the caller knows.
     """
     case = case or default_case(sizing)
     tables = tables_of(sizing)
+    told = warnings(sizing, trace, review)
     sections = [
-        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),)),
+        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=told),
         _power(sizing, tables["speeds"], case),
         *_parts(sizing, tables),
         *([_modes(modes, drawn=system is not None)] if modes else []),
@@ -66,18 +80,29 @@ def report(
     ]
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    return environment().get_template("report.html.j2").render(
-        design=sizing.design,
-        numbers=key_numbers(sizing, review),
-        sections=sections,
-        entries=entries(sizing.design),
-        overrides=tables["overrides"],
-        warnings=warnings(sizing, trace, review),
-        assumptions=assumptions(sizing),
-        formulas=formulas(table for section in sections for table in section.tables),
-        marks=MARKS,
-        version=__version__,
+    sections.append(Section("Assumptions", listed=assumptions(sizing)))
+    given, default = inputs(sizing.design, of="design", lines=stamp.lines)
+    given = replace(given, tables=_filled(tables["overrides"]))
+    return set_page(
+        Page(
+            "Report", sizing.design.name, sizing.design.description, _verdict(sizing, trace, review),
+            key_numbers(sizing, review), tuple(sections), (given, default), sizing.design, stamp,
+        )
     )  # fmt: skip
+
+
+def _verdict(sizing: Sizing, trace: Trace | None, review: Review | None) -> Verdict:
+    """Return the verdict of the review, or of sizing; a run whose peaks break a margin lets neither pass."""
+    said = judged_by_sizing(sizing) if review is None else judged(review)
+    if trace is None or said.tone is Tone.BAD:
+        return said
+    loads = dynamic_loads(sizing, trace)
+    broken = [load for load in loads if min(load.bending_margin, load.contact_margin) < 1.0]
+    if not broken:
+        return said
+    least = min(broken, key=lambda load: min(load.bending_margin, load.contact_margin))
+    words = f"Under the simulated peaks {len(broken)} of {len(loads)} meshes break a margin, most of all {least.mesh}."
+    return Verdict(Tone.BAD, "Fails", f"{words} {said.said}")
 
 
 def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:

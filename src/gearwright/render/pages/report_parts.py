@@ -1,15 +1,13 @@
-"""What the report says beside its tables and figures: key numbers, warnings, assumptions, formulas."""
+"""What the report says beside its tables and figures: key numbers, warnings, assumptions."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-
+from gearwright.checks import worst
 from gearwright.dynamics import Trace
 from gearwright.dynamics.vibration import dynamic_loads
-from gearwright.render.grid.table import Table
+from gearwright.render.pages.page import Number, quantity, reserve
 from gearwright.render.tables.checks import check_sentence
-from gearwright.render.words.headline import headline, sizing_headline, unneeded_text
+from gearwright.render.words.headline import unneeded_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, asked_speeds, remarks
 from gearwright.sizing.mass import complete_mass
@@ -17,63 +15,35 @@ from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
-from gearwright.units import text
+from gearwright.units import Origin, text
 
 TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
 
 
-@dataclass(frozen=True)
-class Figure:
-    """A figure in the page."""
-
-    svg: str
-    caption: str
-
-
-@dataclass(frozen=True)
-class Section:
-    """A chapter of the report."""
-
-    title: str
-    tables: tuple[Table, ...] = ()
-    figures: tuple[Figure, ...] = ()
-    notes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Formula:
-    """An equation that made a column of the report."""
-
-    quantity: str
-    symbol: str
-    equation: str
-    source: str
-
-
-def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[tuple[str, str], ...]:
-    """Return what a reader asks first: name and value.
+def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, ...]:
+    """Return what a reader asks first, with bands where they are known.
 
     Args:
         sizing: As sized.
-        review: Of it; left out: the page says that it knows the checks of sizing alone.
+        review: Of it; left out: the margin is that of the checks of sizing alone.
     """
     rated = sizing.reference
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
     whole = complete_mass(sizing)
-    low, high = whole.band
+    gears = Origin("gears, shafts, carriers", "sum; by this mass designs are chosen")
     numbers = [
-        ("level", sizing.level),
-        ("rated power", text(sizing.rated_power, "power")),
-        ("output torque", text(torque, "torque")),
-        ("mass of the train", text(sizing.mass, "mass")),
-        ("complete mass", text(whole.total, "mass", 3)),
-        ("68 % of it", f"{text(low, 'mass', 3)} to {text(high, 'mass', 3)}"),
-        ("power density", text(sizing.power_density, "specific_power")),
-        ("verdict", sizing_headline(sizing) if review is None else headline(review)),
+        quantity("complete mass", whole.total, "mass", digits=3, band=whole.band, share="68 %"),
+        quantity("rated power", sizing.rated_power, "power"),
+        quantity("output torque", torque, "torque"),
+        quantity("power density of the train", sizing.power_density, "specific_power"),
+        *reserve(worst(sizing.checks) if review is None else review.worst),
+        quantity("mass of the train", sizing.mass, "mass", origin=gears),
+        *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
+        Number("level", sizing.level),
     ]
-    return tuple(numbers + ([("motors", text(sizing.motor_mass, "mass"))] if sizing.motor_mass else []))
+    return tuple(numbers)
 
 
 def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) -> tuple[str, ...]:
@@ -182,18 +152,3 @@ def _nominal(design: Design) -> list[str]:
 def _keeps_idlers(design: Design, stage: str) -> bool:
     """Tell whether the method of a stage leaves it to a factor what idlers bear, and none is given."""
     return "idler_factor" in RATINGS[design.rating(stage)].reads and design.rules(stage).idler_factor == 1.0
-
-
-def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
-    """Return every equation behind the columns of some tables, once each, in order.
-
-    Args:
-        tables: Of the report.
-    """
-    listed = {
-        (column.header, origin.equation): Formula(column.header, column.symbol, origin.equation, origin.source)
-        for table in tables
-        for column in table.columns
-        for origin in column.listed_origins
-    }
-    return tuple(listed.values())

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-from gearwright.render.grid.table import MARKS, Table, table
-from gearwright.render.pages.report_parts import Section
-from gearwright.render.style.templates import environment
+from gearwright.render.grid.table import Table, table
+from gearwright.render.pages.page import UNSTAMPED, Number, Page, Section, Stamp, judged, quantity, reserve, set_page
 from gearwright.render.tables.requirements import failed_table, met_table, open_table, order_table, waived_table
 from gearwright.render.tables.sizing.masses import mass_sentence
-from gearwright.render.words.headline import said_of, unneeded_text
-from gearwright.reviews import Review, Verdict
+from gearwright.render.words.headline import unneeded_text
+from gearwright.reviews import Review
+from gearwright.spec import Design
 from gearwright.units import CELSIUS, text
-from gearwright.version import __version__
 
 HEAVIEST = 8
 """Parts of the complete mass that are listed one by one [-]."""
+_FOOTER = "Margins of stresses include the asked factor; of a life L of which L_a is asked, (L/L_a)^(1/p)."
 _FACTS = {
     "heat": "heat at rated load",
     "oil_flow": "oil flow",
@@ -27,48 +27,41 @@ _FACTS = {
 """Facts of a review beside its masses -> how the page calls them."""
 
 
-def review_page(review: Review) -> str:
+def review_page(review: Review, *, design: Design | None = None, stamp: Stamp = UNSTAMPED) -> str:
     """Return a review as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         review: Of a design.
+        design: That it judges, for its hash.
+        stamp: Date of the page.
     """
     flown = f"Flying {review.mission}." if review.mission else "On the ground: no mission is flown."
-    return environment().get_template("review.html.j2").render(
-        title=review.design, description=flown, verdict=str(review.verdict), said=_said(review),
-        fails=review.verdict is Verdict.FAILS, numbers=tuple(_numbers(review)), sections=_sections(review), marks=MARKS,
-        version=__version__,
+    return set_page(
+        Page("Design review", review.design, flown, judged(review), tuple(_numbers(review)), _sections(review),
+             design=design, stamp=stamp, footer=_FOOTER)
     )  # fmt: skip
 
 
-def _said(review: Review) -> str:
-    """Return the headline without the verdict, which stands above it."""
-    words = said_of(review)
-    return f"{words[0].upper()}{words[1:]}."
-
-
-def _numbers(review: Review) -> Iterator[tuple[str, str]]:
+def _numbers(review: Review) -> Iterator[Number]:
     """Yield what a reader asks first."""
-    low, high = (text(mass, "mass", 3) for mass in review.complete.band)
-    yield f"complete mass; 68 %: {low} to {high}", text(review.complete.total, "mass", 3)
+    yield from reserve(review.worst)
+    yield quantity("complete mass", review.complete.total, "mass", digits=3, band=review.complete.band, share="68 %")
     machines = float(review.facts["motor_mass"].value)
     if machines:
-        yield f"with machines of {text(machines, 'mass', 3)}", text(review.complete.total + machines, "mass", 3)
+        with_them = f"with machines of {text(machines, 'mass', 3)}"
+        yield quantity(with_them, review.complete.total + machines, "mass", digits=3)
     known = review.statistics
     if known.mass is not None and known.low is not None and known.high is not None:
-        ends = f"{text(known.low, 'mass', 3)} to {text(known.high, 'mass', 3)}"
-        yield f"61 real gearboxes; 68 %: {ends}", text(known.mass, "mass", 3)
+        band = (known.low, known.high)
+        yield quantity("61 real gearboxes", known.mass, "mass", digits=3, band=band, share="68 %")
     sides = [1e3 * float(review.facts[f"envelope.{side}"].value) for side in ("width", "height", "length")]
-    yield "bodies: width, height, length", f"{' × '.join(f'{side:.0f}' for side in sides)} mm"
+    yield Number("bodies: width, height, length", " × ".join(f"{side:.0f}" for side in sides), "mm")
     for name, words in _FACTS.items():
         if name in review.facts:
             value, dimension = review.facts[name]
-            yield words, _celsius(float(value)) if name == "hottest_oil" else text(float(value), dimension, 3)
-
-
-def _celsius(temperature: float) -> str:
-    """Return an absolute temperature as oil thermometers show it."""
-    return text(temperature - CELSIUS, "temperature", 3)
+            hottest = name == "hottest_oil"
+            shift, shown_as = (CELSIUS, "temperature") if hottest else (0.0, dimension)
+            yield quantity(words, float(value) - shift, shown_as, digits=3)
 
 
 def _sections(review: Review) -> tuple[Section, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -16,11 +16,21 @@ from gearwright.render.figures.study.spread import (
     tornado_figure,
 )
 from gearwright.render.figures.study.trade import trade_figure, weights_figure
-from gearwright.render.grid.table import MARKS
-from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    judged,
+    set_page,
+    worst_of,
+)
+from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
 from gearwright.render.tables.study.lists import front_list, inputs_table, spread_table, standings_table, values_table
 from gearwright.render.tables.study.variants import heading
 from gearwright.render.words.headline import headline
@@ -35,15 +45,17 @@ FEW = 60
 """Cases up to which every one is drawn; the spread says more about more of them."""
 
 
-def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str:
+def study_page(study: Study, table: Table, designs: Mapping[str, Design], *, stamp: Stamp = UNSTAMPED) -> str:
     """Return a study as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         study: As run.
         table: Its rows.
         designs: Name -> design, to draw those that are chosen.
+        stamp: Date of the page.
     """
     outcome = verdict(study, table)
+    drawn = _drawn(study, table, designs, outcome)
     sections = [_answer(study, table, outcome)]
     if len(study.objectives) > 1 and outcome is None:
         sections.append(_front(study, table))
@@ -51,12 +63,25 @@ def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str
         sections.append(_sensitivity(study, table))
     if outcome is None or outcome.scenarios == 1:
         sections.append(_cases(study, table))
-    sections += _drawn(study, table, designs, outcome)
-    sections.append(_made(study))
-    return environment().get_template("comparison.html.j2").render(
-        title=table.name, description=table.description, numbers=key_numbers(outcome), sections=sections, marks=MARKS,
-        version=__version__,
-    )  # fmt: skip
+    sections += [section for section, _ in drawn]
+    numbers = tuple(Number(name, value) for name, value in key_numbers(outcome))
+    said = _verdict(table, [verdict for _, verdicts in drawn for verdict in verdicts], sections[0].notes)
+    return set_page(
+        Page("Study", table.name, table.description, said, numbers, tuple(sections), (_made(study),), stamp=stamp)
+    )
+
+
+def _verdict(table: Table, chosen: Sequence[Judged], told: Sequence[str]) -> Judged:
+    """Return what the study answers, with no better a tone than the designs that it draws, or cases that failed."""
+    said = told[0] if told else "The study has no objective."
+    failing = sum(verdict.tone is Tone.BAD for verdict in chosen)
+    if failing:
+        return Judged(Tone.BAD, f"{failing} of {len(chosen)} chosen designs fail their review", said)
+    if table.failed:
+        return Judged(Tone.OPEN, f"{len(table.failed)} of {len(table.rows)} cases have no result", said)
+    if not chosen:
+        return Judged(Tone.OPEN, "Computed", said)
+    return Judged(worst_of(chosen), "The chosen designs pass as far as assessed", said)
 
 
 def _answer(study: Study, table: Table, outcome: Verdict | None) -> Section:
@@ -124,15 +149,18 @@ def _shapes(study: Study, table: Table) -> list[Figure]:
     ]
 
 
-def _drawn(study: Study, table: Table, designs: Mapping[str, Design], outcome: Verdict | None) -> Iterator[Section]:
-    """Yield the chosen designs as schematics: the winner and the next, or the ends and the middle of a front."""
-    figures, notes = [], []
+def _drawn(
+    study: Study, table: Table, designs: Mapping[str, Design], outcome: Verdict | None
+) -> list[tuple[Section, list[Judged]]]:
+    """Return the chosen designs as schematics, judged: the winner and the next, or the ends and middle of a front."""
+    figures, notes, verdicts = [], [], []
     for k, (caption, row) in enumerate(chosen(study, table, outcome)):
         sizing, review = reviewed(study, designs[row.design], row.inputs)
         figures.append(Figure(theme.to_svg(schematic_figure(sizing), f"drawn{k}"), caption))
         notes.append(f"{caption}: {headline(review)}.")
-    if figures:
-        yield Section("The chosen designs", figures=tuple(figures), notes=tuple(notes))
+        verdicts.append(judged(review))
+    section = Section("The chosen designs", figures=tuple(figures), notes=tuple(notes))
+    return [(section, verdicts)] if figures else []
 
 
 def _made(study: Study) -> Section:

@@ -8,7 +8,12 @@ from functools import cache
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-_SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
+from gearwright.render.style.mathml import mathml
+
+_SUBSCRIPT = re.compile(
+    r"`([^`]+)`|(?<![\w.])([A-Za-zα-ωΑ-Ω]{1,2}[′*]?)_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])(?![A-Za-z0-9_α-ω])"
+)
+"""Code between backticks, or a symbol of one or two letters with its index: keys of files have longer names."""
 
 
 @cache
@@ -27,6 +32,7 @@ def environment(package: str = "gearwright.render") -> Environment:
         keep_trailing_newline=True,
     )
     templates.filters["symbols"] = symbols
+    templates.filters["mathml"] = _mathematics
     return templates
 
 
@@ -41,4 +47,13 @@ def symbols(words: str) -> Markup:
     Args:
         words: An equation or a symbol.
     """
-    return Markup(_SUBSCRIPT.sub(r"<sub>\1</sub>", str(escape(words))))
+    return Markup(_SUBSCRIPT.sub(_set, str(escape(words))))
+
+
+def _set(match: re.Match[str]) -> str:
+    code, symbol, index = match.groups()
+    return f"<code>{code}</code>" if code else f"{symbol}<sub>{index}</sub>"
+
+
+def _mathematics(formula: str) -> Markup:
+    return Markup(mathml(formula))

@@ -1,0 +1,246 @@
+"""What every page has: a head with the verdict and key numbers, contents, numbered sections, appendices."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from hashlib import sha256
+from types import MappingProxyType
+
+from markupsafe import Markup
+
+from gearwright.checks import Check
+from gearwright.render.grid.table import MARKS, Table, written
+from gearwright.render.style.templates import environment
+from gearwright.render.words.headline import said_of, sizing_headline
+from gearwright.reviews import Review
+from gearwright.reviews import Verdict as Judgement
+from gearwright.sizing import Sizing
+from gearwright.spec import Design
+from gearwright.units import Origin, shown, unit
+from gearwright.version import __version__
+
+_NONE = Markup()
+_HASH = 12
+"""Digits of a design's hash."""
+
+
+class Tone(StrEnum):
+    """Colour of a verdict; its word says the same."""
+
+    GOOD = "good"
+    OPEN = "open"
+    BAD = "bad"
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a page says first, and never more than the worst thing on it."""
+
+    tone: Tone
+    word: str
+    """In one or two words."""
+    said: str
+    """In a sentence."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A key number of the head."""
+
+    name: str
+    text: str
+    """As it is read, without its unit."""
+    unit: str = ""
+    value: float | None = None
+    """In the unit; None for words."""
+    band: tuple[float, float] | None = None
+    """Least and most, in the unit."""
+    share: str = ""
+    """What the band holds, such as ``68 %``."""
+    origin: Origin | None = None
+    """Equation and source."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure in the page."""
+
+    svg: str
+    caption: str
+
+
+@dataclass(frozen=True)
+class Section:
+    """A chapter of a page."""
+
+    title: str
+    tables: tuple[Table, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    notes: tuple[str, ...] = ()
+    listed: tuple[str, ...] = ()
+    """Sentences as a list, before all else."""
+    content: Markup = _NONE
+    """What a page sets itself, after all else."""
+
+
+@dataclass(frozen=True)
+class Formula:
+    """An equation that made a column of a table."""
+
+    quantity: str
+    symbol: str
+    equation: str
+    source: str
+
+
+@dataclass(frozen=True)
+class Stamp:
+    """What the caller knows of a page and its input does not."""
+
+    date: str = ""
+    """Of the page; none by itself, so that the same input gives the same bytes."""
+    lines: Mapping[str, int] = field(default_factory=lambda: MappingProxyType({}))
+    """Dotted path -> line in the design file."""
+
+
+UNSTAMPED = Stamp()
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page before it is set."""
+
+    kind: str
+    """Such as ``Design review``."""
+    title: str
+    description: str
+    verdict: Verdict
+    numbers: tuple[Number, ...]
+    sections: tuple[Section, ...]
+    appendices: tuple[Section, ...] = ()
+    design: Design | None = None
+    """Whose hash the head shows."""
+    stamp: Stamp = UNSTAMPED
+    footer: str = "Everything inside is SI; units of the screen are mm, MPa, N, N m, kW, rpm."
+
+
+def quantity(
+    name: str,
+    value: float,
+    dimension: str,
+    *,
+    digits: int = 4,
+    band: tuple[float, float] | None = None,
+    share: str = "",
+    origin: Origin | None = None,
+) -> Number:
+    """Return a key number with its unit.
+
+    Args:
+        name: In words.
+        value: In SI.
+        dimension: Key of the units.
+        digits: Significant digits [-].
+        band: Least and most, in SI.
+        share: What the band holds.
+        origin: Equation and source.
+    """
+    number = shown(value, dimension)
+    ends = None if band is None else (shown(band[0], dimension), shown(band[1], dimension))
+    return Number(name, written(number, digits), unit(dimension), number, ends, share, origin)
+
+
+_TONES = {Judgement.FAILS: Tone.BAD, Judgement.PASSES_SO_FAR: Tone.OPEN, Judgement.PASSES: Tone.GOOD}
+
+
+def judged(review: Review) -> Verdict:
+    """Return the verdict of a review.
+
+    Args:
+        review: Of a design.
+    """
+    return Verdict(_TONES[review.verdict], _capital(str(review.verdict)), f"{_capital(said_of(review))}.")
+
+
+def judged_by_sizing(sizing: Sizing) -> Verdict:
+    """Return what a sizing alone can say: it fails, or it passes as far as assessed.
+
+    Args:
+        sizing: As sized.
+    """
+    failing = any(check.fails for check in sizing.checks)
+    tone, word = (Tone.BAD, "Fails") if failing else (Tone.OPEN, "Passes as far as assessed")
+    return Verdict(tone, word, f"{_capital(sizing_headline(sizing))}.")
+
+
+def worst_of(verdicts: Iterable[Verdict]) -> Tone:
+    """Return the worst tone of some verdicts; none at all leaves it open.
+
+    Args:
+        verdicts: Of what stands on a page.
+    """
+    tones = [verdict.tone for verdict in verdicts]
+    return next((tone for tone in (Tone.BAD, Tone.OPEN) if tone in tones), Tone.GOOD if tones else Tone.OPEN)
+
+
+def reserve(check: Check | None) -> tuple[Number, ...]:
+    """Return the margin of the worst check as a key number.
+
+    Args:
+        check: The worst; None where none is assessed.
+    """
+    if check is None or check.margin is None:
+        return ()
+    origin = Origin("margin", f"{check.clause}; {check.part}: {check.what}")
+    return (Number(f"worst margin: {check.part}", written(check.margin, 3), "", check.margin, origin=origin),)
+
+
+def hash_of(design: Design) -> str:
+    """Return the digest of what a design states; blanks, comments and the order of keys do not move it.
+
+    Args:
+        design: As read.
+    """
+    stated = json.loads(design.model_dump_json(by_alias=True, exclude_unset=True))
+    return sha256(json.dumps(stated, sort_keys=True).encode()).hexdigest()[:_HASH]
+
+
+def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
+    """Return every equation behind the columns of some tables, once each, in order.
+
+    Args:
+        tables: Of the page.
+    """
+    listed = {
+        (column.header, origin.equation): Formula(column.header, column.symbol, origin.equation, origin.source)
+        for table in tables
+        for column in table.columns
+        for origin in column.listed_origins
+    }
+    return tuple(listed.values())
+
+
+def set_page(page: Page) -> str:
+    """Return a page as self-contained HTML; the same input gives the same bytes.
+
+    Args:
+        page: With all that stands on it.
+    """
+    tables = [table for section in (*page.sections, *page.appendices) for table in section.tables]
+    known = formulas(tables)
+    return environment().get_template("page.html.j2").render(
+        page=page,
+        formulas=known,
+        anchors={(formula.quantity, formula.equation): f"f{k}" for k, formula in enumerate(known, start=1)},
+        hash=hash_of(page.design) if page.design is not None else "",
+        marks=MARKS,
+        written=written,
+        version=__version__,
+    )  # fmt: skip
+
+
+def _capital(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}"
