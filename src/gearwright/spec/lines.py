@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 HEADER = re.compile(r"^\s*\[{1,2}([^\[\]]+)\]{1,2}\s*(?:#.*)?$")
 KEY = re.compile(r"""^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=""")
@@ -33,7 +34,7 @@ def key_lines(text: str) -> dict[str, int]:
     return lines
 
 
-def line_of(path: str, lines: dict[str, int]) -> int | None:
+def line_of(path: str, lines: Mapping[str, int]) -> int | None:
     """Return the line of a path, or of the nearest table above it.
 
     Args:
@@ -45,6 +46,21 @@ def line_of(path: str, lines: dict[str, int]) -> int | None:
             return lines[path]
         path = path.rpartition(".")[0]
     return None
+
+
+def line_in(path: str, lines: Mapping[str, int]) -> int | None:
+    """Return the line of a path whose key has its unit behind it, or of the nearest table above it.
+
+    Args:
+        path: Dotted path without the unit of its key.
+        lines: As `key_lines` gives them.
+
+    >>> line_in("motors.electric.power", {"motors.electric": 3, "motors.electric.power_kw": 4})
+    4
+    """
+    head = f"{path}_"
+    exact = next((line for key, line in lines.items() if key == path or key.startswith(head)), None)
+    return line_of(path, lines) if exact is None else exact
 
 
 def dotted(key: str) -> str:

@@ -41,6 +41,7 @@ from gearwright.render.tables.flight import (
 )
 from gearwright.render.words.flight import count_text, life_text, verdict_text
 from gearwright.render.words.headline import energy_text
+from gearwright.render.words.inputs import entries
 from gearwright.render.words.window import window_verdict
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KNOT, KWH
@@ -88,7 +89,8 @@ def flight_page(
         sections.append(Section("What a life costs", figures=(drawn,), notes=(f"{life_text(life)}.",)))
     if flight.mission.windows:
         sections.append(_windows(flight, windows))
-    given, default = inputs(flight.mission, of="mission", lines=stamp.lines, leaving="phases.")
+    written = [entry for entry in entries(flight.mission) if not entry.path.startswith("phases.")]
+    given, default = inputs(written, of="mission", lines=stamp.lines)
     rows = [_Model(*row) for row in BASIS]
     models = Section("Models", tables=(table("", rows, ("of", "model", "source")),))
     design, mission = flight.sizing.design, flight.mission

@@ -39,6 +39,7 @@ from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
+from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
@@ -81,7 +82,7 @@ def report(
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
     sections.append(Section("Assumptions", listed=assumptions(sizing)))
-    given, default = inputs(sizing.design, of="design", lines=stamp.lines)
+    given, default = inputs(entries(sizing.design), of="design", lines=stamp.lines)
     given = replace(given, tables=_filled(tables["overrides"]))
     return set_page(
         Page(
