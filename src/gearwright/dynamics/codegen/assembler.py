@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.emit import CHUNK
+from gearwright.dynamics.kept_code import keep_code, kept_code
 
 
 def aligned(*shape: int) -> Floats:
@@ -24,6 +27,7 @@ def aligned(*shape: int) -> Floats:
 
 
 _NOTHING = ctypes.c_char * 0
+_NO_CALLS: Mapping[str, int] = MappingProxyType({})
 
 
 def address(array: Floats) -> int:
@@ -35,21 +39,31 @@ def address(array: Floats) -> int:
     return ctypes.addressof(_NOTHING.from_buffer(array))  # type: ignore[arg-type]
 
 
-def machine_code(text: str) -> Any:
-    """Return the engine that holds the machine code of an assembly.
+def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS) -> Any:
+    """Return the engine that holds the machine code of an assembly, compiled or as it was kept.
 
     Args:
         text: LLVM assembly.
+        called: Where in memory the functions are that it only declares, by name.
     """
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
+    for name, place in called.items():
+        llvm.add_symbol(name, place)
     triple, features = llvm.Target.from_default_triple(), llvm.get_host_cpu_features().flatten()
+    cpu = llvm.get_host_cpu_name()
     # The assembly is straight-line code without redundancy: optimising passes before code generation gain nothing.
-    target = triple.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=3)
-    module = llvm.parse_assembly(text)
-    module.verify()
+    target = triple.create_target_machine(cpu=cpu, features=features, opt=3)
+    key = "\n".join([str(triple), cpu, features, text])
+    kept = kept_code(key)
+    module = llvm.parse_assembly("" if kept else text)
     engine = llvm.create_mcjit_compiler(module, target)
+    if kept:
+        engine.add_object_file(llvm.ObjectFileRef.from_data(kept))
+    else:
+        module.verify()
+        engine.set_object_cache(notify_func=lambda _, code: keep_code(key, code))
     engine.finalize_object()
     return engine

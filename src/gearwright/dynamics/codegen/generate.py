@@ -19,6 +19,8 @@ Pulls = dict[int, dict[tuple[int, int], list[int]]]
 """Lines that pull on each coordinate, by the number and the sign of their weight."""
 Frame = Literal["gyroscopic", "centripetal"]
 """Kind of entry."""
+LAWS = "drive_laws"
+"""Name of the function that works out what drives do; an address would be one of this process alone."""
 PART = 8
 """Lines that share what they have loaded: among more, registers run out."""
 
@@ -136,9 +138,6 @@ def drive_laws(writer: Writer, code: Emitter, output: Output) -> None:
         code: Body.
         output: What is kept.
     """
-    # Loaded here because compiling it the first time takes seconds, and most systems do without it.
-    from gearwright.dynamics.codegen.drive_call import laws
-
     shape = writer.shape
     rooms = {"torque": shape.size, "rate": filled(shape.drives.states), "unseen": drive_width(shape)}
     code.lines += [f"  %{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
@@ -147,7 +146,7 @@ def drive_laws(writer: Writer, code: Emitter, output: Output) -> None:
     seen = code.at("%out", 2 * writer.count) if output == "record" else "%unseen"
     numbers = f"ptr {table}, i64 {shape.drives.length}, i64 {shape.drives.states}, ptr {inputs}, double {factor}"
     pointers = ", ".join(f"ptr {name}" for name in ("%v", "%torque", "%rate", seen))
-    code.lines.append(f"  call void inttoptr (i64 {laws.address} to ptr)({numbers}, {pointers})")
+    code.lines.append(f"  call void @{LAWS}({numbers}, {pointers})")
 
 
 def carried_by(writer: Writer, code: Emitter, j: int, parts: tuple[Numbers, Numbers, Numbers], output: Output) -> str:

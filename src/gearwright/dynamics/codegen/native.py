@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, machine_code
+from gearwright.dynamics.codegen.generate import LAWS
 from gearwright.dynamics.codegen.march import assembly
 from gearwright.dynamics.codegen.topology import Layout, Topology
 from gearwright.dynamics.codegen.writer import Writer
@@ -45,7 +46,7 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
         own: Fields of `Layout`, and ``"clock"``, that each lane has to itself; all others are alike.
     """
     text = assembly(Writer(shape, layout, lanes, own))
-    engine = machine_code(text)
+    engine = machine_code(text, _called(shape))
     pointer, number = ctypes.c_void_p, ctypes.c_int64
     signature = ctypes.CFUNCTYPE(None, number, *[pointer] * 6)
     function = signature(engine.get_function_address("advance"))
@@ -55,3 +56,13 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
 
     alone = int(engine.get_function_address("derivative")) if lanes == 1 else 0
     return Compiled(advance, alone, engine, text)
+
+
+def _called(shape: Topology) -> dict[str, int]:
+    """Return what generated code calls, by name, and where it is in memory."""
+    if not shape.drives.records:
+        return {}
+    # Loaded here because compiling it the first time takes seconds, and most systems do without it.
+    from gearwright.dynamics.codegen.drive_call import laws
+
+    return {LAWS: laws.address}

@@ -13,8 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.codegen import drive_width, topology
-from gearwright.dynamics.equations import WORKS, split_rigid
+from gearwright.dynamics.equations import split_rigid
 from gearwright.dynamics.model import Arrays, System, profile_of
 
 STEP = 1e-3
@@ -58,21 +57,12 @@ def rigid_factor(arrays: Arrays, rigid: Floats, duration: float) -> tuple[Floats
     Source: classical fourth-order Runge–Kutta of Rᵀ M R ν̇ = Rᵀ Q with θ̇ = Ω s + R ν.
     """
     # Loaded here because only driven trains need numba for it.
-    from gearwright.dynamics.equations import kernel
-    from gearwright.dynamics.motion.rigid_march import Work, march
+    from gearwright.dynamics.motion.rigid_march import rigid_speeds
 
     steps = max(1, round(duration / STEP))
-    motion = np.zeros(steps + 1)
-    work = Work(*(np.zeros(length) for length in _lengths(arrays)))
-    march(arrays, kernel.empty_instant(arrays), rigid[:, 0].copy(), duration / steps, work, motion)
+    motion = rigid_speeds(arrays, rigid[:, 0].copy(), duration / steps, steps)
     fastest = int(np.argmax(np.abs(arrays.speed)))
     factor = arrays.profile.factor[0] + rigid[fastest, 0] * motion / arrays.speed[fastest]
     stride = max(1, -(-steps // POINTS))
     time = np.linspace(0.0, duration, steps + 1)
     return time[::stride], factor[::stride]
-
-
-def _lengths(arrays: Arrays) -> tuple[int, int, int, int]:
-    drives = len(arrays.drives.start)
-    length = 2 * len(arrays.mass) + WORKS + drives
-    return length, length, 2 * len(arrays.stiffness) + drive_width(topology(arrays)), 1 + drives

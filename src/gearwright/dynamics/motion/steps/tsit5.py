@@ -9,18 +9,16 @@ Solving Ordinary Differential Equations I, IV.2 of part II (controller).
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from llvmlite import ir
-from numba import types
-from numba.extending import intrinsic
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import kernel
 from gearwright.dynamics.equations.drive_laws import drive_columns
 from gearwright.dynamics.model import Arrays, Profile, line_matrix
+from gearwright.dynamics.motion.steps.call import call_generated
 
 NODES = np.array([0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0])
 STAGES = np.zeros((7, 7))
@@ -110,21 +108,6 @@ def limits(arrays: Arrays, tolerance: float) -> Limits:
     return Limits(0.5 * arrays.mass, 0.5 * stiffness, tolerance**2)
 
 
-@intrinsic
-def _call(_: Any, address: Any, p: Any, row: Any, y: Any, dy: Any, out: Any) -> Any:
-    """Call generated code at an address."""
-    signature = types.void(address, p, row, y, dy, out)
-
-    def build(context: Any, builder: Any, _: Any, arguments: Any) -> Any:
-        pointer = ir.IntType(8).as_pointer()
-        function = ir.FunctionType(ir.VoidType(), [pointer] * 5).as_pointer()
-        places = [builder.inttoptr(argument, pointer) for argument in arguments[1:]]
-        builder.call(builder.inttoptr(arguments[0], function), places)
-        return context.get_dummy_value()
-
-    return signature, build
-
-
 @compiled
 def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
     """Set what the clock alone decides."""
@@ -153,7 +136,7 @@ def _slope(arrays: Arrays, right: Right, state: Floats, slope: Floats, output: F
         kernel.derivative(arrays, right.now, state, slope, output)
     else:
         numbers, row, y = right.numbers.ctypes.data, right.row.ctypes.data, state.ctypes.data
-        _call(right.address, numbers, row, y, slope.ctypes.data, output.ctypes.data)  # type: ignore[call-arg]
+        call_generated(right.address, numbers, row, y, slope.ctypes.data, output.ctypes.data)
 
 
 @compiled
