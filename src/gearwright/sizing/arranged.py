@@ -142,3 +142,11 @@ class Arrangement:
     out."""
     turns: tuple[Turn, ...] = ()
     """Axes that were turned to make room."""
+    within: tuple[tuple[str, str], ...] = ()
+    """Inner and outer shaft, where one goes through the other."""
+    turned: frozenset[str] = frozenset()
+    """Planetary sets whose planes lie the other way round along the axis."""
+    two_sided: frozenset[str] = frozenset()
+    """Planetary sets whose carrier's shaft leaves them on both sides."""
+    unordered: tuple[tuple[str, ...], ...] = ()
+    """Shafts of every axis on which no order was found in which all have room."""

@@ -18,7 +18,16 @@ from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.mass import as_made
-from gearwright.sizing.places import beside_checks, coaxial_checks, keep_out_checks, pin_checks, room_checks, settle
+from gearwright.sizing.places import (
+    beside_checks,
+    coaxial_checks,
+    hollow_checks,
+    keep_out_checks,
+    order_checks,
+    pin_checks,
+    room_checks,
+    settle,
+)
 from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import PRELIMINARY, Sizing
@@ -132,7 +141,9 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
         *film_checks(context, gears, carriers),
         *pin_checks(design, {gear.name: gear for gear in gears}, carriers),
         *room_checks(arrangement, settled.rules),
-        *coaxial_checks(arrangement.bodies, settled.rules.sets, settled.rules.built),
+        *coaxial_checks(arrangement, settled.rules.sets, settled.rules.built),
+        *hollow_checks(context, gears, arrangement),
+        *order_checks(context, arrangement),
         *beside_checks(context, arrangement),
         *keep_out_checks(design, arrangement.bodies),
         *locking_checks(design, train, teeth, flows),

@@ -3,11 +3,29 @@
 What loads them there is for `loads`.
 """
 
-from gearwright.sizing.arrangement.arrange import NO_ANGLES, arrange
+from gearwright.sizing.arrangement.arrange import NO_ANGLES, arrange, axles_in
+from gearwright.sizing.arrangement.axle import Axle
 from gearwright.sizing.arrangement.envelope import envelope
 from gearwright.sizing.arrangement.hands import helix_hand
 from gearwright.sizing.arrangement.layout import Moves
+from gearwright.sizing.arrangement.ordering import Way, best_way
 from gearwright.sizing.arrangement.roots import root_diameter
 from gearwright.sizing.arrangement.seats import axial_forces
+from gearwright.sizing.arrangement.sets import PLATE_GAP, set_length, slots
 
-__all__ = ["NO_ANGLES", "Moves", "arrange", "axial_forces", "envelope", "helix_hand", "root_diameter"]
+__all__ = [
+    "NO_ANGLES",
+    "PLATE_GAP",
+    "Axle",
+    "Moves",
+    "Way",
+    "arrange",
+    "axial_forces",
+    "axles_in",
+    "best_way",
+    "envelope",
+    "helix_hand",
+    "root_diameter",
+    "set_length",
+    "slots",
+]

@@ -57,7 +57,7 @@ def axes_of(context: Context, gears: tuple[GearSizing, ...], angles: Mapping[str
         DesignError: If the centre distances do not close.
     """
     asked = _asked(context.design, angles)
-    axis = _coaxial(context.design)
+    axis = shared_axes(context.design)
     faces = {name for name, pair in context.design.pairs.items() if pair.kind == "face"}
     bonds = list(_bonds(context, axis, {gear.name: gear for gear in gears}, faces))
     placed: dict[str, complex] = {}
@@ -67,8 +67,12 @@ def axes_of(context: Context, gears: tuple[GearSizing, ...], angles: Mapping[str
     return {shaft: placed[axis[shaft]] for shaft in context.design.shafts}
 
 
-def _coaxial(design: Design) -> dict[str, str]:
-    """Return shaft -> the first shaft on the same axis."""
+def shared_axes(design: Design) -> dict[str, str]:
+    """Return shaft -> the first shaft on the same axis.
+
+    Args:
+        design: As read.
+    """
     axis = {name: name for name in design.shafts}
     groups = [stage.members for stage in design.sets.values()]
     for group in (*groups, *((link.driving, link.driven) for link in design.links.values())):

@@ -27,20 +27,22 @@ NO_MOVES: Moves = MappingProxyType({})
 """All gears have equal gaps."""
 
 
-def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...], moves: Moves = NO_MOVES) -> ShaftPlan:
+def plan_of(
+    context: Context, name: str, gears: tuple[GearSizing, ...], names: list[str], moves: Moves = NO_MOVES
+) -> ShaftPlan:
     """Return where everything on a shaft sits.
 
     Args:
         context: What sizing reads.
         name: Of the shaft.
         gears: From `size_gears`.
+        names: What puts torque on it, in order.
         moves: Of gears, on shafts whose length is open.
 
     Raises:
         DesignError: If the given length, places or bearings do not fit.
     """
-    layout, rules = context.design.layout.get(name, NOTHING_GIVEN), context.design.shafting
-    names = list(_on_shaft(context.design, context.train, name))
+    layout = context.design.layout.get(name, NOTHING_GIVEN)
     widths = {
         gear.name: gear.face_width * gear.bodies / len(gear.shafts)
         for gear in gears
@@ -52,17 +54,40 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...], moves: M
     own = {gear: by for (shaft, gear), by in moves.items() if shaft == name}
     if own:
         length, places = _moved(name, places, widths, length, own)
-    seat = min(rules.bearing_length, length / 2.0) / 2.0
-    first = seat if layout.first_bearing is None else layout.first_bearing
-    second = length - seat if layout.second_bearing is None else layout.second_bearing
     seats = seats_of(context.design, name)
-    plan = ShaftPlan(length, radial_places(seats) or (first, second), places, seats)
+    plan = ShaftPlan(length, radial_places(seats) or _bearings(context.design, name, length), places, seats)
     _check(name, layout, plan, names=names, width=sum(widths.values()))
     return plan
 
 
-def _on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
-    """Yield everything that puts torque on a shaft, in order."""
+def plan_along(context: Context, name: str, length: float, places: Mapping[str, float]) -> ShaftPlan:
+    """Return a shaft whose length and places follow from what else is on its axis.
+
+    Args:
+        context: What sizing reads.
+        name: Of the shaft.
+        length: [m].
+        places: Of everything on it [m].
+    """
+    return ShaftPlan(length, _bearings(context.design, name, length), places)
+
+
+def _bearings(design: Design, name: str, length: float) -> tuple[float, float]:
+    """Return the middles of the two radial bearings of a shaft whose bearings the design leaves open [m]."""
+    layout = design.layout.get(name, NOTHING_GIVEN)
+    seat = min(design.shafting.bearing_length, length / 2.0) / 2.0
+    first = seat if layout.first_bearing is None else layout.first_bearing
+    return first, length - seat if layout.second_bearing is None else layout.second_bearing
+
+
+def on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
+    """Yield everything that puts torque on a shaft, in the usual order.
+
+    Args:
+        design: As read.
+        train: Its graph.
+        shaft: Name of the shaft.
+    """
     yield from (link.name for link in train.links if link.driven == shaft)
     yield from (name for name, machine in design.machines.items() if machine.shaft == shaft and machine.drives)
     for stage in design.stages:
@@ -131,6 +156,11 @@ def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str],
             problems.append(Problem(f"{path}.places.{part}", f"this is not on the shaft; {near(part, names)}"))
         elif plan.places[part] > plan.length:
             problems.append(Problem(f"{path}.places.{part}.position_mm", _outside(plan.places[part], end)))
+    for part in dict.fromkeys(layout.order):
+        if part not in names:
+            problems.append(Problem(f"{path}.order", f"{part!r} is not on the shaft; {near(part, names)}"))
+        elif layout.order.count(part) > 1:
+            problems.append(Problem(f"{path}.order", f"{part!r} stands in it more than once; keep one"))
     bearings = dict(zip((f"{path}.first_bearing_mm", f"{path}.second_bearing_mm"), plan.bearings, strict=True))
     if plan.seats:
         bearings = {f"bearings.{seat_name}.position_mm": seat.position for seat_name, seat in plan.seats.items()}

@@ -3,12 +3,13 @@
 Axes in the cross-section and places along shafts, which loads need before shafts are sized, are for `arrangement`.
 """
 
+from gearwright.sizing.arrangement import PLATE_GAP
 from gearwright.sizing.places.bodies import BACKUP, Parts, bodies_of, placed
 from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks, of_one_set
 from gearwright.sizing.places.keep_out import keep_out_checks
+from gearwright.sizing.places.orders import hollow_checks, order_checks
 from gearwright.sizing.places.pins import pin_checks
 from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
-from gearwright.sizing.places.sets import PLATE_GAP
 from gearwright.sizing.places.settle import Settled, settle
 from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
 
@@ -28,9 +29,11 @@ __all__ = [
     "bodies_of",
     "box_of",
     "coaxial_checks",
+    "hollow_checks",
     "keep_out_checks",
     "meetings",
     "of_one_set",
+    "order_checks",
     "pin_checks",
     "placed",
     "room_between",

@@ -14,14 +14,13 @@ from dataclasses import dataclass, replace
 from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bevel import bevel_profile
 from gearwright.sizing.arranged import Arrangement, Body, Frame, Point, Station
+from gearwright.sizing.arrangement import PLATE_GAP, set_length, slots
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.places.cones import bevel_cones
 from gearwright.sizing.places.frames import apart_of, frames_of, set_members
-from gearwright.sizing.places.sets import PLATE_GAP, set_length, slots
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.spec import GROUND
 
 BACKUP = 1.2
 """Rim behind the root over the depth of the tooth, where a gear's body is not sized [-] (AGMA 2001-D04)."""
@@ -64,8 +63,18 @@ def bodies_of(parts: Parts) -> tuple[Body, ...]:
     gears = [*_pair_gears(parts), *_set_gears(parts)]
     bearings = [_bearing(parts, bearing) for bearing in parts.bearings]
     carriers = [body for carrier in parts.carriers for body in _carrier(parts, carrier)]
-    shafts = [body for shaft in parts.shafts for body in _shaft(parts, shaft, [*gears, *bearings])]
+    hollow = {outer for _, outer in parts.arrangement.within}
+    if hollow:
+        bores = {shaft.name: shaft.bore / 2.0 for shaft in parts.shafts if shaft.name in hollow}
+        gears = [_bored(body, bores) for body in gears]
+        carriers = [_bored(body, bores) for body in carriers]
+    shafts = [body for shaft in parts.shafts for body in _shaft(parts, shaft, [*gears, *bearings], carriers)]
     return (*gears, *shafts, *bearings, *carriers)
+
+
+def _bored(body: Body, bores: Mapping[str, float]) -> Body:
+    """Return a body with the bore of the hollow shaft that it sits on."""
+    return replace(body, bore=max(body.bore, bores.get(body.shaft, 0.0)))
 
 
 def _at(frame: Frame, place: float) -> Point:
@@ -155,7 +164,8 @@ def _set_gears(parts: Parts) -> Iterator[Body]:
     design = parts.context.design
     for stage in design.sets:
         host, middle = next(set_members(parts.context, parts.gears, parts.arrangement, stage))
-        frame, lies = parts.arrangement.frames[host], slots(parts.context, parts.gears, stage)
+        frame, turned = parts.arrangement.frames[host], stage in parts.arrangement.turned
+        lies = slots(parts.context, parts.gears, stage, turned=turned)
         own = [gear for gear in parts.gears.values() if gear.stage == stage]
         arm = next(carrier.radius for carrier in parts.carriers if carrier.stage == stage)
         for gear in own:
@@ -172,7 +182,7 @@ def _set_gears(parts: Parts) -> Iterator[Body]:
 
 
 def _carrier(parts: Parts, carrier: CarrierSizing) -> Iterator[Body]:
-    """Yield the plate of a carrier beside the planets, on the side on which its shaft lies.
+    """Yield the plate of a carrier beside the planets, on the sides on which its shaft leaves the set.
 
     A plate without a shaft that goes on stands away from the rings that do: a shaft passes a plate, a ring's web does
     not. It has a bore for the sun's shaft on its side, as far as its pins leave it.
@@ -190,9 +200,10 @@ def _carrier(parts: Parts, carrier: CarrierSizing) -> Iterator[Body]:
         through = max((shaft.diameter / 2.0 + PLATE_GAP for shaft in parts.shafts if shaft.name in suns), default=0.0)
         bore = through if through < carrier.radius - carrier.pin_diameter / 2.0 else 0.0
     beside = set_length(parts.context, parts.gears, carrier.stage) / 2.0 + PLATE_GAP
-    ends = sorted((middle + side * beside, middle + side * (beside + carrier.plate_thickness)))
     radius = carrier.radius + carrier.pin_diameter / 2.0
-    yield _cylinder(carrier.part, carrier.shaft, frame, (ends[0], ends[1]), radius, bore=bore)
+    for way in (side, -side) if carrier.stage in parts.arrangement.two_sided else (side,):
+        ends = sorted((middle + way * beside, middle + way * (beside + carrier.plate_thickness)))
+        yield _cylinder(carrier.part, carrier.shaft, frame, (ends[0], ends[1]), radius, bore=bore)
 
 
 def _bearing(parts: Parts, bearing: BearingSizing) -> Body:
@@ -202,8 +213,11 @@ def _bearing(parts: Parts, bearing: BearingSizing) -> Body:
     return _cylinder(part, bearing.shaft, frame, span, rolling.outer_diameter / 2.0, bore=rolling.bore / 2.0)
 
 
-def _shaft(parts: Parts, shaft: ShaftSizing, seated: Sequence[Body]) -> Iterator[Body]:
-    """Yield a shaft where nothing sits on it: its steps, or, in a first sizing, its cylinder between its parts."""
+def _shaft(parts: Parts, shaft: ShaftSizing, seated: Sequence[Body], carriers: Sequence[Body]) -> Iterator[Body]:
+    """Yield a shaft where nothing sits on it: its steps, or, in a first sizing, its cylinder between its parts.
+
+    Around the gears of a planetary set, and around the plate of its carrier, a shaft is the set's own body.
+    """
     frame, part = parts.arrangement.frames[shaft.name], PartId(Kind.SHAFT, shaft.name)
     built = next((built for built in parts.built if built.name == shaft.name), None)
     if built is not None:
@@ -211,12 +225,29 @@ def _shaft(parts: Parts, shaft: ShaftSizing, seated: Sequence[Body]) -> Iterator
     else:
         plan = parts.arrangement.plans[shaft.name]
         steps = [(min(plan.places.values()), max(plan.places.values()), shaft.diameter)] if plan.places else []
-    taken = sorted(_span(frame, body) for body in seated if body.shaft == shaft.name != GROUND)
+    own = sorted(_span(frame, body) for body in seated if body.shaft == shaft.name)
+    if own and steps and any(shaft.name in pair for pair in parts.arrangement.within):  # on to gears inside a set
+        start, end, diameter = steps[0]
+        steps = [(min(start, own[0][1]), max(end, own[-1][0]), diameter)]
+    taken = sorted([*own, *_caged(parts, shaft.name, frame, seated, carriers)])
     for start, end, diameter in steps:
         for first, last in _free(start, end, taken):
             circles = [(first, diameter / 2.0), (last, diameter / 2.0)]
             what = f"{1e3 * first:.4g} to {1e3 * last:.4g} mm"
             yield _round(part, shaft.name, frame, circles, bore=shaft.bore / 2.0, what=what)
+
+
+def _caged(
+    parts: Parts, shaft: str, frame: Frame, seated: Sequence[Body], carriers: Sequence[Body]
+) -> Iterator[tuple[float, float]]:
+    """Yield where a shaft is the cage of a carrier or the bell of a ring, along it [m]."""
+    for stage, planetary in parts.context.design.sets.items():
+        ring = any(gear.rim and shaft in gear.shafts for gear in parts.gears.values() if gear.stage == stage)
+        if ring or planetary.carrier == shaft:
+            yield from (_span(frame, body) for body in seated if body.part.name == stage)
+        if ring:
+            for start, end in (_span(frame, body) for body in carriers if body.part.name == stage):
+                yield start - PLATE_GAP, end + PLATE_GAP
 
 
 def _span(frame: Frame, body: Body) -> tuple[float, float]:

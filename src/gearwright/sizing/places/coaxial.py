@@ -1,7 +1,7 @@
-"""Which bodies share an axis, and shafts of a first sizing that reach into each other there.
+"""Which bodies share an axis, and shafts that run into each other there.
 
-A first sizing does not work out which of two shafts on one axis is hollow, and where each ends. What it draws is held
-against each other all the same: where envelopes run into each other, the room between the two is open, and said to be.
+The order on an axis gives every body its room, where nothing that the design gives is in the way: a length, a place, a
+bore. What it gives is held against each other all the same.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
 
-from gearwright.checks import Check, not_assessed
+from gearwright.checks import Check
 from gearwright.identity import Kind, PartId, Role
-from gearwright.sizing.arranged import Body
+from gearwright.sizing.arranged import Arrangement, Body
+from gearwright.sizing.places.solids import Room, room_between
 from gearwright.spec import GROUND
 
 CLAUSE = "bodies in space"
@@ -20,10 +21,6 @@ _CLOSE = 1e-9
 """Axes nearer than this are one [m]; so are directions [-]."""
 _TOUCH = 1e-9
 """How far bodies may stand into each other by rounding [m]."""
-_OPEN = (
-    "on one axis their envelopes run into each other, and a first sizing does not work out which is hollow and where"
-    " each ends: give both shafts [bearings], or [layout.SHAFT] a length_mm and places"
-)
 
 
 def axes_among(bodies: Sequence[Body]) -> list[int]:
@@ -80,17 +77,18 @@ def _toothed(body: Body) -> bool:
     return body.part.kind in (Kind.GEAR, Kind.CARRIER)
 
 
-def coaxial_checks(bodies: Sequence[Body], sets: frozenset[str], built: frozenset[str]) -> Iterator[Check]:
-    """Yield the shafts on one axis whose envelopes run into each other in a first sizing, two at a time.
+def coaxial_checks(arrangement: Arrangement, sets: frozenset[str], built: frozenset[str]) -> Iterator[Check]:
+    """Yield the shafts on one axis whose bodies run into each other, two at a time.
 
     Args:
-        bodies: Of a transmission.
+        arrangement: With its bodies.
         sets: Names of planetary sets.
         built: Shafts that are worked out along their axes.
     """
+    bodies = arrangement.bodies
     if all(body.shaft in built for body in bodies):
         return
-    told, on_axis = set[tuple[str, str]](), dict[int, list[Body]]()
+    worst, on_axis = dict[tuple[PartId, PartId], tuple[Room, Body, Body]](), dict[int, list[Body]]()
     for body, number in zip(bodies, axes_among(bodies), strict=True):
         on_axis.setdefault(number, []).append(body)
     for one, other in chain.from_iterable(combinations(alike, 2) for alike in on_axis.values()):
@@ -98,9 +96,29 @@ def coaxial_checks(bodies: Sequence[Body], sets: frozenset[str], built: frozense
             continue
         if not of_one_set(one, other, sets) and _meet(one, other):
             low, high = sorted((owner(one), owner(other)), key=str)
-            if (str(low), str(high)) not in told:
-                told.add((str(low), str(high)))
-                yield not_assessed(high, f"room beside {low}", CLAUSE, _OPEN)
+            room = room_between(one, other, enough=0.0)
+            if (low, high) not in worst or room.gap < worst[low, high][0].gap:
+                worst[low, high] = (room, one, other)
+    for (low, high), (room, one, other) in worst.items():
+        why = f"{-1e3 * room.gap:.3g} mm into each other on one axis; {_help(arrangement, one.shaft, other.shaft)}"
+        yield Check(
+            high, f"room beside {low}", CLAUSE, max(room.apart, 0.0), room.needed, "length",
+            exponent=None, place=f"{one.part} and {other.part}", why=why,
+        )  # fmt: skip
+
+
+def _help(arrangement: Arrangement, *shafts: str) -> str:
+    """Return what would make room between two shafts on one axis."""
+    for inner, outer in (shafts, shafts[::-1]):
+        if (inner, outer) in arrangement.within:
+            return (
+                f"{inner} goes through {outer}: leave bore, diameter and length of both open in [layout], or give"
+                f" {outer} a larger bore"
+            )
+    return (
+        f"leave length and places of {' and '.join(shafts)} open in [layout], so that they follow from each other, or"
+        " give both [bearings]"
+    )
 
 
 def _meet(one: Body, other: Body) -> bool:

@@ -16,8 +16,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.identity import Role, carrier_part
 from gearwright.sizing.arranged import Arrangement, Direction, Frame, Point
+from gearwright.sizing.arrangement import set_length, slots
 from gearwright.sizing.places.cones import bevel_cones
-from gearwright.sizing.places.sets import set_length, slots
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.train import Mesh
@@ -115,7 +115,7 @@ def set_members(
         arrangement: Its plans.
         stage: Name of the set.
     """
-    design, places = context.design, slots(context, gears, stage)
+    design, places = context.design, slots(context, gears, stage, turned=stage in arrangement.turned)
     labels = {gear.name: gear.nodes for gear in context.train.gears if gear.stage == stage and gear.role != Role.PLANET}
     labels[str(carrier_part(stage))] = (design.sets[stage].carrier,)
     half = set_length(context, gears, stage) / 2.0

@@ -1,7 +1,7 @@
 """Whether bodies have room beside each other, as checks: distance of middles over what both bodies need.
 
-Bodies of two shafts are held against each other unless they mesh, belong to one planetary set, or share an axis in a
-first sizing, whose places along the axis are not worked out. On one shaft, where seats are kept apart as they are
+Bodies of two shafts are held against each other unless they mesh or belong to one planetary set; those that share an
+axis, where not both shafts are built, by `coaxial_checks`. On one shaft, where seats are kept apart as they are
 sized, the blank of a bevel or face gear is held against the bearings and the other gears: it reaches beyond its seat.
 """
 

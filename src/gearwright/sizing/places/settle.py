@@ -72,7 +72,7 @@ def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn,
     shafts, built = size_shafts(context, gears, bare)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
-    carriers = size_carriers(context, gears, shafts)
+    carriers = size_carriers(context, gears, shafts, bare.two_sided)
     by_name = {gear.name: gear for gear in gears}
     joints = [joint for shaft in built for joint in shaft.joints]
     rules = rules_of(context, by_name, [shaft.shaft.name for shaft in built], joints)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
@@ -34,20 +35,37 @@ class _Pins(NamedTuple):
 
 
 def size_carriers(
-    context: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...]
-) -> tuple[CarrierSizing, ...]:
+    context: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...],
+    two_sided: frozenset[str] = frozenset(),
+) -> tuple[CarrierSizing, ...]:  # fmt: skip
     """Return the carrier of every planetary set.
 
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
         shafts: From `size_shafts`.
+        two_sided: Sets with a plate on both sides.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
     simple = [_carrier(context, name, by_name, diameters) for name in context.design.planetaries]
     compound = [_compound(context, name, by_name, diameters) for name in context.design.epicyclics]
-    return (*simple, *compound)
+    return tuple(
+        _twice(context, carrier) if carrier.stage in two_sided else carrier for carrier in (*simple, *compound)
+    )
+
+
+def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
+    """Return a carrier with a second plate on the other side of its planets; its pins stay as they are."""
+    given, reach = context.given, carrier.radius + carrier.pin_diameter / 2.0
+    more = plate_mass(
+        reach, carrier.plate_thickness, shaft_material(context).density, fill=context.design.carriers.fill
+    )
+    return replace(
+        carrier,
+        mass=given.get(f"{carrier.part}.mass", carrier.mass + more),
+        inertia=given.get(f"{carrier.part}.inertia", carrier.inertia + more * reach**2 / 2.0),
+    )
 
 
 def _carrier(

@@ -25,6 +25,8 @@ from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.building import Built, build_shaft
+from gearwright.sizing.shafts.nested import THINNEST_WALL, inner_first, least_bore
+from gearwright.sizing.shafts.refusals import MOST_HOLLOW
 from gearwright.spec.design import NOTHING_GIVEN
 
 
@@ -57,13 +59,15 @@ def size_shafts(
     shafts: list[ShaftSizing] = []
     built: list[Built] = []
     problems: list[Problem] = []
-    for name, plan in arrangement.plans.items():
+    for name in inner_first(arrangement):
+        plan, room = arrangement.plans[name], least_bore(context, arrangement, shafts, name)
         if not plan.seats and name not in bent:
-            shafts.append(_plain(context, plan, _twisted(context, plan, name=name), axes[name], name=name))
+            load = _twisted(context, plan, name=name)
+            shafts.append(_plain(context, plan, load, axes[name], name=name, room=room))
             continue
         forces = shaft_forces(context, name, plan, axes=axes, gears=by_name)
         if not plan.seats:
-            shafts.append(_plain(context, plan, _governing(context, forces), axes[name], name=name))
+            shafts.append(_plain(context, plan, _governing(context, forces), axes[name], name=name, room=room))
             continue
         try:
             built.append(_built(context, forces, by_name, name=name))
@@ -72,6 +76,9 @@ def size_shafts(
             continue
         shafts.append(_stepped(context, forces, built[-1], axes[name], name=name))
     refuse(problems)
+    if arrangement.within:
+        order = list(arrangement.plans)
+        shafts.sort(key=lambda shaft: order.index(shaft.name))
     return tuple(shafts), tuple(built)
 
 
@@ -129,8 +136,10 @@ def _along(torques: Iterable[float]) -> tuple[float, ...]:
     return tuple(stations)
 
 
-def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
-    """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
+def _plain(
+    context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str, room: float = 0.0
+) -> ShaftSizing:
+    """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest, around what goes through it."""
     rules, layout = context.design.shafting, context.design.layout.get(name, NOTHING_GIVEN)
     material, length = shaft_material(context), plan.length
     bending, torque = load.bending_moment, load.torque
@@ -140,8 +149,13 @@ def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *
         needed = shaft_diameter_around(layout.bore, bending, torque, allowable=allowable)
     else:
         needed = shaft_diameter(bending, torque, allowable, bore_ratio=ratio)
+    bore = layout.bore if layout.bore is not None else ratio * needed
+    if layout.bore is None and room > bore:
+        around = shaft_diameter_around(room, bending, torque, allowable=allowable)
+        needed, bore = max(around, room / THINNEST_WALL), room
     diameter = context.given.get(f"{name}.diameter", needed)
-    bore = layout.bore if layout.bore is not None else ratio * diameter
+    if layout.bore is None and diameter != needed:
+        bore = max(ratio * diameter, min(room, MOST_HOLLOW * diameter))
     mass = context.given.get(f"{name}.mass", shaft_mass(diameter, length, material.density, bore=bore))
     stress = shaft_stress(bending, torque, diameter, bore=bore) if diameter else 0.0
     stiffness = torsional_stiffness(diameter, length, material.shear_modulus, bore=bore)

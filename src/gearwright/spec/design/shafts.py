@@ -30,6 +30,9 @@ class ShaftRules(Record):
         lt=0.95,
         description="Bore over outer diameter, on a shaft with bearings over its thinnest bearing seat; 0 is solid",
     )
+    radial_gap: Length = Field(
+        0.002, gt=0, description="Least gap between a shaft and one that goes through it, all around; an assumption"
+    )
     fatigue: Literal["asme", "goodman", "gerber", "soderberg"] = Field(
         "asme",
         description="Criterion of fatigue for shafts with bearings: ASME's ellipse, Goodman's or Soderberg's line,"
@@ -91,6 +94,11 @@ class ShaftLayout(Record):
     )
     places: dict[str, Place] = Field(
         default_factory=dict, description="Where gears, carriers, machines and clutches sit; left out: in order"
+    )
+    order: list[str] = Field(
+        default_factory=list,
+        description="Gears, carriers, machines and clutches on this shaft in the order in which they are to stand, from"
+        " its first end on; what is left out stands where there is room",
     )
     angle: Angle | None = Field(
         None,

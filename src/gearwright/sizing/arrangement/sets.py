@@ -24,18 +24,20 @@ def set_length(context: Context, gears: Mapping[str, GearSizing], stage: str) ->
     return sum(_widths(context, gears, stage).values())
 
 
-def slots(context: Context, gears: Mapping[str, GearSizing], stage: str) -> dict[str, float]:
+def slots(context: Context, gears: Mapping[str, GearSizing], stage: str, *, turned: bool = False) -> dict[str, float]:
     """Return gear -> where the middle of its width lies, from the set's middle on [m].
 
     Args:
         context: What sizing reads.
         gears: By name.
         stage: Name of the set.
+        turned: True where its planes lie the other way round.
     """
     lies = _planes(context, stage)
     if stage in context.design.planetaries:  # one plane, in the middle
         return dict.fromkeys(lies, 0.0)
     widths = _widths(context, gears, stage)
+    sense = -1.0 if turned else 1.0
     reached, middles = -sum(widths.values()) / 2.0, {}
     for key, width in widths.items():
         middles[key] = (reached, reached + width)
@@ -43,7 +45,7 @@ def slots(context: Context, gears: Mapping[str, GearSizing], stage: str) -> dict
     found = {}
     for name, keys in lies.items():
         ends = [end for key in keys for end in middles[key]]
-        found[name] = (min(ends) + max(ends)) / 2.0
+        found[name] = sense * (min(ends) + max(ends)) / 2.0
     return found
 
 
