@@ -81,7 +81,7 @@ def _ordered(listed: Mapping[str, tuple[str, ...]], ways: Sequence[tuple[Axle, W
     for axle, way in ways:
         if way is not None:
             rank = {pair: k for k, token in enumerate(way.order) for pair in axle.tokens[token].labels}
-            for shaft in {shaft for token in axle.tokens for shaft in token.shafts} & found.keys():
+            for shaft in axle.shafts:
                 found[shaft].sort(key=lambda label, shaft=shaft: rank[shaft, label])  # type: ignore[misc]
     return found
 
@@ -91,8 +91,7 @@ def _with(
 ) -> Arrangement:
     """Return an arrangement with what one axis adds to it."""
     if way is None:
-        shafts = tuple(shaft for shaft in arrangement.plans if any(shaft in token.shafts for token in axle.tokens))
-        return replace(arrangement, unordered=(*arrangement.unordered, shafts))
+        return replace(arrangement, unordered=(*arrangement.unordered, axle.shafts))
     if not spans_a_set(axle, way):
         return arrangement
     plans = dict(arrangement.plans)

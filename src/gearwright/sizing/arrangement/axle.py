@@ -15,12 +15,12 @@ from typing import Literal, NamedTuple
 from gearwright.identity import Role, carrier_part
 from gearwright.parts.planetary import planes
 from gearwright.sizing.rating import Context
-from gearwright.spec import GROUND, Design
+from gearwright.spec import GROUND
 from gearwright.spec.design import NOTHING_GIVEN
 
 SUN, CARRIER, RING = range(3)
 """Layers of a set, from its axis outwards."""
-Kind = Literal["machine", "reaching", "link", "set"]
+Kind = Literal["machine", "reaching", "gears", "link", "set"]
 
 
 class Member(NamedTuple):
@@ -31,6 +31,8 @@ class Member(NamedTuple):
     label: str
     """Of its gear or carrier."""
     layer: int
+    held: bool
+    """True of what the ground holds."""
     plane: int
     """Of its gear along the axis, from the first end of the set."""
 
@@ -56,6 +58,8 @@ class Token(NamedTuple):
 class Axle(NamedTuple):
     """Everything on one axis."""
 
+    shafts: tuple[str, ...]
+    """Of the design."""
     tokens: tuple[Token, ...]
     """In the order of the design."""
     usual: tuple[tuple[int, int], ...]
@@ -83,10 +87,13 @@ def axles_of(context: Context, axis: Mapping[str, str], listed: Mapping[str, tup
 
 def _axle(context: Context, shafts: list[str], listed: Mapping[str, tuple[str, ...]]) -> Axle:
     design, tokens, number = context.design, list[Token](), dict[tuple[str, str], int]()
-    known = {token.name: token for token in _tokens(context, shafts, listed)}
+    stages = {gear.name: gear.stage for gear in context.train.gears}
+    stages |= {str(carrier_part(stage)): stage for stage in design.sets}
+    known = {token.name: token for token in _tokens(context, shafts, listed, stages)}
     for shaft in shafts:
         for label in listed[shaft]:
-            name = _token_of(design, shaft, label)
+            name = stages.get(label, label)
+            name = f"gears of {shaft}" if name in design.pairs else name
             if known[name] not in tokens:
                 tokens.append(known[name])
             number[shaft, label] = tokens.index(known[name])
@@ -98,7 +105,7 @@ def _axle(context: Context, shafts: list[str], listed: Mapping[str, tuple[str, .
         wished += _pairs(number, shaft, tuple(label for label in layout.order if label in labels))
         placed = sorted((label for label in layout.places if label in labels), key=lambda k: layout.places[k].position)
         wished += _pairs(number, shaft, tuple(placed))
-    return Axle(tuple(tokens), tuple(dict.fromkeys(usual)), tuple(dict.fromkeys(wished)))
+    return Axle(tuple(shafts), tuple(tokens), tuple(dict.fromkeys(usual)), tuple(dict.fromkeys(wished)))
 
 
 def _pairs(number: Mapping[tuple[str, str], int], shaft: str, labels: tuple[str, ...]) -> list[tuple[int, int]]:
@@ -106,15 +113,9 @@ def _pairs(number: Mapping[tuple[str, str], int], shaft: str, labels: tuple[str,
     return list(combinations(places, 2))
 
 
-def _token_of(design: Design, shaft: str, label: str) -> str:
-    """Return the token that a part of a shaft belongs to."""
-    stage = label.partition(".")[0]
-    if label in design.machines or label in design.links:
-        return label
-    return stage if stage in design.sets else f"gears of {shaft}"
-
-
-def _tokens(context: Context, shafts: list[str], listed: Mapping[str, tuple[str, ...]]) -> Iterator[Token]:
+def _tokens(
+    context: Context, shafts: list[str], listed: Mapping[str, tuple[str, ...]], stages: Mapping[str, str]
+) -> Iterator[Token]:
     design, own = context.design, set(shafts)
     for name, machine in design.machines.items():
         if machine.shaft in own:
@@ -128,9 +129,9 @@ def _tokens(context: Context, shafts: list[str], listed: Mapping[str, tuple[str,
         if own & set(design.sets[stage].members):
             yield from _set(context, stage)
     for shaft in shafts:
-        gears = tuple((shaft, label) for label in listed[shaft] if label.partition(".")[0] in design.pairs)
+        gears = tuple((shaft, label) for label in listed[shaft] if stages.get(label) in design.pairs)
         if gears:
-            yield Token(f"gears of {shaft}", "reaching", gears)
+            yield Token(f"gears of {shaft}", "gears", gears)
 
 
 def _set(context: Context, stage: str) -> Iterator[Token]:
@@ -148,11 +149,11 @@ def _set(context: Context, stage: str) -> Iterator[Token]:
             held.append(plane)
         else:
             name = shaft if shaft != GROUND else f"{gear.name} on the ground"
-            members.append(Member(name, gear.name, RING if ring else SUN, plane))
+            members.append(Member(name, gear.name, RING if ring else SUN, shaft == GROUND, plane))
     shaft = context.design.sets[stage].carrier
-    members.append(Member(shaft if shaft != GROUND else f"{arm} on the ground", arm, CARRIER, 0))
+    members.append(Member(shaft if shaft != GROUND else f"{arm} on the ground", arm, CARRIER, shaft == GROUND, 0))
     labels = tuple((member.shaft, member.label) for member in members)
     yield Token(stage, "set", labels, tuple(members), tuple(held))
     for member in members:
-        if member.shaft.endswith(" on the ground"):
+        if member.held:
             yield Token(f"{member.label} to the ground", "reaching", ((member.shaft, member.label),))

@@ -65,7 +65,7 @@ def _half(context: Context, token: Token, plans: Mapping[str, ShaftPlan], gears:
 
 def _is_block(token: Token) -> bool:
     """Tell whether a token is the gears of pairs on a shaft."""
-    return token.kind == "reaching" and token.name.startswith("gears of ")
+    return token.kind == "gears"
 
 
 def _plate(context: Context, token: Token, gears: Mapping[str, GearSizing]) -> float:
@@ -133,8 +133,7 @@ def spans_a_set(axle: Axle, way: Way) -> bool:
         axle: What stands on the axis.
         way: In which order.
     """
-    real = {shaft for token in axle.tokens for shaft in token.shafts if not shaft.endswith(" on the ground")}
-    if any(inner in real and outer in real for inner, outer in way.within):
+    if any(inner in axle.shafts and outer in axle.shafts for inner, outer in way.within):
         return True
     before: tuple[str, ...] = ()
     for k, behind in zip(way.order, way.layers, strict=True):

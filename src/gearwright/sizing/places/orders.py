@@ -27,9 +27,14 @@ def order_checks(context: Context, arrangement: Arrangement) -> Iterator[Check]:
         return
     for axle in axles_in(context):
         if best_way(axle) is None:
-            shaft = next(shaft for token in axle.tokens for shaft in token.shafts if shaft in arrangement.plans)
             yield Check(
-                PartId(Kind.SHAFT, shaft), "order along its axis", CLAUSE, 0.0, 1.0, exponent=None, why=_help(axle)
+                PartId(Kind.SHAFT, axle.shafts[0]),
+                "order along its axis",
+                CLAUSE,
+                0.0,
+                1.0,
+                exponent=None,
+                why=_help(axle),
             )
 
 
@@ -48,7 +53,7 @@ def _help(axle: Axle) -> str:
 def _without(axle: Axle, left: int) -> bool:
     """Tell whether there is an order without one of the tokens."""
     tokens = (*axle.tokens[:left], *axle.tokens[left + 1 :])
-    return best_way(Axle(tokens, (), ())) is not None
+    return best_way(Axle(axle.shafts, tokens, (), ())) is not None
 
 
 def hollow_checks(context: Context, gears: Sequence[GearSizing], arrangement: Arrangement) -> Iterator[Check]:
