@@ -43,17 +43,14 @@ class Recorder:
         if frame.f_code.co_filename.startswith(PACKAGE):
             self.running.add(frame.f_code)
 
-    def pytest_collectstart(self, collector: pytest.Collector) -> None:
-        """Begin a test module."""
-        if isinstance(collector, pytest.Module):
-            self.running = set()
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_make_collect_report(self, collector: pytest.Collector):
+        """Note what a test module calls while it is imported: by whoever looks for examples, or for tests in it."""
+        if isinstance(collector, pytest.File):
+            self.running = self.collected.setdefault(collector.nodeid, set())
             sys.settrace(self.called)
-
-    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """End a test module."""
-        if report.nodeid.endswith(".py"):
-            sys.settrace(None)
-            self.collected[report.nodeid] = self.running
+        yield
+        sys.settrace(None)
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item):
