@@ -45,6 +45,8 @@ COMMANDS = (
     Command("export pair.toml --to html --out turning.html --detail coarse"),
     Command("export pair.toml --to rexs"),
     Command("export pair.toml --to csv"),
+    Command("export pair.toml --to csv --table gears --out gears.csv"),
+    Command("export pair.toml --to netcdf"),
     Command("import sew.rexs --out sew.toml --force"),
     Command("schema", machine=True),
     Command("campbell pair.toml"),

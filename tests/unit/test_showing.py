@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import subprocess
 import sys
+import typing
 
 import numpy as np
 import pytest
@@ -39,6 +41,9 @@ MAKE = {
     "Durability": lambda: gw.durability(value("Flight")),
     "Study": lambda: gw.read_study("motor-speed"),
     "Table": lambda: gw.study(value("Study")),
+    "LossBalance": lambda: gw.loss_balance(value("Sizing")),
+    "RexsFile": lambda: gw.to_rexs(value("Sizing")),
+    "MeshInfluences": lambda: gw.influences(value("Sizing"))[0],
     "Comparison": lambda: gw.mass(2051e3, 2116.0, 127.0),
 }
 DRAWN = ("Design", "Sizing", "Modes", "Campbell", "SpeedCase", "Trace", "Flight", "Table")
@@ -114,3 +119,18 @@ def test_without_pandas_a_sentence_says_how_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(gw.DesignError, match=r'this needs pandas, which is not here; .*pip install ".\[pandas\]"'):
         value("Campbell").to_dataframe()
+
+
+def test_every_value_of_a_public_verb_shows_itself_in_a_notebook():
+    """Named tuples show themselves as Python does."""
+    for name in dir(gw):
+        verb = getattr(gw, name)
+        if inspect.isfunction(verb):
+            for kind in _kinds(typing.get_type_hints(verb).get("return")):
+                if inspect.isclass(kind) and kind.__module__.startswith("gearwright") and not issubclass(kind, tuple):
+                    assert hasattr(kind, "_repr_html_"), f"{name} returns {kind.__name__}"
+
+
+def _kinds(hint):
+    inside = typing.get_args(hint)
+    return [kind for part in inside for kind in _kinds(part)] if inside else [hint]

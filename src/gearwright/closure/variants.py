@@ -12,6 +12,7 @@ from gearwright.closure.closed import Closed, Outcome
 from gearwright.closure.planet_bearings import OF_PLANETS
 from gearwright.closure.requirements import STRENGTH
 from gearwright.errors import GearwrightError
+from gearwright.showing import Shown
 from gearwright.spec import GROUND, Design, edited
 from gearwright.spec.edit import Value
 from gearwright.units import RPM
@@ -61,8 +62,8 @@ class Tried:
     """What it does not meet, with its margin, or why it cannot be sized."""
 
 
-@dataclass(frozen=True)
-class Variants:
+@dataclass(frozen=True, repr=False)
+class Variants(Shown):
     """The nearest variant of a design that meets everything, and what was tried before."""
 
     nearest: Variant | None

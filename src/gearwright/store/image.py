@@ -5,7 +5,7 @@ HDF5 ends the process where a disk that is full meets one of its destructors; in
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
@@ -14,6 +14,18 @@ from typing import Any
 import h5netcdf
 
 from gearwright.writing import write_bytes
+
+
+def netcdf_bytes(fill: Callable[[Any], None]) -> bytes:
+    """Return a netCDF-4 file as bytes.
+
+    Args:
+        fill: What writes into the empty file.
+    """
+    image = BytesIO()
+    with h5netcdf.File(image, "w") as file:
+        fill(file)
+    return image.getvalue()
 
 
 @contextmanager

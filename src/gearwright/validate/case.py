@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gearwright.errors import SolveError
+from gearwright.showing import Shown
 
 
 @dataclass(frozen=True)
@@ -30,8 +31,8 @@ class Case:
     """Whether the tolerance is a share of the number."""
 
 
-@dataclass(frozen=True)
-class Checked:
+@dataclass(frozen=True, repr=False)
+class Checked(Shown):
     """One number of a case beside gearwright's."""
 
     case: str

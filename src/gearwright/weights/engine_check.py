@@ -16,6 +16,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from gearwright.catalogue import Engine, Printed, engines
+from gearwright.showing import Shown
 from gearwright.weights.laws import mass_afdd00
 
 COLUMNS: Mapping[str, tuple[str, str, str]] = MappingProxyType(
@@ -62,8 +63,8 @@ class Check:
         return None if self.printed is None or self.computed is None else self.computed - self.printed.value
 
 
-@dataclass(frozen=True)
-class CheckedEngine:
+@dataclass(frozen=True, repr=False)
+class CheckedEngine(Shown):
     """One row of the tables with the engine's mass that it implies."""
 
     engine: Engine

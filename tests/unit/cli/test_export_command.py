@@ -1,5 +1,6 @@
 """The command that writes a sized design for other tools."""
 
+import typing
 import zipfile
 
 import pytest
@@ -8,6 +9,8 @@ from typer.testing import CliRunner
 import gearwright as gw
 from designs import PAIR
 from gearwright.cli import app
+from gearwright.cli.commands.export import FORMATS
+from gearwright.cli.commands.export import export as export_command
 from gearwright.errors import DesignError
 
 
@@ -106,3 +109,9 @@ def test_what_cannot_be_exported_is_refused_with_the_way_out(folder, words, said
     (folder / "broken.toml").write_text(PAIR.replace('shaft = "fast"', 'shaft = "fst"'), encoding="utf-8")
     with pytest.raises(DesignError, match=said):
         export(*words)
+
+
+def test_help_names_every_format_that_is_written():
+    told = typing.get_type_hints(export_command, include_extras=True)["to"].__metadata__[0].help
+    named = {word for part in told.split(";") for word in part.partition(":")[0].replace(" ", "").split(",")}
+    assert named == set(FORMATS)

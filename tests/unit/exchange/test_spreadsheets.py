@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 import gearwright as gw
-from gearwright.exchange.tables import all_tables, to_csv, to_xlsx
+from gearwright.exchange.tables import all_tables, columns, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
 from gearwright.exchange.tables.formulas import formulas_of
 from shipped_work import sized
 
@@ -105,3 +105,51 @@ def test_lives_without_end_are_words_in_a_workbook():
                             strict=True):  # fmt: skip
         filled = sum(bool(cell.text) for row in table.rows for cell in row)
         assert sum(value is not None for value in sheet.values()) >= filled
+
+
+@pytest.mark.extra("pyarrow")
+def test_parquet_holds_what_the_long_form_holds():
+    from pyarrow import parquet
+
+    read = parquet.read_table(io.BytesIO(to_parquet(sized("in-line-h2")))).to_pylist()
+    written = rows_of(to_csv(sized("in-line-h2")))
+    assert len(read) == len(written)
+    for row, line in zip(read, written, strict=True):
+        assert (row["table"], row["quantity"], row["unit"]) == (line["table"], line["quantity"], line["unit"])
+        if row["value"] is None:
+            assert row["text"] == line["value"].removeprefix("'")
+        else:
+            assert row["value"] == float(line["value"])
+
+
+def test_who_lacks_pyarrow_is_told_what_to_install(monkeypatch):
+    monkeypatch.setattr(columns, "find_spec", lambda name: None)
+    with pytest.raises(gw.DesignError, match=r"parquet needs PyArrow.*pip install.*\[parquet\].*or use netcdf"):
+        to_parquet(sized("star"))
+
+
+@pytest.mark.extra("xarray")
+@pytest.mark.parametrize("design", ["in-line-h2", "ec120b", "off-set"])
+def test_netcdf_has_a_group_for_each_table_with_its_rows_as_coordinate(design, tmp_path):
+    import xarray
+
+    path = tmp_path / "tables.nc"
+    path.write_bytes(to_netcdf(sized(design)))
+    for name, table in all_tables(sized(design)).items():
+        with xarray.open_dataset(path, group=name, engine="h5netcdf") as read:
+            assert list(read.coords["row"].values) == [row[0].text for row in table.rows]
+            assert len(read.data_vars) == len(table.columns)
+    gear = sized(design).gears[0]
+    with xarray.open_dataset(path, group="gears", engine="h5netcdf") as read:
+        assert float(read["module"].sel(row=gear.name)) == pytest.approx(1e3 * gear.module, rel=1e-12)
+        assert read["module"].attrs["units"] == "mm"
+
+
+def test_one_table_is_as_wide_as_it_is():
+    rows = rows_of(table_csv(sized("in-line-h2"), "gears"))
+    gears = {gear.name: gear for gear in sized("in-line-h2").gears}
+    assert {row[""]: float(row["module [mm]"]) for row in rows} == pytest.approx(
+        {name: 1e3 * gear.module for name, gear in gears.items()}, rel=1e-12
+    )
+    with pytest.raises(gw.DesignError, match=r"no table of this design.*gears"):
+        table_csv(sized("star"), "gear")

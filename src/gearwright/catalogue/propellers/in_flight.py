@@ -12,6 +12,7 @@ from gearwright.air import air_at
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import Blades
 from gearwright.machines.propellers import BladeShape, generic_blade, inclined, loads
+from gearwright.showing import Shown
 from gearwright.units import Angle, Force, Origin, Power, Quantity, Ratio, Torque
 from gearwright.verbs import verb
 
@@ -39,8 +40,8 @@ class FlightPoint:
     """Of its axis to the stream, positive where the nose points up [rad]."""
 
 
-@dataclass(frozen=True)
-class PropellerLoads:
+@dataclass(frozen=True, repr=False)
+class PropellerLoads(Shown):
     """What a propeller does at a point of flight, and what it asks of its shaft."""
 
     advance_ratio: Ratio

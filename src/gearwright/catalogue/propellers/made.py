@@ -16,6 +16,7 @@ from gearwright.catalogue.propellers.shipped import MAPS, propeller_map
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import Blades, MachMap, PropellerMap
 from gearwright.machines.propellers import BladeShape, continued, element_map, generic_blade
+from gearwright.showing import Shown
 from gearwright.units import Angle, Origin, Quantity, Ratio
 from gearwright.verbs import verb
 
@@ -65,8 +66,8 @@ class RatioRow:
     """C_T at it: the drag of a propeller that turns by itself."""
 
 
-@dataclass(frozen=True)
-class MadePropeller:
+@dataclass(frozen=True, repr=False)
+class MadePropeller(Shown):
     """A propeller map that was made, and of what."""
 
     by: str

@@ -26,6 +26,7 @@ class Wanted(NamedTuple):
     step: float | None
     mission: str | None
     window: str | None
+    table: str | None
 
 
 def export(
@@ -35,7 +36,8 @@ def export(
         typer.Option(
             "--to",
             help="glb: solids that turn; html: a page on which they do; step: solids for CAD; rexs, rexs-1.6: REXS;"
-            " fmu, fmu-3.0: FMI; xlsx, csv: every table; svg, dxf: the general arrangement; json: the sizing",
+            " fmu, fmu-3.0: FMI; xlsx, csv, parquet, netcdf: every table; svg, dxf: the general arrangement;"
+            " json: the sizing",
         ),
     ],
     file: Annotated[Path | None, typer.Option("--out", help="File; left out: NAME-gearbox.FORMAT here")] = None,
@@ -48,17 +50,19 @@ def export(
     ] = None,
     mission: Annotated[str | None, typer.Option(help="Mission whose window is the fmu, with its drives")] = None,
     window: Annotated[str | None, typer.Option(help="Window of that mission")] = None,
+    table: Annotated[str | None, typer.Option(help="Of csv: one table alone, such as gears; left out: all")] = None,
 ) -> None:
     """Export a sized design: solids as GLB or STEP, a page on which it turns, REXS, its dynamics as FMU, JSON."""
     from gearwright.cli.designs import placed_in, sized
 
     _refuse_unknown(to)
     given = {"--detail": detail, "--case": case, "--step": step, "--mission": mission, "--window": window}
+    given |= {"--table": table}
     _refuse_unused(to, given)
     sizing = sized(design)
     with placed_in(design):
-        content, words = FORMATS[to](sizing, Wanted(detail or "fine", case, step, mission, window))
-    path = file or named_after(design, f"gearbox.{to.partition('-')[0]}")
+        content, words = FORMATS[to](sizing, Wanted(detail or "fine", case, step, mission, window, table))
+    path = file or named_after(design, f"gearbox.{_ENDINGS.get(to, to.partition('-')[0])}")
     write_bytes(path, content)
     show(f"wrote {path}: {words}")
 
@@ -73,7 +77,7 @@ def _refuse_unknown(name: str) -> None:
 def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
     from gearwright.errors import Problem, refuse
 
-    takers = {option: ("glb", "html") if option == "--detail" else ("fmu", "fmu-3.0") for option in given}
+    takers = {option: _TAKERS.get(option, ("fmu", "fmu-3.0")) for option in given}
     unused = [option for option, value in given.items() if value is not None and name not in takers[option]]
     refuse(Problem(option, f"it is of {' and '.join(takers[option])}; leave it out with {name}") for option in unused)
     fix = "--mission and --window belong together, and a case is none of them"
@@ -146,12 +150,30 @@ def _xlsx(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return content, f"every table, a sheet each, with units and sources, {len(content) / 1e3:.0f} kB"
 
 
-def _csv(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.tables import to_csv
+def _csv(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.tables import table_csv, to_csv
+
+    if wanted.table is not None:
+        text = table_csv(sizing, wanted.table)
+        return text.encode("utf-8-sig"), f"the table {wanted.table}, {text.count(chr(10)) - 1} rows"
 
     text = to_csv(sizing)
     words = f"{text.count(chr(10)) - 1} values of every table, a line each with unit and source"
     return text.encode("utf-8-sig"), words
+
+
+def _parquet(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.tables import to_parquet
+
+    content = to_parquet(sizing)
+    return content, f"every value of every table, a row each with unit and source, {len(content) / 1e3:.0f} kB"
+
+
+def _netcdf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+    from gearwright.exchange.tables import to_netcdf
+
+    content = to_netcdf(sizing)
+    return content, f"every table, a group each with its rows as coordinate, {len(content) / 1e3:.0f} kB"
 
 
 def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
@@ -168,6 +190,10 @@ def _dxf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return sheet_dxf(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
 
 
+_ENDINGS = {"netcdf": "nc"}
+"""Format -> end of the name of its file, where that is another."""
+_TAKERS = {"--detail": ("glb", "html"), "--table": ("csv",)}
+"""Option -> formats that have it; all others are of FMUs."""
 _DRAWN = "the general arrangement; gearwright draw writes every sheet"
 FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
@@ -180,6 +206,8 @@ FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "fmu-3.0": partial(_fmu, version="3.0"),
     "xlsx": _xlsx,
     "csv": _csv,
+    "parquet": _parquet,
+    "netcdf": _netcdf,
     "svg": _svg,
     "dxf": _dxf,
 }

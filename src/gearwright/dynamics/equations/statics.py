@@ -24,6 +24,7 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
 )
 from gearwright.errors import SolveError
+from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 BALANCE_TOLERANCE = 1e-6
@@ -32,8 +33,8 @@ BALANCE_TOLERANCE = 1e-6
 Balance = Literal["required", "accelerate"]
 
 
-@dataclass(frozen=True, eq=False)
-class Equilibrium:
+@dataclass(frozen=True, eq=False, repr=False)
+class Equilibrium(Shown):
     """Static equilibrium, measured from the rigid motion."""
 
     position: Floats

@@ -22,6 +22,7 @@ from gearwright.exchange.fmu.compiling import FLAGS, Binary, compiled
 from gearwright.exchange.fmu.described import Version, build_description, model_description
 from gearwright.exchange.fmu.numbers import numbers_text
 from gearwright.exchange.fmu.ports import MachinePort, Port, ports_of
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
 
@@ -36,8 +37,8 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 """Of files in the archive: the same model makes the same file."""
 
 
-@dataclass(frozen=True)
-class FmuFile:
+@dataclass(frozen=True, repr=False)
+class FmuFile(Shown):
     """A drive train as a functional mock-up unit for co-simulation."""
 
     content: bytes

@@ -9,12 +9,13 @@ from pathlib import Path
 
 from gearwright.errors import Problem, install, refuse
 from gearwright.shape import Scene, scene
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True)
-class StepFile:
+@dataclass(frozen=True, repr=False)
+class StepFile(Shown):
     """A STEP file."""
 
     content: bytes

@@ -9,6 +9,7 @@ from typing import Annotated, NamedTuple
 
 from gearwright.mission.flight import Flight
 from gearwright.mission.moments import Attitude, Moment, moments, resistance
+from gearwright.showing import Shown
 from gearwright.spec import Aircraft
 from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time
 from gearwright.verbs import verb
@@ -17,8 +18,8 @@ USUAL_LIFT = 1.5
 """C_L beyond which an aircraft that says nothing of its stall stands on its wheels [-]; an assumption."""
 
 
-@dataclass(frozen=True)
-class PhaseForces:
+@dataclass(frozen=True, repr=False)
+class PhaseForces(Shown):
     """Mean forces of a phase of a flight, of the whole aircraft."""
 
     name: str

@@ -13,14 +13,15 @@ from gearwright.mission.fly import fly
 from gearwright.mission.lives.bearings import FATIGUE
 from gearwright.mission.lives.mix import MixedLife, mixed_life
 from gearwright.mission.lives.verdict import Durability, PartLife, durability
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.spec import Mission, Mix
 from gearwright.units import Energy, Mass, Ratio, Time
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True)
-class FlownMix:
+@dataclass(frozen=True, repr=False)
+class FlownMix(Shown):
     """A life of one gearbox over the missions of a mix."""
 
     mix: Mix

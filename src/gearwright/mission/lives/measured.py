@@ -15,6 +15,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, excerpt, near, refuse
 from gearwright.reading import text_of
+from gearwright.showing import Shown
 from gearwright.spec import NAME_RULE, is_name
 from gearwright.units import CELSIUS, RPM
 from gearwright.verbs import verb
@@ -48,8 +49,8 @@ _WIDE = 76
 """Characters of a line of a list in a design file [-]."""
 
 
-@dataclass(frozen=True)
-class MeasuredDuty:
+@dataclass(frozen=True, repr=False)
+class MeasuredDuty(Shown):
     """A record of one shaft, each row lasting until the next; arrays of shape (n,)."""
 
     time: Floats
@@ -69,8 +70,8 @@ class MeasuredDuty:
         return self.torque * self.speed
 
 
-@dataclass(frozen=True)
-class DutySpectrum:
+@dataclass(frozen=True, repr=False)
+class DutySpectrum(Shown):
     """Classes of a measured duty."""
 
     torque: Floats

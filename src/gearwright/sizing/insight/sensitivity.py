@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, SolveError
+from gearwright.showing import Shown
 from gearwright.sizing.insight.meshes import SizedMesh, sized_meshes
 from gearwright.sizing.rating import Rating
 from gearwright.sizing.result import Sizing
@@ -51,8 +52,8 @@ class Influence:
     """Value at which the worst margin is the wished one [SI]; None where a threefold change does not do."""
 
 
-@dataclass(frozen=True)
-class MeshInfluences:
+@dataclass(frozen=True, repr=False)
+class MeshInfluences(Shown):
     """A mesh, and everything that moves its margins."""
 
     mesh: str

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, SolveError
+from gearwright.showing import Shown
 from gearwright.sizing.insight.aspects import ASPECTS, FAMILIES, Aspect
 from gearwright.sizing.insight.bevel_aspects import BEVEL_ASPECTS, BEVEL_FAMILIES
 from gearwright.sizing.insight.meshes import SizedMesh, sized_meshes
@@ -34,8 +35,8 @@ class Beside(NamedTuple):
     """Why the values differ; empty where they do not."""
 
 
-@dataclass(frozen=True)
-class MeshBeside:
+@dataclass(frozen=True, repr=False)
+class MeshBeside(Shown):
     """A mesh by every method."""
 
     mesh: str

@@ -11,6 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import by_name
 from gearwright.ranking import largest_first
+from gearwright.showing import Shown
 from gearwright.sizing.bearings import bearing_seats
 from gearwright.sizing.losses.bodies import gear_losses, seal_losses
 from gearwright.sizing.losses.oil import Oil, oil_of_design
@@ -47,8 +48,8 @@ class Loss:
     """Limits of the formula at which it is taken; empty where it holds."""
 
 
-@dataclass(frozen=True)
-class LossBalance:
+@dataclass(frozen=True, repr=False)
+class LossBalance(Shown):
     """Where the power of a case goes."""
 
     case: str

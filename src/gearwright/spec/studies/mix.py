@@ -12,6 +12,7 @@ from pydantic import Field
 from gearwright.errors import DesignError, Problem, excerpt
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_mix, shipped_missions, shipped_mixes
+from gearwright.showing import Shown
 from gearwright.spec.edit import edited_mission
 from gearwright.spec.flying import is_map_file, read_mission
 from gearwright.spec.missions import BearingLifeRules, Mission
@@ -55,8 +56,8 @@ class MixFile(Record):
     )
 
 
-@dataclass(frozen=True)
-class Mix:
+@dataclass(frozen=True, repr=False)
+class Mix(Shown):
     """Missions that one gearbox flies in its life, read and ready to fly."""
 
     name: str

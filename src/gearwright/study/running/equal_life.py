@@ -12,6 +12,7 @@ from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
 from gearwright.closure.life import LONGEST
 from gearwright.errors import DesignError, Problem
 from gearwright.reviews import Review, Verdict, review
+from gearwright.showing import Shown
 from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running.compare import comparison_of
@@ -19,8 +20,8 @@ from gearwright.units import Life, Mass, Ratio
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True)
-class EqualLife:
+@dataclass(frozen=True, repr=False)
+class EqualLife(Shown):
     """A design closed for a life."""
 
     design: str

@@ -20,6 +20,7 @@ from gearwright.exchange.rexs.reading.sound import unsound
 from gearwright.exchange.rexs.reading.stages import read_stages, refuse_nothing
 from gearwright.exchange.rexs.reading.stated import Stated, read_stated
 from gearwright.reading import text_of
+from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.spec import Design, build, design_text, parse
 from gearwright.verbs import verb
@@ -28,8 +29,8 @@ LARGEST = 20_000_000
 """Largest REXS file that is read [bytes]; a wind turbine's gearbox has 0.1 MB."""
 
 
-@dataclass(frozen=True)
-class ImportedRexs:
+@dataclass(frozen=True, repr=False)
+class ImportedRexs(Shown):
     """A design that was read from a REXS file, and what became of the rest of the file."""
 
     design: Design

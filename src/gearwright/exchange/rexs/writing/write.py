@@ -14,13 +14,14 @@ from gearwright.exchange.rexs.writing.sheet import Sheet
 from gearwright.exchange.rexs.writing.stages import write_sets, write_stages
 from gearwright.exchange.rexs.writing.task import Task
 from gearwright.shape import contacts_of, stands_of
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.spec import design_text
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True)
-class RexsFile:
+@dataclass(frozen=True, repr=False)
+class RexsFile(Shown):
     """A sized gearbox as a file of REXS."""
 
     content: bytes

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearwright.render.drawings.sheet.entities import Entity
+from gearwright.showing import Shown
 
 FILING = 20.0
 """Margin on the left [mm] (ISO 5457:1999)."""
@@ -36,8 +37,8 @@ SIZES = (
 """Lying sheets of ISO 5457:1999, the smallest first."""
 
 
-@dataclass(frozen=True)
-class Sheet:
+@dataclass(frozen=True, repr=False)
+class Sheet(Shown):
     """A drawing sheet."""
 
     name: str
