@@ -1,6 +1,7 @@
 """How fast sizing is: ``python benchmarks/sizing.py`` measures ``one many teeth``, or what is named.
 
 one    size(in-line-h2), size(ec120b): least CPU time of twenty, and how many calls of functions it takes
+first  `size` as a command in a new process with an empty folder for bytecode: processor and wall time
 many   10 000 designs of In-Line H2 by `size_many`, motor speed and fill of the carriers varied: every hundredth is held
        against `size` alone, bit for bit; then the CPU time of a design, together and alone
 rated  200 designs of each shipped one whose gears a standard rates, together, and ten of them alone, bit for bit
@@ -15,9 +16,12 @@ any machine. Memory is the largest of the process so far.
 from __future__ import annotations
 
 import cProfile
+import os
 import re
 import resource
+import subprocess
 import sys
+import tempfile
 import time
 from itertools import pairwise
 from pathlib import Path
@@ -62,6 +66,20 @@ def one() -> None:
         design = read(name)
         least, sizing = timed(design, LEAST_OF)
         print(f"{name}: {1e3 * least:.1f} ms, {calls(design)} calls, {sizing.mass:.3f} kg")
+
+
+def first() -> None:
+    command = "from gearwright.cli import main; main()"
+    for name in SHIPPED:
+        with tempfile.TemporaryDirectory() as cold:
+            before, wall = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+            environment = {**os.environ, "PYTHONPYCACHEPREFIX": cold}
+            environment.pop("PYTHONDONTWRITEBYTECODE", None)
+            call = [sys.executable, "-c", command, "size", name]
+            subprocess.run(call, check=True, env=environment, stdout=subprocess.DEVNULL)
+            after, wall = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter() - wall
+        taken = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        print(f"first size of {name}: {taken:.2f} s of processor time, {wall:.2f} s")
 
 
 def many() -> None:
@@ -161,6 +179,8 @@ def teeth() -> None:
         )
 
 
+ALL = (one, first, many, rated, sized, million, teeth)
+
 if __name__ == "__main__":
     for chosen in sys.argv[1:] or ("one", "many", "teeth"):
-        {"one": one, "many": many, "rated": rated, "sized": sized, "million": million, "teeth": teeth}[chosen]()
+        {measure.__name__: measure for measure in ALL}[chosen]()

@@ -16,7 +16,7 @@ from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.spec import edited, read
+from gearwright.spec import at_level, edited, read
 from gearwright.units import marks_at, origin_of
 
 DESIGNS = {name: {} for name in shipped_designs()} | {"off-set, agma": {"gears.rating": "agma2001"}}
@@ -359,6 +359,14 @@ def test_printed_equations_of_gears_give_the_printed_numbers(name):
                 continue
             found = OF_GEARS[origin.equation](gear, rules)
             assert getattr(gear, field.name) == pytest.approx(found, rel=1e-9), f"{gear.name}.{field.name}"
+
+
+@pytest.mark.parametrize("name", ["in-line-h2", "off-set-h1"])
+def test_printed_equation_of_inertia_gives_that_of_preliminary_gears(name):
+    """With the mass of rim, web and hub in it; 1e-9: rounding."""
+    sizing = size(at_level(read(shipped_design(name)), "preliminary"))
+    for gear in sizing.gears:
+        assert gear.inertia == pytest.approx(gear_inertia(gear, rating_of(sizing.design, gear.stage)), rel=1e-9)
 
 
 def walls(shaft):

@@ -29,7 +29,7 @@ from gearwright.sizing.places import (
     settle,
 )
 from gearwright.sizing.planets import film_checks, fit_planets
-from gearwright.sizing.rating import context_of, demands_of
+from gearwright.sizing.rating import Known, context_of, demands_of
 from gearwright.sizing.result import PRELIMINARY, Sizing
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.stages import compound_sizes, gear_checks, pass_checks, size_gears, size_meshes, stage_sizes
@@ -63,12 +63,12 @@ def size(design: Design) -> Sizing:
     refuse(given.problems)
     best = dict[bool, Sizing]()
     masses: Mapping[bool, list[float]] = {True: [], False: []}
-    refused = list[DesignError]()
+    refused, known = list[DesignError](), Known()
     train = build_train(design)
     lazily = design.level == PRELIMINARY and design.teeth.sized == 1
     for choice in choose_teeth(_looked_at(design) if lazily else design, train):
         try:
-            sizing = sized_with(design, train, choice, given=given.values)
+            sizing = sized_with(design, train, choice, given=given.values, known=known)
         except DesignError as error:
             refused.append(error)
             continue
@@ -105,7 +105,9 @@ def _passes(sizing: Sizing) -> bool:
     return not any(check.fails and (not local or check.part.kind in LOCAL) for check in sizing.checks)
 
 
-def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
+def sized_with(
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None
+) -> Sizing:
     """Return the transmission with chosen teeth and numbers of planets.
 
     Args:
@@ -113,6 +115,7 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
         train: Its graph.
         choice: Teeth, and numbers of planets that the design leaves open.
         given: Path -> value that the user gives instead of the computed one.
+        known: What meshes have given with other teeth of the design, and are to give.
     """
     teeth = choice.teeth
     if choice.planets:
@@ -122,7 +125,7 @@ def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[s
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
     refuse_beyond(design, flows)
-    context = context_of(design, train, teeth, flows, given)
+    context = context_of(design, train, teeth, flows, given, known=known)
     demands = demands_of(context)
     sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
     gears = fit_planets(context, size_gears(context, sizes))

@@ -229,7 +229,7 @@ def _opened(content: Any) -> dict[str, Any]:
 def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value, written: Written) -> Problem | None:
     """Put one value into an opened record and note what is written, or say why it has no place there."""
     annotation: Any = kind
-    table, parts, depth = data, path.split("."), 0
+    table, parts, depth = data, path.replace('"', "").split("."), 0
     location: Location = ()
     while depth < len(parts):
         part, last = parts[depth], depth == len(parts) - 1

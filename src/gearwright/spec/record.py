@@ -130,7 +130,12 @@ def _require(model: type[Record], keys: Keys, result: dict[str, object],
                 or (problem.path.startswith(prefix) and problem.message.endswith(misspelt))
                 for problem in written.problems
             ):
-                written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
+                example = _EXAMPLES.get(str(info.annotation), "")
+                written.problems.append(Problem(path, f"is required; write {' or '.join(options)}{example}"))
+
+
+_EXAMPLES = {str(str): ' = "…", a text in quotes', str(int): " = 3, a whole number"}
+"""Annotation of a required field -> what is written behind its key."""
 
 
 @cache

@@ -88,6 +88,11 @@ def test_a_required_key_is_missed_with_its_units():
     assert found.message == "is required; write power_kw or power_w or power_mw or power_hp"
 
 
+def test_a_required_text_is_missed_with_an_example():
+    found = problem(changed(PAIR, 'name = "one pair"\n', ""))
+    assert (found.path, found.message) == ("name", 'is required; write name = "…", a text in quotes')
+
+
 def test_a_row_that_is_no_table_is_refused():
     found = problem(changed(PAIR, "[turbines.turbine]", "[[turbines.turbine]]"))
     assert found.path == "turbines.turbine"

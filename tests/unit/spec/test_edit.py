@@ -22,6 +22,11 @@ def test_a_value_is_converted_from_the_unit_of_its_path(design: Design) -> None:
     assert changed.turbines["gas-turbine"].power == pytest.approx(745699.87158227, rel=1e-12)
 
 
+def test_a_path_with_a_quoted_name_is_read_as_a_file_writes_it(design: Design) -> None:
+    quoted = edited(design, {'overrides."first.module_mm"': 3})
+    assert quoted.overrides == edited(design, {"overrides.first.module_mm": 3}).overrides == {"first.module_mm": 3}
+
+
 def test_the_design_itself_stays_as_it_is(design: Design) -> None:
     edited(design, {"planetaries.first.planets": 4})
     assert design.planetaries["first"].planets == 3

@@ -245,7 +245,19 @@ def _rooms(module: ModuleType) -> None:
     module._meetings, module.room_checks = meetings_of, room_checks  # type: ignore[attr-defined]
 
 
+def _alone_known(module: ModuleType) -> None:
+    """Keep nothing of meshes: lanes are no keys."""
+    module.once = lambda _context, _rating, _key, computed: computed()  # type: ignore[attr-defined]
+
+
+def _whole(module: ModuleType) -> None:
+    """Rate all rows of a stage: lanes differ in which of them does not bear its loads."""
+    module._room = module._gap  # type: ignore[attr-defined]
+
+
 CHANGES.update({
+    "gearwright.sizing.rating.context": _alone_known,
+    "gearwright.sizing.stages.stage_sizes": _whole,
     "gearwright.sizing.places.room": _rooms,
     "gearwright.parts.iso6336.steels.life": _lives,
     "gearwright.parts.iso6336.steels.damage": _damages,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -18,6 +18,7 @@ from gearwright.errors import DesignError
 from gearwright.sizing.arranged import Arrangement, Body, Turn
 from gearwright.sizing.places.along import arrange_meshing
 from gearwright.sizing.places.bodies import Parts, placed
+from gearwright.sizing.places.coaxial import axes_among
 from gearwright.sizing.places.keep_out import entries
 from gearwright.sizing.places.room import Rules, meetings
 from gearwright.sizing.places.solids import room_between
@@ -113,7 +114,8 @@ def turns_of(parts: Parts, rules: Rules, arrangement: Arrangement) -> tuple[Turn
             continue
         task = _Task(replace(parts, arrangement=arrangement), rules, {name: turn.after for name, turn in turns.items()})
         moved = _moved(task, shaft, now, known)
-        after = _least(task, shaft, now, frozenset(known) - moved) if moved else None
+        into = [known[key] for key in known if key in moved]
+        after = _least(task, shaft, now, frozenset(known) - moved, into) if moved else None
         if after is not None:
             why = min((known[key] for key in moved), key=lambda clash: clash.gap).words
             turns[shaft] = Turn(shaft, turns[shaft].before if shaft in turns else now, after, why)
@@ -153,16 +155,26 @@ def _is_moved(clash: Clash, here: Mapping[str, Body], there: Mapping[str, Body])
     return abs(after - before) > _SAME
 
 
-def _least(task: _Task, shaft: str, now: float, left: frozenset[str]) -> float | None:
+def _is_left(arrangement: Arrangement, names: tuple[str, ...]) -> bool:
+    """Tell whether two bodies still stand into each other, on axes of their own."""
+    one, other = (next(body for body in arrangement.bodies if body.name == name) for name in names)
+    first, second = axes_among((one, other))
+    return first != second and room_between(one, other, enough=0.0).gap < -_TOUCH
+
+
+def _least(task: _Task, shaft: str, now: float, left: frozenset[str], moved: Sequence[Clash]) -> float | None:
     """Return the direction nearest to the present one that leaves no clash but those that no turn moves [rad].
 
     None where there is none.
     """
     design = task.parts.context.design
+    pairs = [clash.bodies for clash in moved if len(clash.bodies) == 2]
 
     def clear(turn: float) -> bool:
         stands = task.turned(shaft, now + turn)
-        return stands is not None and clashes(design, stands, task.rules).keys() <= left
+        if stands is None or any(_is_left(stands, pair) for pair in pairs):
+            return False
+        return clashes(design, stands, task.rules).keys() <= left
 
     turn = next((turn for turn in _grid(design, shaft, now) if clear(turn)), None)
     if turn is None:

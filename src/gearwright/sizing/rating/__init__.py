@@ -6,6 +6,7 @@ The formulas are in `parts`. `protocol` says what a method does, `methods` has a
 from gearwright.sizing.rating.context import (
     Context,
     Demand,
+    Known,
     context_of,
     demands_of,
     reverse_parts,
@@ -60,6 +61,7 @@ __all__ = [
     "Damage",
     "Demand",
     "Factor",
+    "Known",
     "Load",
     "LoadedMesh",
     "Making",

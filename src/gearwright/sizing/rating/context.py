@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
@@ -18,6 +18,10 @@ from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
 
 _IDLE = 1e-6
 """Part of the largest load below which a case does not load the other flank [-]."""
+
+
+Known = dict[tuple[Any, ...], list[tuple[Rating, Any]]]
+"""Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
 
 
 class Demand(NamedTuple):
@@ -47,6 +51,8 @@ class Context:
     """Path -> value that the user gives instead of the computed one [SI]."""
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
+    known: Known = field(default_factory=dict, compare=False, repr=False)
+    """What meshes have given so far, also with other teeth of other stages."""
 
     @cached_property
     def lasting(self) -> dict[str, list[float]]:
@@ -84,8 +90,9 @@ class Context:
 
 
 def context_of(
-    design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given]
-) -> Context:
+    design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given],
+    *, known: Known | None = None,
+) -> Context:  # fmt: skip
     """Return what gear sizing reads, with the rules of every stage resolved.
 
     Args:
@@ -94,9 +101,30 @@ def context_of(
         teeth: Tooth number of every gear.
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
+        known: What meshes of the design have given with other teeth; left out: nothing yet.
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
-    return Context(design, train, teeth, flows, {path: entry.value for path, entry in given.items()}, ratings)
+    values = {path: entry.value for path, entry in given.items()}
+    return Context(design, train, teeth, flows, values, ratings, {} if known is None else known)
+
+
+def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Callable[[], Any]) -> Any:
+    """Return what a mesh gives, computed once for equal loads, sizes and rules: of branches alike, of several trains.
+
+    Args:
+        context: What gear sizing reads.
+        rating: Rules of the mesh.
+        key: All else that it depends on.
+        computed: What gives it.
+    """
+    if rating.proportions is None:  # closed forms are quicker than a look
+        return computed()
+    results = context.known.setdefault(key, [])
+    for rules, result in results:
+        if rules == rating:
+            return result
+    results.append((rating, computed()))
+    return results[-1][1]
 
 
 def demands_of(context: Context) -> dict[str, Demand]:
@@ -139,7 +167,8 @@ def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
 
 def _demand(context: Context, mesh: Mesh) -> Demand:
     case, per_tooth = worst_case(context, mesh)
-    bending, contact = modules(ask_of(context, mesh, case, per_tooth), context.rating(mesh))
+    ask, rating = ask_of(context, mesh, case, per_tooth), context.rating(mesh)
+    bending, contact = once(context, rating, ("modules", ask), lambda: modules(ask, rating))
     return Demand(case, per_tooth, float(bending), float(contact))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gearwright.sizing.rating.context import Context, ask_of, worst_case
+from gearwright.sizing.rating.context import Context, ask_of, once, worst_case
 from gearwright.sizing.rating.methods import method_for
 from gearwright.sizing.rating.protocol import LEAST_TORQUE, Load, LoadedMesh, MeshRating, Unloaded
 from gearwright.spec import case_named, levels_of, shares_of
@@ -33,7 +33,9 @@ def rate_row(
     loaded = _loaded(context, mesh, module, face_width, asked)
     if isinstance(loaded, Unloaded):
         return loaded
-    rated: MeshRating = method_for(loaded.rating).rate(loaded)
+    rated: MeshRating = once(
+        context, loaded.rating, ("rating", *loaded[1:]), lambda: method_for(loaded.rating).rate(loaded)
+    )
     return rated
 
 
@@ -47,7 +49,12 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
         face_width: b [m].
     """
     loaded = _loaded(context, mesh, module, face_width)
-    return None if isinstance(loaded, Unloaded) else method_for(loaded.rating).reserve_of(loaded)
+    if isinstance(loaded, Unloaded):
+        return None
+    reserve: float = once(
+        context, loaded.rating, ("reserve", *loaded[1:]), lambda: method_for(loaded.rating).reserve_of(loaded)
+    )
+    return reserve
 
 
 def _loaded(

@@ -122,6 +122,17 @@ def _gap(context: Context, stage: str, module: float, width: float) -> float:
     return min((reserve for reserve in reserves if reserve is not None), default=1.0)
 
 
+def _room(context: Context, stage: str, module: float, width: float) -> float:
+    """Return the same as far as it tells whether a stage bears its loads: the first row that does not is enough [-]."""
+    least = math.inf
+    for mesh in context.train.meshes:
+        if mesh.stage == stage and (reserve := row_reserve(context, mesh, module, width)) is not None:
+            least = min(least, reserve)
+            if least < 1.0:
+                break
+    return least
+
+
 def _made_module(context: Context, stage: str, needed: float) -> float:
     """Return the module of a stage of cylindrical gears: given, or the standard one that is needed [m]."""
     return context.given.get(f"{stage}.module", rounded(context, stage, needed))
@@ -131,7 +142,7 @@ def _cylinder(context: Context, stage: str, module: float, ratio: float) -> Stag
     """Return a module and the whole millimetres of face width that meet the safeties with it."""
     rating, width = context.ratings[stage], ratio * module
     if rating.width_is_open:
-        width = narrowest(overlap_width(rating, module), width, partial(_gap, context, stage, module))
+        width = narrowest(overlap_width(rating, module), width, partial(_room, context, stage, module))
     width = context.given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
 
