@@ -82,11 +82,13 @@ class _Task:
 def _carriers(task: _Task) -> Iterator[Node]:
     sizing = task.sizing
     for carrier in sizing.carriers:
-        body = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
-        axes, label = axes_at(set_frame(sizing, carrier.stage), middle_of(body)), str(carrier.part)
+        bodies = [body for body in sizing.arrangement.bodies if body.part == carrier.part]
         own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
-        task.solids[label] = plate_solid(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
-        yield Node(label, carrier.part, "carrier", label, axes, 0.0, task.spins(carrier.shaft))
+        for k, body in enumerate(bodies):
+            axes = axes_at(set_frame(sizing, carrier.stage), middle_of(body))
+            label = str(carrier.part) if k == 0 else f"{carrier.part}, plate {k + 1}"
+            task.solids[label] = plate_solid(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
+            yield Node(label, carrier.part, "carrier", label, axes, 0.0, task.spins(carrier.shaft))
 
 
 def _gears(task: _Task) -> Iterator[Node]:
@@ -127,7 +129,7 @@ def _shafts(task: _Task) -> Iterator[Node]:
     for run in task.runs:
         frame, part = task.sizing.arrangement.frames[run.shaft], PartId(Kind.SHAFT, run.shaft)
         middle = (run.steps[0][0] + run.steps[-1][1]) / 2.0
-        label = f"shaft {run.shaft}"
+        label = run.label
         task.solids[label] = shaft_solid(run, middle)
         place = np.asarray(frame.origin) + middle * np.asarray(frame.along)
         yield Node(label, part, "shaft", label, axes_at(frame, place), 0.0, task.spins(run.shaft))

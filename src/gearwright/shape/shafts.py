@@ -37,6 +37,13 @@ class Run(NamedTuple):
     """Start, end and radius of each, from the shaft's first end [m]."""
     bore: float
     """Radius [m]."""
+    piece: int = 1
+    """Of the shaft, from its first end: one that is the cage of a set in between has two."""
+
+    @property
+    def label(self) -> str:
+        """As the scene names it."""
+        return f"shaft {self.shaft}" if self.piece == 1 else f"shaft {self.shaft}, piece {self.piece}"
 
 
 def along(sizing: Sizing, shaft: str, body: Body) -> Span:
@@ -65,6 +72,12 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
     found, words = [], []
     for shaft in sizing.shafts:
         low, high = cut[shaft.name]
+        if shaft.name not in built and any(shaft.name in pair for pair in sizing.arrangement.within):
+            found += [
+                Run(shaft.name, ((start, end, shaft.diameter / 2.0),), shaft.bore / 2.0, k + 1)
+                for k, (start, end) in enumerate(_pieces(sizing, shaft.name))
+            ]
+            continue
         if shaft.name in built:
             steps = tuple((step.start, step.end, step.diameter / 2.0) for step in built[shaft.name].steps)
             found.append(Run(shaft.name, steps, built[shaft.name].bore / 2.0))
@@ -78,9 +91,32 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
     return tuple(found), tuple(words)
 
 
+def _pieces(sizing: Sizing, shaft: str) -> list[Span]:
+    """Return the stretches of a shaft in or around another one, with the hubs of what sits on it.
+
+    Within a set, the shaft of its carrier or ring is the set's own cage or bell.
+    """
+    bodies = [body for body in sizing.arrangement.bodies if body.shaft == shaft]
+    rings = {gear.part for gear in sizing.gears if gear.rim}
+    spans = [along(sizing, shaft, body) for body in bodies if body.part.kind is Kind.SHAFT]
+    seated = [body for body in bodies if body.part.kind is not Kind.SHAFT and body.part not in rings]
+    hubs = [along(sizing, shaft, body) for body in seated]
+    hubs = [(low + END, high - END) for low, high in hubs]
+    hubs += [tie.disc for tie in ties(sizing) if tie.ring.shafts[0] == shaft]
+    merged: list[Span] = []
+    for low, high in sorted((min(span), max(span)) for span in (*spans, *hubs)):
+        if merged and low <= merged[-1][1] + 2.0 * END:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], high))
+        else:
+            merged.append((low, high))
+    return merged
+
+
 def _own(sizing: Sizing, shaft: str) -> list[Span]:
-    """Return where a shaft's own gears, plates and bearings sit on it."""
-    bodies = (body for body in sizing.arrangement.bodies if body.shaft == shaft and body.part.kind is not Kind.SHAFT)
+    """Return where a shaft's own gears, plates and bearings sit on it; rings are tied to it by a disc."""
+    rings = {gear.part for gear in sizing.gears if gear.rim}
+    seated = (body for body in sizing.arrangement.bodies if body.shaft == shaft and body.part.kind is not Kind.SHAFT)
+    bodies = (body for body in seated if body.part not in rings)
     return [along(sizing, shaft, body) for body in bodies] + [
         (min(tie.disc), max(tie.disc)) for tie in ties(sizing) if tie.ring.shafts[0] == shaft
     ]

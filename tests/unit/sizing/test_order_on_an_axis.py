@@ -1,10 +1,12 @@
 """What stands on an axis: its order, which shaft goes through which, how long and how hollow shafts become."""
 
 import math
+from itertools import combinations
 
 import pytest
 
 import gearwright as gw
+from gearwright.shape.shafts import runs, ties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 
@@ -143,3 +145,34 @@ def test_a_wish_that_no_order_keeps_fails_with_an_order_that_would_do():
 def test_an_order_of_what_is_not_on_the_shaft_is_refused_with_the_nearest():
     with pytest.raises(gw.DesignError, match=r"layout\.intermediate\.order: 'electrc' .* electric"):
         size(gw.parse(PLANETARY + '[layout.intermediate]\norder = ["electrc"]\n'))
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "in-line-h2",
+        "in-line-h2-star",
+        "star",
+        "contra-rotating-propellers",
+        "differential-hybrid",
+        "ravigneaux-automatic",
+    ],
+)
+def test_shafts_and_the_discs_of_rings_are_drawn_outside_each_other(name):
+    """On one axis, what two shafts take of it is side by side or one in the bore of the other."""
+    sizing = size(gw.read(shipped_design(name)))
+    taken = []
+    for run in runs(sizing)[0]:
+        frame = sizing.arrangement.frames[run.shaft]
+        taken += [(run.shaft, frame, low, high, run.bore, radius) for low, high, radius in run.steps]
+    radii = {shaft.name: shaft.diameter / 2.0 for shaft in sizing.shafts}
+    for tie in ties(sizing):
+        shaft = tie.ring.shafts[0]
+        disc = (min(tie.disc), max(tie.disc), radii[shaft], tie.ring.pitch_diameter / 2.0)
+        taken.append((shaft, sizing.arrangement.frames[shaft], *disc))
+    for one, other in combinations(taken, 2):
+        coaxial = math.hypot(one[1].origin.y - other[1].origin.y, one[1].origin.z - other[1].origin.z) < 1e-9
+        ends = [(part[1].origin.x + part[2], part[1].origin.x + part[3]) for part in (one, other)]
+        over = min(ends[0][1], ends[1][1]) - max(ends[0][0], ends[1][0])
+        if coaxial and one[0] != other[0] and over > 1e-6:
+            assert one[5] < other[4] or other[5] < one[4], (one[0], other[0])

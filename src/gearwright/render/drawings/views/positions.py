@@ -11,18 +11,16 @@ from itertools import combinations, permutations
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.identity import Kind, Role
+from gearwright.identity import Kind
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.schematic.layout import element, lay_out, pair_meshes
-from gearwright.shape.teeth import bevel_pair, gear_of, halves_of, kind_of, sized_mesh
+from gearwright.render.schematic.layout import pair_meshes
+from gearwright.shape.teeth import bevel_pair, gear_of, kind_of, sized_mesh
 from gearwright.sizing import Sizing, places
 from gearwright.spec import GROUND
-from gearwright.train import Mesh, attachments
+from gearwright.train import Mesh
 
 TRUE = 0.05
 """How far two gears in mesh may stand from where they mesh before a note says so [mm]."""
-BETWEEN = 20.0
-"""Between planetary sets, whose places along their axis are not sized [mm]."""
 _SQUARE = 1e-9
 """One less the cosine of the angle between axes below which they are parallel [-]."""
 PLATE_GAP = MM * places.PLATE_GAP
@@ -68,17 +66,11 @@ class Positions:
 
 
 def positions(sizing: Sizing) -> Positions:
-    """Return where shafts lie: as they stand, or in a row where planetary sets or clutches join parallel shafts.
+    """Return where shafts lie: as they stand, those beside each other turned about their mates into one plane.
 
     Args:
         sizing: What was sized.
     """
-    joined = any(GROUND not in (link.driving, link.driven) for link in sizing.design.links.values())
-    crossed = any(pair.kind == "bevel" for pair in sizing.design.pairs.values())
-    return _in_columns(sizing) if (sizing.design.sets or joined) and not crossed else _as_sized(sizing)
-
-
-def _as_sized(sizing: Sizing) -> Positions:
     along = sizing.arrangement.plans
     places = {
         name: {part: MM * x for part, x in plan.places.items()} | dict(_in_sets(sizing, name))
@@ -282,53 +274,3 @@ def _apart(sizing: Sizing) -> Iterator[str]:
     """Yield a note for every mesh whose gears do not stand beside each other."""
     for name, off in sizing.arrangement.apart.items():
         yield f"The sizing puts the gears of {name} {MM * abs(off):.1f} mm apart along their axes."
-
-
-def _in_columns(sizing: Sizing) -> Positions:
-    """Return shafts whose stages stand side by side in the order of the schematic."""
-    kinds = {machine.name: machine.kind for machine in sizing.machines}
-    layout = lay_out(sizing.train, sizing.gears, kinds)
-    widths = {name: _width(sizing, name) for name in layout.places}
-    columns = sorted({place.x for place in layout.places.values()})
-    middle: dict[str, float] = {}
-    x = 0.0
-    for column in columns:
-        within = [name for name, place in layout.places.items() if place.x == column]
-        wide = max(widths[name] for name in within)
-        middle |= dict.fromkeys(within, x + wide / 2.0)
-        x += wide + BETWEEN
-    heights = {name: MM * height / layout.scale for name, height in layout.heights.items()}
-    shafts = {}
-    for name in layout.spans:
-        ends = list(_column_ends(sizing, name, middle))
-        shafts[name] = Lying(1j * heights[name], 1 + 0j, min(start for start, _ in ends), max(end for _, end in ends))
-    named = {gear.name: middle[gear.stage] for gear in sizing.gears} | middle
-    named |= {str(carrier.part): middle[carrier.stage] for carrier in sizing.carriers}
-    notes = ["Places along the axes are not sized where planetary sets or clutches join shafts: drawn side by side."]
-    if not layout.exact:
-        notes.append("Unfolded: parallel paths meet again, so that not every centre distance is true in this plane.")
-    return Positions(shafts, dict.fromkeys(shafts, named), tuple(notes), exact=layout.exact)
-
-
-def _column_ends(sizing: Sizing, shaft: str, middle: Mapping[str, float]) -> Iterator[tuple[float, float]]:
-    """Yield from where to where every part on a shaft takes it up [mm]."""
-    seats = [seat for seat in attachments(sizing.train) if seat.shaft == shaft]
-    centre = sum(middle[element(seat)] for seat in seats) / len(seats)
-    for seat in seats:
-        x = middle[element(seat)]
-        half = max((MM * gear.face_width / 2.0 for gear in sizing.gears if gear.stage == seat.stage), default=0.0)
-        if seat.member in (Kind.CARRIER, Role.RING):
-            edge = x + math.copysign(half + PLATE_GAP, centre - x if centre != x else 1.0)
-            yield edge, edge
-        else:
-            more = half if seat.member is Role.SUN else half + PLATE_GAP if seat.stage else 0.0
-            yield x - more, x + more
-
-
-def _width(sizing: Sizing, name: str) -> float:
-    """Return the width of a column [mm]."""
-    gears = [gear for gear in sizing.gears if gear.stage == name]
-    if not gears:
-        return 10.0
-    plates = [MM * carrier.plate_thickness + PLATE_GAP for carrier in sizing.carriers if carrier.stage == name]
-    return max(MM * gear.face_width for gear in gears) * max(halves_of(gear) for gear in gears) + 2.0 * sum(plates)
