@@ -227,3 +227,12 @@ def test_a_computation_that_fails_ends_with_one(call, monkeypatch, design):
     done = call("check", design)
     assert done.code == FAILED
     assert done.err == "line 'stage': gap 3 mm at t = 0.4 s\n"
+
+
+def test_a_word_that_is_no_choice_is_told_without_the_words_of_a_library(monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["gearwright", "size", "in-line-h2", "--level", "nonsense"])
+    with pytest.raises(SystemExit) as end:
+        main()
+    told = capsys.readouterr().err
+    assert end.value.code == 2
+    assert "Invalid value for '--level': 'nonsense' is not one of 'concept', 'preliminary'" in told

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Any
 
+from typer import BadParameter
 from typer.core import TyperGroup
 
 
@@ -29,6 +30,18 @@ class Sections(TyperGroup):
         for title, rows in listed.items():
             with formatter.section(title):
                 formatter.write_dl(rows)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Call the command; what is wrong with an option is said without the words of the library that found it.
+
+        Args:
+            ctx: Of the call.
+        """
+        try:
+            return super().invoke(ctx)
+        except BadParameter as error:
+            error.message = error.message.removeprefix("Value error, ")
+            raise
 
 
 def _summary(help_text: str) -> str:
