@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from itertools import cycle
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.dynamics.vibration import (
     RESONANCE,
@@ -25,6 +23,8 @@ from gearwright.dynamics.vibration import (
 from gearwright.render.figures.low_orders import draw_low, has_low_modes
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
 
@@ -36,7 +36,7 @@ LARGEST_DOT = 70.0
 """Area of the dot of a dynamic force as large as the mean one [pt²]."""
 
 
-@theme.styled
+@theme.drawn
 def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
     """Return the Campbell diagram of one set of speeds, and the margins of the nearest excited critical speeds.
 
@@ -48,7 +48,7 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
     near = sorted(excited, key=lambda critical: abs(critical.margin))[:MOST_MARGINS]
     heights = [85.0, *([75.0] if has_low_modes(speeds) else []), 12.0 + 5.0 * max(len(near), 1)]
     figure = theme.sheet(WIDTH, sum(heights) + 8.0 + 8.0 * len(heights))
-    diagram, *low, margins = figure.subplots(len(heights), 1, height_ratios=heights)
+    diagram, *low, margins = figure.grid(len(heights), 1, heights=heights)[:, 0]
     _draw_campbell(diagram, sizing, speeds)
     for axes in low:
         draw_low(axes, sizing, speeds, operating=operating_speed(sizing, speeds))
@@ -56,7 +56,7 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
     return figure
 
 
-@theme.styled
+@theme.drawn
 def diagram_figure(campbell: Campbell) -> Figure:
     """Return a Campbell diagram without its sizing: frequencies and orders against speed, crossings as dots.
 
@@ -64,7 +64,7 @@ def diagram_figure(campbell: Campbell) -> Figure:
         campbell: From `campbell`.
     """
     figure = theme.sheet(WIDTH, 105.0)
-    axes = figure.subplots()
+    axes = figure.panel()
     end, top = campbell.factor[-1], 1.05 * float(np.max(campbell.frequency))
     whirl = np.max(campbell.whirl, axis=0) + np.min(campbell.whirl, axis=0)
     looks = (
@@ -82,7 +82,7 @@ def diagram_figure(campbell: Campbell) -> Figure:
     axes.scatter([at.factor for at in crossings], [at.frequency for at in crossings], s=9.0, color=theme.ORANGE, lw=0.0)
     axes.axvline(1.0, color=theme.INK, lw=0.9)
     axes.set(xlim=(0.0, end), ylim=(0.0, top), xlabel="speed over operating speed [-]", ylabel="frequency [Hz]")
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=3, borderaxespad=0.0, fontsize=6.5)
+    axes.legend("below", columns=3, size=6.5)
     return figure
 
 
@@ -107,13 +107,13 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     speeds = speed_case.campbell.factor * frame.speed
     axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
-    axes.annotate("operating", (frame.speed, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
-                  textcoords="offset points", va="top")  # fmt: skip
+    axes.annotate("operating", (frame.speed, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5,
+                   va="top")  # fmt: skip
     axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
     axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
     axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")
     axes.set_xlabel(f"speed of {shaft} [rpm]")
-    axes.set_title(f"Campbell diagram, case {speed_case.cases}", pad=30.0)
+    axes.set_title(f"Campbell diagram, case {speed_case.cases}")
     _draw_orders(axes, sizing, speed_case.campbell.orders, frame)
     for critical in excited:
         area = LARGEST_DOT * min(critical.dynamic_force, 2.0)
@@ -123,7 +123,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.scatter(
         [], [], s=LARGEST_DOT, color=theme.ORANGE, lw=0.0, label="resonance; area: force amplitude over mean force"
     )
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=2, borderaxespad=0.0, fontsize=6.5)
+    axes.legend("below", columns=2, size=6.5)
 
 
 def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
@@ -149,9 +149,9 @@ def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Fr
 def _name_ray(axes: Axes, word: str, at: tuple[float, float], colour: str) -> None:
     """Write a ray's name where it leaves the frame: on the right, or slanted on top."""
     right = at[0] == axes.get_xlim()[1]
-    axes.annotate(word, at, (3, 0) if right else (1, 2), textcoords="offset points", fontsize=6.0, color=colour,
+    axes.annotate(word, at, (3, 0) if right else (1, 2),  fontsize=6.0, color=colour,
                   rotation=0.0 if right else 45.0, va="center" if right else "bottom",
-                  annotation_clip=False)  # fmt: skip
+                  )  # fmt: skip
 
 
 def operating_speed(sizing: Sizing, speeds: SpeedCase) -> tuple[str, float]:
@@ -170,7 +170,7 @@ def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
     axes.set_title("Excited critical speeds nearest to the operating speed")
     if not near:
         axes.set_axis_off()
-        axes.text(0.0, 0.5, "No order excites a mode in this range of speeds.", transform=axes.transAxes, fontsize=7.5)
+        axes.text(0.0, 0.5, "No order excites a mode in this range of speeds.", inside=True, fontsize=7.5)
         return
     band = [100.0 * (1.0 / bound - 1.0) for bound in reversed(RESONANCE)]
     axes.axvspan(*band, color=theme.STEEL, lw=0.0, zorder=0)
@@ -193,10 +193,10 @@ def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
         "shaded: main resonance range, ISO 6336-1; darker: 10 %, API 617\n"
         f"hollow: {100.0 * SWING:g} % of a torque or mesh force is assumed to swing"
     )
-    theme.only_grid(axes, "x")
+    axes.only_grid("x")
 
 
-@theme.styled
+@theme.drawn
 def response_figure(response: Response, lines: Sequence[str], *, title: str) -> Figure:
     """Return the amplitude and phase of mesh forces against frequency.
 
@@ -206,13 +206,16 @@ def response_figure(response: Response, lines: Sequence[str], *, title: str) -> 
         title: What excites.
     """
     figure = theme.sheet(WIDTH, 105.0)
-    top, below = figure.subplots(2, 1, sharex=True, height_ratios=(3.0, 1.3))
+    top, below = figure.grid(2, 1, share_x=True, heights=(3.0, 1.3))[:, 0]
     for line in lines:
         force = response.force(line)
-        top.loglog(response.frequency / 1e3, np.abs(force), label=line)
-        below.semilogx(response.frequency / 1e3, np.degrees(np.angle(force)), lw=0.8)
+        top.plot(response.frequency / 1e3, np.abs(force), label=line)
+        below.plot(response.frequency / 1e3, np.degrees(np.angle(force)), lw=0.8)
+    for axes in (top, below):
+        axes.set_xscale("log")
+    top.set_yscale("log")
     top.set(title=title, ylabel="force amplitude [N]")
-    top.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    top.legend("right")
     below.set(ylabel="phase [°]", xlabel="frequency [kHz]", ylim=(-190.0, 190.0))
     below.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     below.margins(x=0.0)

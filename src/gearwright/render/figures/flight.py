@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 
 from gearwright.arrays import Floats
 from gearwright.mission import Flight
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import CELSIUS, FOOT, KNOT, RPM
 
@@ -81,7 +81,7 @@ def apart(places: Sequence[float], gap: float) -> list[float]:
 
 def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
     """Return a figure with panels over the time, below a strip that names phases and modes [mm]."""
-    figure = theme.sheet(WIDTH, 24.0 + sum(heights))
+    figure = plotted.sheet(WIDTH, 24.0 + sum(heights))
     ratios = [5.0, *heights]
     axes = list(figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios))
     parts = stretches(flight)
@@ -114,7 +114,7 @@ def _minutes(flight: Flight) -> Floats:
     return flight.history.time / _MINUTE
 
 
-@theme.styled
+@plotted.styled
 def profile_figure(flight: Flight) -> Figure:
     """Return altitude, airspeed, propeller speed and pitch over the time, with the propulsion modes.
 
@@ -148,7 +148,7 @@ def profile_figure(flight: Flight) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def power_figure(flight: Flight) -> Figure:
     """Return the powers of all machines, what the turbines could give, and the torque of every shaft.
 
@@ -190,7 +190,7 @@ def _machines(flight: Flight) -> Iterator[tuple[str, Floats, str]]:
         counts[kind] += 1
 
 
-@theme.styled
+@plotted.styled
 def stores_figure(flight: Flight) -> Figure:
     """Return the fuel burnt, the state of charge, and the battery's voltage and current.
 
@@ -229,7 +229,7 @@ def _charge(flight: Flight, time: Floats, panels: Sequence[Axes]) -> None:
     rate.set_ylabel(f"C-rate [1/h]\n(at most {rules.highest_c_rate:g})")
 
 
-@theme.styled
+@plotted.styled
 def heat_figure(flight: Flight) -> Figure:
     """Return the gearbox's losses by kind, its efficiency, and the oil's temperature behind it.
 

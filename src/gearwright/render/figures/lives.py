@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from gearwright.arrays import Floats
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.lives import seat_duties
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
@@ -31,7 +31,7 @@ class Duty(NamedTuple):
     """Of every interval [-]."""
 
 
-@theme.styled
+@plotted.styled
 def spectrum_figure(flight: Flight) -> Figure:
     """Return the duty spectra of one flight: turns at which a load is reached or passed.
 
@@ -44,7 +44,7 @@ def spectrum_figure(flight: Flight) -> Figure:
         ("Shafts", "torque inside [kN m]", list(_shafts(flight))),
     ]
     drawn = [group for group in groups if group[2]]
-    figure = theme.sheet(WIDTH, 78.0)
+    figure = plotted.sheet(WIDTH, 78.0)
     panels = figure.subplots(1, len(drawn), squeeze=False)[0]
     for panel, (title, label, duties) in zip(panels, drawn, strict=True):
         _spectrum(panel, duties)
@@ -85,7 +85,7 @@ def _seats(flight: Flight) -> Iterator[Duty]:
         yield Duty(seat.name, duty.radial / _KILO, duty.turns)
 
 
-@theme.styled
+@plotted.styled
 def life_figure(parts: Durability) -> Figure:
     """Return the flights that every part lives, the one that governs first.
 
@@ -93,7 +93,7 @@ def life_figure(parts: Durability) -> Figure:
         parts: Lives of gears and bearings.
     """
     rows = parts.failing
-    figure = theme.sheet(WIDTH, 24.0 + 5.4 * len(rows))
+    figure = plotted.sheet(WIDTH, 24.0 + 5.4 * len(rows))
     axes = figure.add_subplot()
     for place, row in enumerate(rows):
         axes.barh(place, row.flights, left=0.5, height=0.72, color=MODE_COLOURS[row.mode])
@@ -106,11 +106,11 @@ def life_figure(parts: Durability) -> Figure:
     axes.invert_yaxis()
     axes.set_xlabel("flights until Miner's sum is 1 [-]")
     axes.legend(loc="upper right")
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure
 
 
-@theme.styled
+@plotted.styled
 def mass_of_life_figure(life: LifeSizing) -> Figure:
     """Return the mass of the gearbox against the life of its weakest gear, round by round.
 
@@ -118,7 +118,7 @@ def mass_of_life_figure(life: LifeSizing) -> Figure:
         life: From `size_for_life`.
     """
     hours, masses = (list(column) for column in zip(*life.path, strict=True))
-    figure = theme.sheet(WIDTH, 64.0)
+    figure = plotted.sheet(WIDTH, 64.0)
     axes = figure.add_subplot()
     axes.plot(hours, masses, color=theme.BLUE, marker="o", ms=3.5)
     axes.axvline(life.hours, color=theme.ORANGE, lw=0.9, ls="--")

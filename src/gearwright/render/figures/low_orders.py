@@ -5,11 +5,11 @@ from __future__ import annotations
 from itertools import cycle
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from gearwright.dynamics.vibration import SEPARATION, SpeedCase, order_name
 from gearwright.render.style import theme
 from gearwright.render.style.labels import spread
+from gearwright.render.vector.axes import Axes
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
 
@@ -45,7 +45,7 @@ def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[
     axes.axvline(speed, color=theme.INK, lw=0.9)
     axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1)
     axes.set(xlim=(0.0, rpm[-1]), ylim=(0.0, LOW), ylabel="frequency [Hz]", xlabel=f"speed of {shaft} [rpm]")
-    axes.set_title(f"Below {LOW:g} Hz; shaded: 10 % of the operating speed", pad=56.0)
+    axes.set_title(f"Below {LOW:g} Hz; shaded: 10 % of the operating speed")
     _draw_rays(axes, _named(sizing, speeds, rpm[-1] / speed))
     for critical in (*speeds.critical, *speeds.assumed):
         if critical.excited and critical.frequency < LOW:
@@ -75,10 +75,9 @@ def _draw_rays(axes: Axes, names: dict[float, str]) -> None:
     for top, colour in rows:
         axes.plot([0.0, end], [0.0, top], color=colour, lw=0.8, zorder=1)
         if top <= LOW:
-            axes.annotate(names[top], (end, top), (end * 1.02, places[top]), fontsize=6.0, color=colour, va="center",
-                          annotation_clip=False)  # fmt: skip
+            axes.annotate(names[top], (end * 1.02, places[top]), leader=(end, top), fontsize=6.0,
+                          color=colour, va="center")  # fmt: skip
         elif (leaves := end * LOW / top) <= free:
-            slanted = axes.annotate(names[top], (leaves, LOW), (1, 2), textcoords="offset points", fontsize=6.0,
-                                    color=colour, rotation=30.0, va="bottom", annotation_clip=False)  # fmt: skip
-            slanted.set_in_layout(False)  # the title's pad is its room
+            axes.annotate(names[top], (leaves, LOW), (1, 2),  fontsize=6.0,
+                                    color=colour, rotation=30.0, va="bottom", )  # fmt: skip
             free = leaves - TOP_GAP * end

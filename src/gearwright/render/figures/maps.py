@@ -11,7 +11,7 @@ from gearwright.arrays import Floats
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
 from gearwright.render.grid.table import written
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import RPM
 
@@ -28,7 +28,7 @@ QUIET = 0.02
 _SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec", theme.BLUE, "#0b2d4a", "#05121f"])
 
 
-@theme.styled
+@plotted.styled
 def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
     """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
 
@@ -39,7 +39,7 @@ def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> F
         shaft: Named at the speed axis.
     """
     index_of(line, run_up.lines, "line")
-    figure = theme.sheet(WIDTH, 150.0)
+    figure = plotted.sheet(WIDTH, 150.0)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
     rpm = run_up.factor * speed / RPM
     _draw_map(figure, above, run_up, line=line, rpm=rpm)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from gearwright.mission import FlownMix
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.mix import MOST_ROWS
 
@@ -13,7 +13,7 @@ LEAST = 1e-6
 """Miner's sum after the whole life below which a part is not drawn [-]."""
 
 
-@theme.styled
+@plotted.styled
 def eaten_figure(flown: FlownMix) -> Figure:
     """Return the parts of the damage of every part by mission, the part that governs first on top.
 
@@ -21,7 +21,7 @@ def eaten_figure(flown: FlownMix) -> Figure:
         flown: As flown.
     """
     known = [part for part in flown.life.parts if LEAST < part.damage * flown.mix.flights < float("inf")][:MOST_ROWS]
-    figure = theme.sheet(WIDTH, 30.0 + 6.0 * max(len(known), 1))
+    figure = plotted.sheet(WIDTH, 30.0 + 6.0 * max(len(known), 1))
     axes = figure.add_subplot()
     left = [0.0] * len(known)
     for colour, name in zip(theme.CYCLE * 4, flown.flights, strict=False):
@@ -36,5 +36,5 @@ def eaten_figure(flown: FlownMix) -> Figure:
     axes.set(xlim=(0.0, 116.0), xlabel="part of the damage [%]; behind the bars Miner's sum of the whole life")
     axes.invert_yaxis()
     axes.legend(loc="upper center", bbox_to_anchor=(0.45, 1.0 + 8.0 / (6.0 * max(len(known), 1))), ncols=4)
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwright.arrays import Floats
 from gearwright.dynamics import Labels, Modes, Samples, Trace
@@ -15,6 +12,8 @@ from gearwright.dynamics.model import Owner
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
 
@@ -46,7 +45,7 @@ def mesh_frequencies(sizing: Sizing, case: str) -> dict[str, float]:
     }
 
 
-@theme.styled
+@theme.drawn
 def time_figure(trace: Trace) -> Figure:
     """Return mesh forces and shaft torques against time: the whole run, and beside it the end of the last window.
 
@@ -56,12 +55,12 @@ def time_figure(trace: Trace) -> Figure:
     units = [unit for unit in _KINDS if unit in trace.labels.line_units]
     stretches = [trace.samples, *trace.windows[-1:]]
     figure = theme.sheet(WIDTH, 10.0 + 62.0 * len(units))
-    grid = figure.subplots(len(units), len(stretches), squeeze=False, sharey="row")
+    grid = figure.grid(len(units), len(stretches), share_y="row")
     for row, unit in zip(grid, units, strict=True):
         for axes, samples in zip(row, stretches, strict=True):
             _draw_lines(axes, samples, unit, len(samples.time) if samples is trace.samples else CLOSE_STEPS)
         row[0].set(ylabel=_KINDS[unit][1], title=_KINDS[unit][0])
-        row[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        row[-1].legend("right")
     if trace.windows:
         grid[0, 1].set_title("Its end, every step")
     for axes in grid[-1]:
@@ -95,15 +94,14 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:
     for place, (family, names) in enumerate(families(samples.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         forces = np.array([samples.force(name)[-last:] for name in names]).T
-        curves = axes.plot(
-            samples.time[-last:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
-        )
-        curves[0].set_label(family if len(names) == 1 else f"{family} ({len(names)})")
+        label = family if len(names) == 1 else f"{family} ({len(names)})"
+        axes.plot(samples.time[-last:] * 1e3, forces, color=colour, lw=0.8, label=label,
+                  alpha=1.0 if len(names) == 1 else 0.6)  # fmt: skip
     axes.margins(x=0.0)
-    axes.xaxis.set_major_locator(MaxNLocator(5))
+    axes.x.most = 5
 
 
-@theme.styled
+@theme.drawn
 def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure:
     """Return the amplitude spectrum of the line forces (of the first planet of a set), and the mesh frequencies.
 
@@ -119,14 +117,13 @@ def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure
     if samples is None:
         raise DesignError([Problem("outputs.windows", "none is kept; keep a window, so that every step is known")])
     figure = theme.sheet(WIDTH, 10.0 + 62.0 * len(units))
-    grid = figure.subplots(len(units), 1, squeeze=False, sharex=True)[:, 0]
+    grid = figure.grid(len(units), 1, share_x=True)[:, 0]
     for axes, unit in zip(grid, units, strict=True):
         _draw_spectra(axes, samples, unit)
-        axes.yaxis.set_minor_locator(NullLocator())
         axes.set_ylabel(f"amplitude of {_KINDS[unit][1]}")
         _mark_orders(axes, trace.labels, mesh_frequency, named=axes is grid[0])
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=26.0)
+        axes.legend("right")
+    grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples")
     grid[-1].set_xlabel("frequency [kHz]")
     return figure
 
@@ -161,7 +158,8 @@ def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
     largest = 0.0
     for family, names in families(samples.labels, unit).items():
         frequency, amplitude = spectrum(samples.time, samples.force(names[0]))
-        axes.semilogy(frequency[1:] / 1e3, amplitude[1:], label=family, lw=0.8)
+        axes.set_yscale("log")
+        axes.plot(frequency[1:] / 1e3, amplitude[1:], label=family, lw=0.8)
         largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))
     if largest > 0.0:
         axes.set_ylim(largest * FLOOR, largest * 2.0)
@@ -185,12 +183,12 @@ def _mark_orders(axes: Axes, labels: Labels, mesh_frequency: Mapping[str, float]
         axes.axvline(frequency, color=theme.MUTED, lw=0.7, ls=":", zorder=0)
         if frequency - free > 0.03 * end and named:
             word = name if order == 1 else f"{order} {name}"
-            axes.annotate(word, (frequency, 1.0), (0, 3), xycoords=("data", "axes fraction"), rotation=45.0,
-                          textcoords="offset points", fontsize=6.5, color=theme.MUTED)  # fmt: skip
+            axes.annotate(word, (frequency, 1.0), (0, 3), frames=("data", "axes"), rotation=45.0,
+                           fontsize=6.5, color=theme.MUTED)  # fmt: skip
             free = frequency
 
 
-@theme.styled
+@theme.drawn
 def mode_figure(modes: Modes) -> Figure:
     """Return shapes of the lowest elastic modes, one a frequency: each coordinate over the largest of its kind.
 
@@ -199,7 +197,9 @@ def mode_figure(modes: Modes) -> Figure:
     """
     elastic = list(_first_of_each(modes))[:MOST_MODES]
     columns, names = min(3, max(1, len(elastic))), modes.labels.coordinates
-    figure, grid = theme.tiles(len(elastic), columns, frame=8.0, row=12.0 + 3.0 * len(names), sharex=True, sharey=True)
+    figure, grid = theme.tiles(
+        len(elastic), columns, frame=8.0, row=12.0 + 3.0 * len(names), share_x=True, share_y="all"
+    )
     for axes, mode in zip(grid.flat, elastic, strict=False):
         _draw_shape(axes, modes, mode)
     grid[0, 0].set_yticks(range(len(names)), names)
@@ -224,11 +224,11 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
             largest = shape[places[np.argmax(np.abs(shape[places]))]]
             axes.barh(places, shape[places] / largest, color=colour, height=0.62)
     held = int(np.argmax(modes.line_energy[:, mode]))
-    axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5, pad=11.0)
+    axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5)
     share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"
-    axes.annotate(share, (0.0, 1.0), (0, 1), xycoords="axes fraction", textcoords="offset points", fontsize=6.0,
+    axes.annotate(share, (0.0, 1.0), (0, 1), frames=("axes", "axes"),  fontsize=6.0,
                   color=theme.MUTED, va="bottom")  # fmt: skip
     axes.axvline(0.0, color=theme.MUTED, lw=0.6)
     axes.set_xlim(-1.1, 1.1)
-    axes.tick_params(axis="y", labelsize=6.0)
-    theme.only_grid(axes, "x")
+    axes.y.size = 6.0
+    axes.only_grid("x")

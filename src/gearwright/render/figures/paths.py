@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from gearwright.dynamics.model import PIN
 from gearwright.dynamics.motion import Samples, index_of
@@ -14,6 +12,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.render.figures.motion import spectrum
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.figure import Figure
 
 COLUMNS = 3
 """Panels side by side."""
@@ -39,7 +38,7 @@ def moving_centres(samples: Samples) -> list[tuple[str, str]]:
     ]
 
 
-@theme.styled
+@theme.drawn
 def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = None) -> Figure:
     """Return the paths of centres about their means; of a planetary set in the frame of its carrier.
 
@@ -62,18 +61,16 @@ def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = N
         axes.set_title(str(owners[0].part or pair[0]))
         if max(np.max(np.abs(x)), np.max(np.abs(y))) < STILL * largest:
             axes.set_axis_off()
-            axes.text(
-                0.5, 0.5, f"stands still\n(below {STILL * largest:.1g} µm)", transform=axes.transAxes, ha="center"
-            )
+            axes.text(0.5, 0.5, f"stands still\n(below {STILL * largest:.1g} µm)", inside=True, ha="center")
             continue
         axes.plot(x, y, lw=0.5)
         xlabel, ylabel = (f"{owner.what or name} [µm]" for owner, name in zip(owners, pair, strict=True))
         axes.set(xlabel=xlabel, ylabel=ylabel)
-        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_aspect("data")
     return figure
 
 
-@theme.styled
+@theme.drawn
 def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
     """Return phase portraits of meshes: rate of the deflection against the deflection.
 
@@ -93,7 +90,7 @@ def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
     return figure
 
 
-@theme.styled
+@theme.drawn
 def transmission_error_figure(
     samples: Samples, lines: Sequence[str], *, mesh_frequency: float, cycles: float = 6.0
 ) -> Figure:
@@ -108,20 +105,21 @@ def transmission_error_figure(
     for line in lines:
         index_of(line, samples.labels.lines, "line")
     figure = theme.sheet(WIDTH, 78.0)
-    time_axes, spectrum_axes = figure.subplots(1, 2)
+    time_axes, spectrum_axes = figure.grid(1, 2)[0]
     shown = samples.time >= samples.time[-1] - cycles / mesh_frequency
     for line in lines:
         error = 1e6 * samples.deflection(line)
         time_axes.plot(1e3 * samples.time[shown], error[shown], label=line)
         frequency, amplitude = spectrum(samples.time, error)
         inner = (frequency > 0.0) & (frequency < 6.5 * mesh_frequency)
-        spectrum_axes.semilogy(frequency[inner] / mesh_frequency, amplitude[inner], lw=0.9)
+        spectrum_axes.plot(frequency[inner] / mesh_frequency, amplitude[inner], lw=0.9)
+    spectrum_axes.set_yscale("log")
     time_axes.set(xlabel="time [ms]", ylabel="transmission error [µm]")
     time_axes.margins(x=0.0)
-    time_axes.xaxis.set_major_locator(MaxNLocator(4))
-    time_axes.set_title("Dynamic transmission error", pad=8.0)
+    time_axes.x.most = 4
+    time_axes.set_title("Dynamic transmission error")
     spectrum_axes.set(xlabel="multiples of the mesh frequency", ylabel="amplitude [µm]", xlim=(0.0, 6.5))
     spectrum_axes.set_ylim(bottom=1e-4 * spectrum_axes.get_ylim()[1])
-    spectrum_axes.set_title("Spectrum", pad=8.0)
-    figure.legend(loc="outside lower center", ncols=min(4, len(lines)))
+    spectrum_axes.set_title("Spectrum")
+    figure.shared_key = min(4, len(lines))
     return figure

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.machines import PropellerMap
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 
 MOST_CURVES = 14
 """Blade angles that are drawn, at most, of those at which the propeller pulls somewhere."""
@@ -18,7 +18,7 @@ _FLOOR = -0.15
 """Lowest coefficient that is drawn, over the highest [-]."""
 
 
-@theme.styled
+@plotted.styled
 def propeller_figure(chart: PropellerMap, title: str) -> Figure:
     """Return C_P, C_T and efficiency over the advance ratio.
 
@@ -26,7 +26,7 @@ def propeller_figure(chart: PropellerMap, title: str) -> Figure:
         chart: The map.
         title: Of the figure.
     """
-    figure = theme.sheet(theme.WIDTH, 165.0)
+    figure = plotted.sheet(theme.WIDTH, 165.0)
     power, thrust, efficiency = figure.subplots(3, 1, sharex=True)
     columns = _pulling(chart)
     rises = np.gradient(chart.thrust, axis=1)

@@ -12,7 +12,7 @@ from matplotlib.path import Path
 
 from gearwright.mission import Balance, Flight
 from gearwright.render.figures.flight import LOSSES
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import KWH
 
@@ -97,7 +97,7 @@ def _positive(sinks: Sequence[Sink]) -> tuple[Sink, ...]:
     return tuple(sink for sink in sinks if sink.energy > 0.0)
 
 
-@theme.styled
+@plotted.styled
 def sankey_figure(flight: Flight) -> Figure:
     """Return the energy flow of one gearbox over a flight, with a bar that magnifies the gearbox's own losses.
 
@@ -105,7 +105,7 @@ def sankey_figure(flight: Flight) -> Figure:
         flight: As flown.
     """
     flows = energies(flight.balance)
-    figure = theme.sheet(WIDTH, 112.0)
+    figure = plotted.sheet(WIDTH, 112.0)
     axes, bar = figure.subplots(2, 1, height_ratios=[5.2, 1.0])
     _flows(axes, flows, flight.balance.came_in)
     _magnified(bar, flight.balance, 1.0 - flight.efficiency())

@@ -20,7 +20,7 @@ from gearwright.dynamics.sharing import (
     shaft_displacement,
     single_error_sharing,
 )
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 
 INSTANTS = 4000
@@ -33,14 +33,14 @@ POINTS = 1200
 """Points of a curve: closer than a printer can tell apart."""
 
 
-@theme.styled
+@plotted.styled
 def sharing_figure(sharings: Mapping[str, LoadSharing]) -> Figure:
     """Return sharing coefficients against time, one panel each: over a tooth cycle, and pale behind it every instant.
 
     Args:
         sharings: Title -> sharing; the counterpart of the paper's figures 3, 4, 6 and 8 to 18.
     """
-    figure = theme.sheet(WIDTH, 12.0 + 42.0 * len(sharings))
+    figure = plotted.sheet(WIDTH, 12.0 + 42.0 * len(sharings))
     panels = figure.subplots(len(sharings), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (title, sharing) in zip(panels, sharings.items(), strict=True):
         _draw_sharing(axes, sharing)
@@ -64,7 +64,7 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
     axes.margins(x=0.0)
 
 
-@theme.styled
+@plotted.styled
 def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time: Floats) -> Figure:
     """Return the quasi-static displacement of a floating shaft against time.
 
@@ -73,7 +73,7 @@ def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time
         shaft: That floats.
         time: [s], shape (instants,).
     """
-    figure = theme.sheet(WIDTH, 60.0)
+    figure = plotted.sheet(WIDTH, 60.0)
     axes = figure.subplots()
     for label, problem in problems.items():
         moved = np.linalg.norm(_displacement(problem, shaft, time), axis=1)
@@ -90,7 +90,7 @@ def _displacement(problem: SharingProblem, shaft: str, time: Floats) -> Floats:
     return shaft_displacement(problem, shaft, force)
 
 
-@theme.styled
+@plotted.styled
 def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -> Figure:
     """Return the paths of shafts' centres across themselves under slow errors.
 
@@ -99,7 +99,7 @@ def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -
         shafts: That move.
         time: [s], shape (instants,).
     """
-    figure = theme.sheet(WIDTH, 62.0)
+    figure = plotted.sheet(WIDTH, 62.0)
     panels = figure.subplots(1, len(shafts), squeeze=False)[0]
     for axes, shaft in zip(panels, shafts, strict=True):
         moved = _displacement(problem, shaft, time) / MICROMETRE
@@ -111,7 +111,7 @@ def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -
     return figure
 
 
-@theme.styled
+@plotted.styled
 def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
     """Return sharing and displacement against the stiffness of a shaft's support.
 
@@ -119,7 +119,7 @@ def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
         sweep: From `support_sweep`.
         marked: Stiffness [N/m] -> word beside it.
     """
-    figure = theme.sheet(WIDTH, 95.0)
+    figure = plotted.sheet(WIDTH, 95.0)
     sharing, way = figure.subplots(2, 1, sharex=True)
     sharing.fill_between(sweep.stiffness, sweep.minimum, sweep.maximum, color=theme.SKY, alpha=0.35, lw=0.0)
     sharing.semilogx(sweep.stiffness, sweep.maximum, color=theme.BLUE, label="errors: minimum and maximum")
@@ -137,7 +137,7 @@ def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def tornado_figure(study: SharingStudy) -> Figure:
     """Return what every error does alone to the sharing, the largest on top.
 
@@ -160,15 +160,15 @@ def tornado_figure(study: SharingStudy) -> Figure:
 
 def _rows(names: Sequence[str]) -> tuple[Figure, Axes]:
     """Return a figure with a named row for each bar, the first on top."""
-    figure = theme.sheet(WIDTH, 22.0 + ROW * len(names))
+    figure = plotted.sheet(WIDTH, 22.0 + ROW * len(names))
     axes = figure.subplots()
     axes.set_yticks(range(len(names)), names, fontsize=7.0)
     axes.set_ylim(len(names) - 0.4, -0.6)
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure, axes
 
 
-@theme.styled
+@plotted.styled
 def distribution_figure(study: SharingStudy, target: float | None = None) -> Figure:
     """Return how the peak share of random gearboxes is spread.
 
@@ -176,7 +176,7 @@ def distribution_figure(study: SharingStudy, target: float | None = None) -> Fig
         study: From `sharing_study`, of a design with errors.
         target: Share that is asked for [-].
     """
-    figure = theme.sheet(WIDTH, 65.0)
+    figure = plotted.sheet(WIDTH, 65.0)
     axes = figure.subplots()
     if study.distribution is not None:
         axes.hist(100.0 * study.distribution.peak, bins=60, color=theme.SKY)
@@ -195,7 +195,7 @@ def _mark(axes: Axes, place: float, word: str) -> None:
                   fontsize=6.5, color=theme.MUTED)  # fmt: skip
 
 
-@theme.styled
+@plotted.styled
 def allocation_figure(allocation: Allocation) -> Figure:
     """Return every tolerance as given and as allowed for the target.
 
@@ -214,7 +214,7 @@ def allocation_figure(allocation: Allocation) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def single_error_figure(
     problem: SharingProblem, span: tuple[float, float], names: Mapping[str, str] | None = None
 ) -> Figure:
@@ -230,7 +230,7 @@ def single_error_figure(
         source.name: single_error_sharing(problem, source, method="frequency response", span=span)
         for source in problem.sources
     }
-    figure, grid = theme.tiles(len(sharings), 3, frame=14.0, row=30.0, sharey=True)
+    figure, grid = plotted.tiles(len(sharings), 3, frame=14.0, row=30.0, sharey=True)
     for axes, (name, sharing) in zip(grid.flat, sharings.items(), strict=False):
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
@@ -245,7 +245,7 @@ def single_error_figure(
     return figure
 
 
-@theme.styled
+@plotted.styled
 def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
     """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
 
@@ -253,7 +253,7 @@ def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, M
         sets: Label, such as ``"floating sun"`` -> sets.
         curves: Label -> number of planets -> K_γ to lay beside them [-]: closed form, tables of standards.
     """
-    figure = theme.sheet(WIDTH, 80.0)
+    figure = plotted.sheet(WIDTH, 80.0)
     axes = figure.subplots()
     for number, (label, sharing) in enumerate(sets.items()):
         low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))

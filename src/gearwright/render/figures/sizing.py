@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.checks import ROUNDING, Check
@@ -15,6 +13,8 @@ from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing.overview import NOT_IN_THE_MASS
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
 
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
@@ -33,7 +33,7 @@ LARGEST_MARGIN = 4.0
 """Margin at which a bar is cut [-]; its number says how large it is."""
 
 
-@theme.styled
+@theme.drawn
 def mass_figure(sizing: Sizing) -> Figure:
     """Return the mass of every part, heaviest first, in its group's colour.
 
@@ -42,27 +42,27 @@ def mass_figure(sizing: Sizing) -> Figure:
     """
     parts = mass_parts(sizing)
     figure = theme.sheet(WIDTH, _FRAME + 6.0 + _ROW * len(parts))
-    axes = figure.add_subplot()
+    axes = figure.panel()
     names = [f"{part.count} × {part.part}" if part.count > 1 else part.part for part in parts]
     axes.barh(names, [part.total for part in parts],
               color=[_GROUP_COLOURS[part.group] for part in parts], height=0.72)  # fmt: skip
     for place, part in enumerate(parts):
         axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
-                      textcoords="offset points", va="center", fontsize=7.5)  # fmt: skip
+                       va="center", fontsize=7.5)  # fmt: skip
     totals = {"gears": sizing.gear_mass, "carriers": sizing.carrier_mass, "shafts": sizing.shaft_mass}
     for group, total in totals.items():
         if total:
             axes.barh([0], [0.0], color=_GROUP_COLOURS[group], label=f"{group}  {total:.2f} kg")
-    axes.legend(loc="lower right")
+    axes.legend("lower right")
     axes.invert_yaxis()
     axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {NOT_IN_THE_MASS}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
     axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
-    theme.only_grid(axes, "x")
+    axes.only_grid("x")
     return figure
 
 
-@theme.styled
+@theme.drawn
 def margin_figure(sizing: Sizing) -> Figure:
     """Return the margin of every check, worst first: what loads decide above, what shape and room decide below.
 
@@ -77,7 +77,7 @@ def margin_figure(sizing: Sizing) -> Figure:
     }
     panels = {title: rows for title, rows in panels.items() if rows}
     figure = theme.sheet(WIDTH, _FRAME * len(panels) + _ROW * len(checks))
-    grid = figure.subplots(len(panels), 1, squeeze=False, height_ratios=[len(rows) + 2 for rows in panels.values()])
+    grid = figure.grid(len(panels), 1, heights=[len(rows) + 2 for rows in panels.values()])
     for axes, (title, rows) in zip(grid[:, 0], panels.items(), strict=True):
         _bars(axes, rows)
         axes.set_title(f"{title}, worst first")
@@ -99,14 +99,14 @@ def _bars(axes: Axes, checks: Sequence[Check]) -> None:
         told = "  too small" if check.fails else "  waived" if check.waiver else ""
         number = f"{margin:.3f}" if math.isfinite(margin) else "no load"
         axes.annotate(f"{number}{told}", (length, place), (3, 0), fontsize=7.5,
-                      textcoords="offset points", va="center", color=colour)  # fmt: skip
+                       va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
     axes.set_ylim(len(checks) - 0.4, -0.6)
     axes.set_xlim(0.0, LARGEST_MARGIN * 1.12)
     if len(set(kinds)) > 1:
-        axes.legend(loc="upper right")
-    theme.only_grid(axes, "x")
+        axes.legend("upper right")
+    axes.only_grid("x")
 
 
 def _kind_of(check: Check) -> str:
@@ -127,7 +127,7 @@ def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:
     return [shaft for shaft in sizing.shafts if moments.get(shaft.name, 0.0) > ROUNDING * largest]
 
 
-@theme.styled
+@theme.drawn
 def shaft_figure(sizing: Sizing) -> Figure:
     """Return shear, bending of both planes together and torsion along every shaft that is bent.
 
@@ -136,7 +136,7 @@ def shaft_figure(sizing: Sizing) -> Figure:
     """
     shafts = bent_shafts(sizing)
     figure = theme.sheet(WIDTH, 12.0 + 34.0 * len(shafts))
-    grid = figure.subplots(len(shafts), 3, squeeze=False)
+    grid = figure.grid(len(shafts), 3)
     for row, shaft in zip(grid, shafts, strict=True):
         place, *curves = _along(shaft.diagram)
         for axes, values, colour in zip(row, curves, (theme.GREEN, theme.BLUE, theme.ORANGE), strict=True):

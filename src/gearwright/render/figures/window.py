@@ -11,7 +11,7 @@ from gearwright.dynamics import Trace
 from gearwright.dynamics.motion import Samples
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.motion import families
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import shown
 
@@ -19,7 +19,7 @@ HEIGHT = 150.0
 """[mm]"""
 
 
-@theme.styled
+@plotted.styled
 def window_figure(window: DynamicWindow) -> Figure:
     """Return what a window did.
 
@@ -27,7 +27,7 @@ def window_figure(window: DynamicWindow) -> Figure:
         window: As flown.
     """
     trace = window.trace
-    figure = theme.sheet(WIDTH, HEIGHT)
+    figure = plotted.sheet(WIDTH, HEIGHT)
     grid = figure.subplots(3, 2)
     _speeds(grid[0, 0], trace)
     _pitches(grid[0, 1], window)

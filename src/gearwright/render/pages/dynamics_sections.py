@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from matplotlib.figure import Figure as Drawing
-
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assembly import assumptions
 from gearwright.dynamics.vibration import SpeedCase, first_meshes
@@ -16,6 +14,7 @@ from gearwright.render.pages.page import Figure, Section
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style import theme
 from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
+from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.sizing import Sizing
 
 MOST_DRAWN = 4

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
-from matplotlib.figure import Figure as Drawing
-
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.windows import DynamicWindow
@@ -109,7 +107,7 @@ class _Model:
     source: str
 
 
-def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
+def _figure(drawn: theme.Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawn, name), caption)
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from matplotlib.figure import Figure as Drawing
-
 from gearwright.mission import FlownMix
 from gearwright.render.figures.flight import power_figure, profile_figure
 from gearwright.render.figures.lives import life_figure, spectrum_figure
@@ -68,7 +66,7 @@ def _numbers(flown: FlownMix) -> Iterator[Number]:
         yield quantity("from the battery", flown.battery, "electric_energy")
 
 
-def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
+def _figure(drawn: theme.Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawn, name), caption)
 
 

@@ -7,8 +7,6 @@ from html import escape
 from types import MappingProxyType
 from typing import Any
 
-from matplotlib.figure import Figure
-
 from gearwright.errors import DesignError, Problem
 from gearwright.render.grid.table import MARKS, Table
 from gearwright.render.style import theme
@@ -18,7 +16,7 @@ from gearwright.render.words.short import short
 _TABLE = '{% import "macros.html.j2" as macros with context %}{{ macros.show(table) }}'
 
 
-def figure(value: object) -> Figure:
+def figure(value: object) -> theme.Drawing:
     """Return the figure of a value: skeleton of a design, Campbell diagram, forces of a run, power of a flight.
 
     Args:
@@ -52,38 +50,38 @@ def _table(table: Table) -> str:
     return environment().from_string(_TABLE).render(table=table, marks=MARKS)
 
 
-def _schematic(value: Any) -> Figure:
+def _schematic(value: Any) -> theme.Drawing:
     from gearwright.render.schematic.schematic import schematic_figure
     from gearwright.train import build_train
 
     return schematic_figure(build_train(value) if type(value).__name__ == "Design" else value)
 
 
-def _modes(value: Any) -> Figure:
+def _modes(value: Any) -> theme.Drawing:
     from gearwright.render.figures.motion import mode_figure
 
     return mode_figure(value)
 
 
-def _trace(value: Any) -> Figure:
+def _trace(value: Any) -> theme.Drawing:
     from gearwright.render.figures.motion import time_figure
 
     return time_figure(value)
 
 
-def _campbell(value: Any) -> Figure:
+def _campbell(value: Any) -> theme.Drawing:
     from gearwright.render.figures.dynamics import diagram_figure
 
     return diagram_figure(value if type(value).__name__ == "Campbell" else value.campbell)
 
 
-def _flight(value: Any) -> Figure:
+def _flight(value: Any) -> theme.Drawing:
     from gearwright.render.figures.flight import power_figure
 
     return power_figure(value)
 
 
-def _study(value: Any) -> Figure:
+def _study(value: Any) -> theme.Drawing:
     from gearwright.render.figures.study.lines import study_figure
 
     return study_figure(value)
@@ -125,7 +123,7 @@ def _gear_tables(value: Any) -> tuple[Table, ...]:
     return (tables_of(value)["gears"],)
 
 
-_FIGURES: Mapping[str, Callable[[Any], Figure]] = MappingProxyType(
+_FIGURES: Mapping[str, Callable[[Any], theme.Drawing]] = MappingProxyType(
     {
         "Design": _schematic, "Sizing": _schematic, "Modes": _modes, "Campbell": _campbell, "SpeedCase": _campbell,
         "Trace": _trace, "Flight": _flight, "Table": _study,

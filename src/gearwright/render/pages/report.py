@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from matplotlib.figure import Figure as Drawing
-
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.motion import Error
@@ -39,6 +37,7 @@ from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
+from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing

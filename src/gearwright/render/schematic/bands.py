@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from matplotlib.axes import Axes
-from matplotlib.patches import Polygon, Rectangle
-
 from gearwright.identity import Kind
-from gearwright.render.schematic.glyphs import tinted
 from gearwright.render.schematic.layout import Layout, pair_meshes
 from gearwright.render.schematic.power import NOTHING, Feed, Stretch, Traced
 from gearwright.render.style import theme
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.palette import tinted
 from gearwright.train import PowerFlow, Train
 
 WIDEST = 9.0
@@ -134,7 +132,7 @@ def _along(pen: Pen, stretch: Stretch, layout: Layout, stretches: Sequence[Stret
             low += share * room
         middle = low - room / 2.0
         tip = [(spot - head / 2.0, middle - 1.6), (spot - head / 2.0, middle + 1.6), (spot + head / 2.0, middle)]
-        pen.axes.add_patch(Polygon(tip, fc=theme.INK, lw=0.0, zorder=6))
+        pen.axes.shape(tip, fc=theme.INK, lw=0.0, zorder=6)
 
 
 def spots(stretch: Stretch, layout: Layout) -> list[float]:
@@ -158,7 +156,7 @@ def _across(pen: Pen, x: float, power: float, *, start: float, end: float, share
         left += share * width
     middle, head = (start + end) / 2.0, HEAD if end > start else -HEAD
     tip = [(x - 1.6, middle - head / 2.0), (x + 1.6, middle - head / 2.0), (x, middle + head / 2.0)]
-    pen.axes.add_patch(Polygon(tip, fc=theme.INK, lw=0.0, zorder=6))
+    pen.axes.shape(tip, fc=theme.INK, lw=0.0, zorder=6)
 
 
 def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
@@ -170,9 +168,9 @@ def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
         middle = at[1] + up * 7.25
         tip = -up * HEAD / 2.0 if feed.branch.power > 0.0 else up * HEAD / 2.0
         corners = [(at[0] - 2.0, middle - tip), (at[0] + 2.0, middle - tip), (at[0], middle + tip)]
-        pen.axes.add_patch(Polygon(corners, fc=colour, lw=0.0, zorder=6.3))
+        pen.axes.shape(corners, fc=colour, lw=0.0, zorder=6.3)
 
 
 def _patch(pen: Pen, box: tuple[float, float, float, float], name: str, layer: float = 2.0) -> None:
     left, low, width, height = box
-    pen.axes.add_patch(Rectangle((left, low), width, height, fc=tinted(pen.colours[name]), lw=0.0, zorder=layer))
+    pen.axes.rectangle((left, low), width, height, fc=tinted(pen.colours[name]), lw=0.0, zorder=layer)

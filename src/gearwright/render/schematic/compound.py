@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from matplotlib.axes import Axes
-
 from gearwright.identity import Role
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.layout import Layout
+from gearwright.render.vector.axes import Axes
 from gearwright.spec import GROUND
 from gearwright.train import Gear, Mesh, Train
 

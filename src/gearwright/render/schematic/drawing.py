@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
-from matplotlib.axes import Axes
-
 from gearwright.identity import SIDES, Kind, Role
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.compound import bars, draw_compound, is_compound
 from gearwright.render.schematic.layout import Layout, centre_distance, element, pair_meshes
+from gearwright.render.vector.axes import Axes
 from gearwright.spec import GROUND
 from gearwright.train import INTERNAL, Attachment, Gear, Mesh, Train, attachments
 

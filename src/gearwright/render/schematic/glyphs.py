@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from matplotlib.axes import Axes
-from matplotlib.patches import Ellipse, Polygon, Rectangle
-
 from gearwright.identity import Kind, Role
 from gearwright.render.style import theme
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.marks import circle
+from gearwright.render.vector.palette import DARK_STEEL, DEEP_STEEL, PALE_STEEL
 
 THIN, LINE, BOLD = 0.7, 1.3, 2.2
 """Line widths [pt]."""
@@ -53,7 +53,8 @@ class PlanetaryShape:
 
 
 FILLS = {
-    Role.SUN: "#cdd5de", Role.PLANET: "#f3f5f7", Role.RING: "#b4bfca", Role.PINION: "#cdd5de", Role.WHEEL: theme.STEEL,
+    Role.SUN: DARK_STEEL, Role.PLANET: PALE_STEEL, Role.RING: DEEP_STEEL, Role.PINION: DARK_STEEL,
+    Role.WHEEL: theme.STEEL,
 }  # fmt: skip
 """Shade of each kind of gear, so that neighbours differ."""
 
@@ -69,7 +70,7 @@ def bar(axes: Axes, spot: Spot, role: Role) -> None:
         spot: Where.
         role: What kind of gear.
     """
-    axes.add_patch(Rectangle(spot[:2], *spot[2:], fc=FILLS[role], ec=theme.INK, lw=THIN, zorder=4))
+    axes.rectangle(spot[:2], *spot[2:], fc=FILLS[role], ec=theme.INK, lw=THIN, zorder=4)
 
 
 def line(axes: Axes, points: list[tuple[float, float]], width: float = LINE) -> None:
@@ -80,8 +81,7 @@ def line(axes: Axes, points: list[tuple[float, float]], width: float = LINE) -> 
         points: [mm].
         width: [pt].
     """
-    axes.plot(*zip(*points, strict=True), color=theme.INK, lw=width, solid_capstyle="butt", solid_joinstyle="miter",
-              zorder=5)  # fmt: skip
+    axes.plot(*zip(*points, strict=True), color=theme.INK, lw=width, zorder=5)
 
 
 def ground(axes: Axes, spot: Spot) -> None:
@@ -91,7 +91,7 @@ def ground(axes: Axes, spot: Spot) -> None:
         axes: In mm of paper.
         spot: Where.
     """
-    axes.add_patch(Rectangle(spot[:2], *spot[2:], fc="none", ec=theme.MUTED, lw=0.0, hatch="//////", zorder=3))
+    axes.rectangle(spot[:2], *spot[2:], hatched=True, zorder=3)
 
 
 def planetary(axes: Axes, shape: PlanetaryShape) -> None:
@@ -201,19 +201,21 @@ def machine(axes: Axes, at: tuple[float, float], kind: str, *, at_left: bool, ar
         _solid(axes, [(far, y - 5.0), (near, y - 10.0), (near, y + 10.0), (far, y + 5.0)])
     elif kind in ("propeller", "rotor"):
         for up in (1.0, -1.0):
-            axes.add_patch(Ellipse((x, y + up * 15.0), 4.0, 25.0, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6))
+            axes.shape(
+                circle((x, y + up * 15.0), 4.0, 25.0), cubic=True, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6
+            )
         nose = 1.0 if not at_left else -1.0
         _solid(axes, [(x - nose * 3.0, y - 3.5), (x - nose * 3.0, y + 3.5), (x + nose * 7.0, y)])
     else:
         height, depth = MACHINE_HEIGHT, 4.5 if around else 6.0
         box = [(x - 7.0, y - height), (x + 7.0, y - height), (x + 7.0, y + height), (x - 7.0, y + height)]
-        axes.add_patch(Polygon(box, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=4.6 if around else 6.0))
+        axes.shape(box, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=4.6 if around else 6.0)
         for side in (depth, -depth):
             axes.plot([x - 7.0, x + 7.0], [y + side, y + side], color=theme.INK, lw=THIN, zorder=6.1)
 
 
 def _solid(axes: Axes, corners: list[tuple[float, float]]) -> None:
-    axes.add_patch(Polygon(corners, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6.2))
+    axes.shape(corners, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6.2)
 
 
 def clutch(axes: Axes, at: tuple[float, float], *, overrunning: bool, open_now: bool) -> None:
@@ -230,7 +232,7 @@ def clutch(axes: Axes, at: tuple[float, float], *, overrunning: bool, open_now: 
     for side in (-gap, gap):
         line(axes, [(x + side, y - 4.0), (x + side, y + 4.0)], BOLD)
     if overrunning:
-        axes.add_patch(Polygon([(x - 1.5, y + 5.0), (x - 1.5, y + 8.0), (x + 2.0, y + 6.5)], fc=theme.INK, zorder=5))
+        axes.shape([(x - 1.5, y + 5.0), (x - 1.5, y + 8.0), (x + 2.0, y + 6.5)], fc=theme.INK, zorder=5)
 
 
 def damper(axes: Axes, at: tuple[float, float]) -> None:
@@ -243,14 +245,3 @@ def damper(axes: Axes, at: tuple[float, float]) -> None:
     x, y = at
     line(axes, [(x + 2.0, y + 3.0), (x - 1.6, y + 3.0), (x - 1.6, y - 3.0), (x + 2.0, y - 3.0)], BOLD)
     line(axes, [(x + 0.8, y - 2.0), (x + 0.8, y + 2.0)], BOLD)
-
-
-def tinted(colour: str, strength: float = 0.42) -> tuple[float, float, float]:
-    """Return a colour mixed with white.
-
-    Args:
-        colour: As ``#rrggbb``.
-        strength: Share of the colour [-].
-    """
-    red, green, blue = (int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
-    return 1.0 - strength * (1.0 - red), 1.0 - strength * (1.0 - green), 1.0 - strength * (1.0 - blue)

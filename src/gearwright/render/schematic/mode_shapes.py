@@ -7,10 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import Circle
-
 from gearwright.dynamics import Modes
 from gearwright.dynamics.model import Owner, System
 from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
@@ -19,6 +15,9 @@ from gearwright.render.schematic.drawing import draw_train, member_side
 from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.marks import circle
 from gearwright.sizing import Sizing, planet_positions
 from gearwright.spec import GROUND
 from gearwright.train import attachments
@@ -33,7 +32,7 @@ QUIET = 1e-3
 """Share of the kinetic energy below which a body counts as still [-]."""
 
 
-@theme.styled
+@theme.drawn
 def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers: Sequence[int]) -> Figure:
     """Return some modes on the skeleton of the train and, beside it, on its planetary sets from the front.
 
@@ -46,7 +45,7 @@ def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers:
     sets = list(sizing.design.planetaries)
     layout = lay_out(sizing.train, sizing.gears, {machine.name: machine.kind for machine in sizing.machines})
     figure = theme.sheet(WIDTH, 12.0 + 50.0 * len(numbers))
-    grid = figure.subplots(len(numbers), 1 + len(sets), squeeze=False, width_ratios=[2.2, *[1.0] * len(sets)])
+    grid = figure.grid(len(numbers), 1 + len(sets), widths=[2.2, *[1.0] * len(sets)])
     for row, number in zip(grid, numbers, strict=True):
         motion = _Motion(system, modes, number - 1)
         scale = _scale(sizing, motion)
@@ -55,9 +54,7 @@ def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers:
         for axes, name in zip(row[1:], sets, strict=True):
             _draw_front(axes, sizing, name, motion=motion, scale=scale)
             axes.set_title(name, fontsize=7.5, weight="normal")
-    figure.supxlabel(
-        "dots: kinetic energy of rotation; blue and orange: the two senses; sets: common scale", fontsize=6.5
-    )
+    figure.caption = "dots: kinetic energy of rotation; blue and orange: the two senses; sets: common scale"
     return figure
 
 
@@ -84,8 +81,7 @@ class _Motion:
 def _draw_skeleton(axes: Axes, sizing: Sizing, layout: Layout, motion: _Motion) -> None:
     """Draw a dot on every body that turns: area by kinetic energy, colour by sense."""
     axes.set_axis_off()
-    axes.grid(visible=False)
-    axes.set_aspect("equal")
+    axes.set_aspect("box")
     draw_train(axes, sizing.train, layout, kinds={machine.name: machine.kind for machine in sizing.machines})
     for name, x, y in _spots(sizing, layout):
         share = motion.share(name)
@@ -160,8 +156,7 @@ class _Disc(NamedTuple):
 def _draw_front(axes: Axes, sizing: Sizing, stage: str, *, motion: _Motion, scale: float) -> None:
     """Draw a planetary set from the front, at rest in grey and displaced in colour."""
     axes.set_axis_off()
-    axes.grid(visible=False)
-    axes.set_aspect("equal")
+    axes.set_aspect("box")
     radii = _radii(sizing, stage)
     for disc in _discs(sizing, stage, radii, motion):
         moved = _Disc(
@@ -179,7 +174,7 @@ def _draw_front(axes: Axes, sizing: Sizing, stage: str, *, motion: _Motion, scal
 def _draw_disc(axes: Axes, disc: _Disc, colour: str) -> None:
     """Draw a circle with a spoke that points up when it is not turned."""
     (x, y), radius = disc.centre, disc.radius
-    axes.add_patch(Circle(disc.centre, radius, fc="none", ec=colour, lw=1.0))
+    axes.shape(circle(disc.centre, 2.0 * radius, 2.0 * radius), cubic=True, ec=colour, lw=1.0)
     tip = (x - radius * math.sin(disc.turn), y + radius * math.cos(disc.turn))
     axes.plot([x, tip[0]], [y, tip[1]], color=colour, lw=1.0)
 

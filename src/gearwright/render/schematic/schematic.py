@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
-
 from gearwright.errors import by_name
 from gearwright.identity import Kind, Role
 from gearwright.render.grid.table import written
 from gearwright.render.schematic.bands import Pen, band_scale, draw_bands, half_width, source_colours, spots
 from gearwright.render.schematic.drawing import draw_train, gear_sides
-from gearwright.render.schematic.glyphs import tinted
 from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.schematic.power import NOTHING, Feed, Stretch, trace_power
 from gearwright.render.style import theme
 from gearwright.render.style.labels import Board, text_width
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure, Slot
+from gearwright.render.vector.palette import tinted
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow, Train
 from gearwright.units import shown, text
@@ -28,7 +27,7 @@ _HANGING = (12.0, 16.0, 20.0, 26.0, 32.0, 40.0)
 """Distances from an axis at which a machine's name is tried [mm]."""
 
 
-@theme.styled
+@theme.drawn
 def schematic_figure(source: Train | Sizing) -> Figure:
     """Return the skeleton of a train: to scale where it is sized, in common proportions otherwise.
 
@@ -48,7 +47,7 @@ def schematic_figure(source: Train | Sizing) -> Figure:
     return _finish(board, [title, scale if layout.exact else _NOT_TRUE], {})
 
 
-@theme.styled
+@theme.drawn
 def power_flow_figure(sizing: Sizing, case: str) -> Figure:
     """Return the power flow of a case on the skeleton: bands as wide as the power, kW, N m and rpm on every branch.
 
@@ -79,9 +78,8 @@ def _start(source: Train | Sizing) -> tuple[Board, Train, Layout, Mapping[str, s
     assert isinstance(train, Train)
     kinds = {machine.name: machine.kind for machine in sized.machines} if sized else {}
     layout = lay_out(train, sized.gears if sized else (), kinds)
-    axes = Figure().add_axes((0.0, 0.0, 1.0, 1.0))
+    axes = Axes()
     axes.set_axis_off()
-    axes.grid(visible=False)
     return Board(axes), train, layout, kinds
 
 
@@ -195,7 +193,7 @@ def _finish(board: Board, heading: Sequence[str], legend: Mapping[str, str]) -> 
     left, low, right, high = board.extent()
     x, y = left, high + 6.0
     for name, colour in legend.items():
-        axes.add_patch(Rectangle((x, y - 1.2), 5.0, 2.6, fc=tinted(colour), lw=0.0))
+        axes.rectangle((x, y - 1.2), 5.0, 2.6, fc=tinted(colour), lw=0.0)
         axes.text(x + 6.5, y, name, va="center_baseline", fontsize=7.0)
         x += text_width(name, 7.0) + 14.0
     y += 5.0 if legend else 0.0
@@ -205,9 +203,7 @@ def _finish(board: Board, heading: Sequence[str], legend: Mapping[str, str]) -> 
                   weight="bold" if is_title else "normal")  # fmt: skip
         y += 5.0
     right = max(right, x - 8.0, left + max(text_width(words, 9.0) for words in heading))
-    axes.set_xlim(left - BORDER, right + BORDER)
-    axes.set_ylim(low - BORDER, y + BORDER - 3.0)
-    figure = axes.get_figure()
-    assert isinstance(figure, Figure)
-    figure.set_size_inches((right - left + 2.0 * BORDER) / theme.INCH, (y - 3.0 - low + 2.0 * BORDER) / theme.INCH)
+    axes.set(xlim=(left - BORDER, right + BORDER), ylim=(low - BORDER, y + BORDER - 3.0))
+    figure = Figure(right - left + 2.0 * BORDER, y - 3.0 - low + 2.0 * BORDER, bare=True, title=": ".join(heading[:2]))
+    figure.slots = [Slot(axes, 0, 0)]
     return figure

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import text_to_path
 
 from gearwright.render.style import theme
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.marks import Box as Rectangle
+from gearwright.render.vector.marks import Curve, Shape
+from gearwright.render.vector.words import POINT, SPACING, text_width
 
-POINT = theme.INCH / 72.0
-"""One typographic point [mm]."""
-SPACING = 1.3
-"""Line height over font size [-]."""
 MARGIN = 0.6
 """Free room around a label [mm]."""
 
@@ -36,11 +32,9 @@ class Board:
 
     def take_parts(self) -> None:
         """Count everything drawn so far as taken."""
-        for patch in self.axes.patches:
-            shape = patch.get_path().transformed(patch.get_patch_transform()).get_extents()
-            self.taken.append((shape.x0, shape.y0, shape.x1, shape.y1))
-        for curve in self.axes.lines:
-            points = np.asarray(curve.get_xydata(), dtype=float).tolist()
+        self.taken += [mark.box for mark in (*self.axes.of(Rectangle), *self.axes.of(Shape))]
+        for curve in self.axes.of(Curve):
+            points = np.stack([curve.x, curve.y], axis=1).tolist()
             self.taken += [(min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
                            for a, b in pairwise(points)]  # fmt: skip
 
@@ -102,20 +96,6 @@ def spread(places: Sequence[float], gap: float) -> list[float]:
 
 def _middle(group: list[float]) -> float:
     return sum(group) / len(group)
-
-
-@functools.lru_cache(maxsize=4096)
-def text_width(text: str, size: float, *, math: bool = False) -> float:
-    """Return the width of one line [mm].
-
-    Args:
-        text: The line.
-        size: Of the font [pt].
-        math: True: symbols stand between dollar signs.
-    """
-    # Bold is the wider face: what fits in bold fits in both.
-    font = FontProperties(family="DejaVu Sans", weight="bold", size=size)
-    return float(text_to_path.get_text_width_height_descent(text, font, ismath=math and "$" in text)[0]) * POINT
 
 
 def overlap(box: Box, other: Box) -> float:

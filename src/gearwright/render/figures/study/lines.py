@@ -11,7 +11,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent
 from gearwright.study import Row, Table
 
@@ -34,7 +34,7 @@ def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
 
 
-@theme.styled
+@plotted.styled
 def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
     """Return every result against the last axis, one panel each, with the optimum and the range near it.
 
@@ -44,7 +44,7 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     """
     senses = objectives or {name: "maximum" if name in _HEAVIER_IS_BETTER else "minimum" for name in table.numbers}
     axis = numeric_axis(table) or ""
-    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
+    figure = plotted.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
     panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
     curves = _curves(table, axis)
     few = len(curves) <= FEW_CURVES
@@ -115,7 +115,7 @@ def _mark_optimum(panel: Axes, place: list[Any], values: list[float], *, colour:
                    fontsize=7.5, color=colour)  # fmt: skip
 
 
-@theme.styled
+@plotted.styled
 def comparison_figure(table: Table) -> Figure:
     """Return the masses of several designs as stacked bars, lightest first, with their power density.
 
@@ -126,7 +126,7 @@ def comparison_figure(table: Table) -> Figure:
     whole = _COMPLETE[0] in table.results
     parts = [part for part in (_COMPLETE if whole else _STACK) if part in table.results] or list(table.numbers[:1])
     rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
-    figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
+    figure = plotted.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
     labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
     start = [0.0] * len(rows)
@@ -144,7 +144,7 @@ def comparison_figure(table: Table) -> Figure:
     axes.set_xlabel(f"mass [kg]: {'gearbox with all its parts, and motors' if whole else left_out}")
     axes.legend(loc="upper right")
     axes.set_title(table.name)
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure
 
 

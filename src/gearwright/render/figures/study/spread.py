@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from gearwright.render.figures.study.lines import axis_label, study_figure
 from gearwright.render.figures.study.trade import draw_ranges, trade_figure
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study
@@ -44,7 +44,7 @@ def figure_of(study: Study, table: Table) -> Figure:
     return distribution_figure(table)
 
 
-@theme.styled
+@plotted.styled
 def distribution_figure(table: Table) -> Figure:
     """Return the distribution of every result that varies, with median and 5 to 95 % range.
 
@@ -56,7 +56,7 @@ def distribution_figure(table: Table) -> Figure:
     drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
     designs = tuple(dict.fromkeys(row.design for row in table.good))
     many = len(designs) > FEW_DESIGNS
-    figure = theme.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
+    figure = plotted.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
     panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
     for panel, result in zip(panels, drawn, strict=False):
         panel.set_xlabel(axis_label(table, result))
@@ -79,7 +79,7 @@ def distribution_figure(table: Table) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     """Return inputs and results of every case as lines across parallel axes; chosen ones stand out.
 
@@ -94,7 +94,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     values = np.array([[_value(row, name) for name in names] for row in [*rows, *chosen]])
     low, high = values.min(axis=0), values.max(axis=0)
     placed = (values - low) / np.where(high > low, high - low, 1.0)
-    figure = theme.sheet(180.0, 90.0)
+    figure = plotted.sheet(180.0, 90.0)
     axes = figure.add_subplot()
     axes.plot(placed[: len(rows)].T, color=theme.MUTED, lw=0.4, alpha=0.35)
     if len(chosen):
@@ -112,7 +112,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def contour_figure(table: Table, result: str) -> Figure:
     """Return a result over the first two axes that are numbers, as filled contours between the cases.
 
@@ -124,7 +124,7 @@ def contour_figure(table: Table, result: str) -> Figure:
     rows = table.good
     x, y = (np.array([_value(row, path) for row in rows]) for path in (across, up))
     z = np.array([row.shown(result) for row in rows])
-    figure = theme.sheet(150.0, 100.0)
+    figure = plotted.sheet(150.0, 100.0)
     axes = figure.add_subplot()
     filled = axes.tricontourf(x, y, z, levels=12, cmap="cividis")
     axes.plot(x, y, ".", color=theme.PAPER, ms=1.5, alpha=0.6)
@@ -133,7 +133,7 @@ def contour_figure(table: Table, result: str) -> Figure:
     return figure
 
 
-@theme.styled
+@plotted.styled
 def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequence[Row] = ()) -> Figure:
     """Return all cases over the first two objectives, the front joined, designs in colours and marks.
 
@@ -144,7 +144,7 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
         chosen: Designs of the front that get letters, in order.
     """
     across, up = list(study.objectives)[:2]
-    figure = theme.sheet(150.0, 100.0)
+    figure = plotted.sheet(150.0, 100.0)
     axes = figure.add_subplot()
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
     for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
@@ -164,7 +164,7 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
     return figure
 
 
-@theme.styled
+@plotted.styled
 def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
     """Return the total and first-order influence of every axis on a result as bars with their confidence.
 
@@ -172,7 +172,7 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
         result: Its name.
         influences: From `sensitivity`.
     """
-    figure = theme.sheet(150.0, 24.0 + 12.0 * len(influences))
+    figure = plotted.sheet(150.0, 24.0 + 12.0 * len(influences))
     axes = figure.add_subplot()
     place = np.arange(len(influences))
     for offset, kind, colour in ((-0.19, "total", theme.BLUE), (0.19, "first", theme.SKY)):
@@ -185,7 +185,7 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
     axes.invert_yaxis()
     axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {percent(CONFIDENCE)} confidence")
     axes.legend(loc="lower right")
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure
 
 

@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 
 from gearwright.arrays import Floats
 from gearwright.render.grid.table import written
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study
 from gearwright.study import Table
@@ -26,7 +26,7 @@ LOGARITHMIC = 30.0
 """Ratio of the largest to the smallest value that is drawn from which an axis is logarithmic [-]."""
 
 
-@theme.styled
+@plotted.styled
 def trade_figure(study: Study, table: Table, verdict: Verdict) -> Figure:
     """Return the objectives side by side, one row for each design, the winner at the top: median and 5 to 95 % range.
 
@@ -36,7 +36,7 @@ def trade_figure(study: Study, table: Table, verdict: Verdict) -> Figure:
         verdict: How its designs stand.
     """
     objectives = list(study.objectives)
-    figure = theme.sheet(196.0, 24.0 + 7.5 * len(verdict.standings))
+    figure = plotted.sheet(196.0, 24.0 + 7.5 * len(verdict.standings))
     panels = figure.subplots(1, len(objectives), sharey=True, squeeze=False)[0]
     for panel, name in zip(panels, objectives, strict=True):
         _draw_objective(panel, table, verdict.standings, name, sense=study.objectives[name])
@@ -92,7 +92,7 @@ def _unit(table: Table, name: str) -> str:
     return f" [{table.unit(name)}]" if table.unit(name) else ""
 
 
-@theme.styled
+@plotted.styled
 def weights_figure(verdict: Verdict) -> Figure:
     """Return how often each design comes first: with equal weights, and with all weights of the objectives.
 
@@ -100,7 +100,7 @@ def weights_figure(verdict: Verdict) -> Figure:
         verdict: How designs stand; those that are hardly ever first are left out.
     """
     rows = [standing for standing in verdict.standings if standing.first or standing.weights >= SELDOM]
-    figure = theme.sheet(150.0, 19.0 + 7.0 * len(rows))
+    figure = plotted.sheet(150.0, 19.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
     place = np.arange(len(rows))
     bars = ((-0.19, [row.first / verdict.scenarios for row in rows], theme.BLUE, "objectives weigh the same"),
@@ -116,5 +116,5 @@ def weights_figure(verdict: Verdict) -> Figure:
     axes.set_xticks([0.0, 0.25, 0.5, 0.75, 1.0], ["0", "25 %", "50 %", "75 %", "100 %"])
     axes.set_xlabel("part of the cases with equal inputs in which it is first")
     axes.legend(loc="lower right")
-    theme.only_grid(axes, "x")
+    plotted.only_grid(axes, "x")
     return figure

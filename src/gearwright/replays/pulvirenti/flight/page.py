@@ -15,7 +15,7 @@ from gearwright.arrays import Floats
 from gearwright.dynamics import Samples
 from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.replays.pulvirenti.flight.claims import (
     CLAIMS,
@@ -77,7 +77,7 @@ class Side(NamedTuple):
     runs: Runs
 
 
-@theme.styled
+@plotted.styled
 def chapter_figure(sides: Sequence[Side], window: str, panels: Sequence[str], *, stiffness: str) -> Figure:
     """Return panels of a window, as printed on the left and as it should be on the right.
 
@@ -87,7 +87,7 @@ def chapter_figure(sides: Sequence[Side], window: str, panels: Sequence[str], *,
         panels: Keys of `TITLES`, from top to bottom.
         stiffness: Of the meshes.
     """
-    figure = theme.sheet(WIDTH, ROW * len(panels) + 8.0)
+    figure = plotted.sheet(WIDTH, ROW * len(panels) + 8.0)
     grid = figure.subplots(len(panels), len(sides), squeeze=False, sharey="row")
     for column, side in enumerate(sides):
         run = side.runs[window, stiffness]

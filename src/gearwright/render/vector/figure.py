@@ -1,0 +1,89 @@
+"""A figure: paper of a size, panels in rows and columns, words below all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from gearwright.render.vector.axes import Axes, Axis
+
+
+@dataclass
+class Slot:
+    """A panel and its place."""
+
+    axes: Axes
+    row: int
+    column: int
+
+
+@dataclass
+class Figure:
+    """What is drawn, until a writer asks for it."""
+
+    width: float
+    """Of the paper [mm]."""
+    height: float
+    """Of the paper [mm]."""
+    slots: list[Slot] = field(default_factory=list)
+    heights: list[float] = field(default_factory=lambda: [1.0])
+    """Of the rows, in parts."""
+    widths: list[float] = field(default_factory=lambda: [1.0])
+    """Of the columns, in parts."""
+    caption: str = ""
+    """One line below all panels."""
+    shared_key: int = 0
+    """Columns of a legend below all panels, of the first one's marks; 0: none."""
+    bare: bool = False
+    """One panel that is the whole paper, in mm."""
+    title: str = ""
+    """For readers of screens; left out: the titles of the panels."""
+
+    @property
+    def axes(self) -> list[Axes]:
+        """Return the panels, row by row."""
+        return [slot.axes for slot in self.slots]
+
+    def texts(self) -> list[str]:
+        """Return all that is written on it."""
+        return [*(word for axes in self.axes for word in axes.texts()), *([self.caption] if self.caption else [])]
+
+    def panel(self) -> Axes:
+        """Add the only panel and return it."""
+        axes: Axes = self.grid(1, 1)[0, 0]
+        return axes
+
+    def grid(
+        self, rows: int, columns: int, *, heights: Sequence[float] = (), widths: Sequence[float] = (),
+        share_x: bool = False, share_y: str = "",
+    ) -> np.ndarray:  # fmt: skip
+        """Add panels in rows and columns and return them, shape (rows, columns).
+
+        Args:
+            rows: How many.
+            columns: How many.
+            heights: Of the rows, in parts.
+            widths: Of the columns, in parts.
+            share_x: One scale along x for all, its numbers below the last row.
+            share_y: ``all`` or ``row``: one scale along y, its numbers at the first column.
+        """
+        self.heights, self.widths = list(heights) or [1.0] * rows, list(widths) or [1.0] * columns
+        panels = np.array([[Axes() for _ in range(columns)] for _ in range(rows)], dtype=object).reshape(rows, columns)
+        self.slots = [Slot(panels[row, column], row, column) for row in range(rows) for column in range(columns)]
+        if share_x:
+            _marry([axes.x for axes in panels.flat])
+            for axes in panels[:-1].flat:
+                axes.x.numbers = False
+        for group in [panels.flat] if share_y == "all" else panels if share_y == "row" else []:
+            _marry([axes.y for axes in group])
+        if share_y:
+            for axes in panels[:, 1:].flat:
+                axes.y.numbers = False
+        return panels
+
+
+def _marry(axes: list[Axis]) -> None:
+    for axis in axes:
+        axis.mates = axes
