@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-
-from matplotlib.figure import Figure
+from typing import Any
 
 import gearwright as gw
 from gearwright.mission import fly
@@ -28,12 +27,12 @@ def _sized(name: str) -> Sizing:
     return gw.size(gw.read(gw.shipped_design(name)))
 
 
-def _study(name: str) -> Figure:
+def _study(name: str) -> Any:
     study = read_study(shipped_study(name))
     return study_figure(run(study, {each: gw.read(gw.shipped_design(each)) for each in study.designs}))
 
 
-FIGURES: Mapping[str, Callable[[], Figure]] = {
+FIGURES: Mapping[str, Callable[[], Any]] = {
     "in-line-h2-schematic": lambda: power_flow_figure(_sized("in-line-h2"), "rated"),
     "off-set-schematic": lambda: schematic_figure(_sized("off-set")),
     "off-set-h2-power": lambda: power_flow_figure(_sized("off-set-h2"), "rated"),
@@ -57,7 +56,7 @@ def svg(name: str) -> str:
     """Return one figure or sheet as it is kept."""
     if name in SHEETS:
         return sheet_svg(*sheets(_sized("ec120b"), [SHEETS[name]]))
-    return to_svg(FIGURES[name]()) + "\n"
+    return to_svg(FIGURES[name]()).rstrip("\n") + "\n"
 
 
 def main() -> None:

@@ -32,6 +32,7 @@ ALLOWED = {
     "dynamics/vibration/judged.py": "lines of a message",
     "render/schematic/schematic.py": "lines of a caption",
     "render/style/": "lines of a text, markup of SVG and templates",
+    "render/vector/": "lines and symbols of a text, markup of SVG",
     "render/answers/": "docstrings and names of fields",
     "closure/": "paths of a design file, modes of checks",
     "render/words/design_file.py": "docstrings of records",

@@ -17,6 +17,9 @@ from gearwright.render.pages.dynamics_sections import dynamics_sections
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style.theme import to_svg
 from gearwright.render.tables.dynamics import critical_table, loudest_table, machine_table, peak_table
+from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.keys import key_rows
+from gearwright.render.vector.marks import Shape, Words
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse
@@ -34,6 +37,8 @@ MOVING = sized(more='\n[dynamics]\nfidelity = "translational"\n')
 
 def words(figure):
     """All texts of a figure."""
+    if isinstance(figure, Figure):
+        return figure.texts()
     return [text.get_text() for text in figure.findobj(lambda each: hasattr(each, "get_text")) if text.get_text()]
 
 
@@ -90,7 +95,7 @@ def test_drawn_modes_move_only_the_set_that_takes_part():
     place = int(np.argmax(np.sum(found.shapes[own] ** 2 * system.arrays.mass[own, None], axis=0) > 0.999))
     figure = drawn_modes_figure(MOVING, system, found, numbers=[place + 1])
     first, second = figure.axes[1:]
-    still, moved = ([patch.center for patch in axes.patches] for axes in (first, second))
+    still, moved = ([np.mean(disc.points[:12], axis=0) for disc in axes.of(Shape)] for axes in (first, second))
     assert np.allclose(still[::2], still[1::2])
     assert not np.allclose(moved[::2], moved[1::2])
 
@@ -136,16 +141,16 @@ def test_the_diagram_of_a_rotor_tells_forward_from_backward_whirl():
     for station in (0, 3):
         add_bearing(model, f"bearing {station}", shaft.at(station), Bearing((1e8, 1e8)))
     axes = diagram_figure(campbell(model.build(), [0.5, 1.0])).axes[0]
-    words = [text.get_text() for text in axes.get_legend().get_texts()]
+    words = [mark.label for mark in key_rows(axes)]
     assert [word.split(",")[0] for word in words][:3] == ["natural frequency", "forward whirl", "backward whirl"]
 
 
 def test_what_lies_below_300_hz_has_a_panel_with_every_order_by_name():
     figure = campbell_figure(SIZING, FOUND)
-    titles = [axes.get_title(loc="left") or axes.get_title() for axes in figure.axes]
+    titles = [axes.title for axes in figure.axes]
     low = next(axes for axes, title in zip(figure.axes, titles, strict=True) if "300 Hz" in title)
     assert low.get_ylim() == (0.0, 300.0)
-    words = {text.get_text() for text in low.texts}
+    words = {mark.text for mark in low.of(Words)}
     assert {"propeller blade pass", "gas-turbine 1P", "second planet pass"} <= words
 
 

@@ -3,12 +3,15 @@ from itertools import combinations
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from gearwright.render.schematic.layout import lay_out
 from gearwright.render.schematic.power import trace_power
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
-from gearwright.render.style.labels import Board, text_width
+from gearwright.render.style.labels import Board
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.layout import words_box
+from gearwright.render.vector.marks import Box, Words
+from gearwright.render.vector.words import text_width
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse, read
@@ -30,9 +33,18 @@ def layout_of(sizing):
 
 
 def overlapping(figure):
-    renderer = FigureCanvasAgg(figure).get_renderer()
-    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in figure.axes[0].texts]
-    return [(a, b) for (a, one), (b, other) in combinations(boxes, 2) if one.padded(-0.5).overlaps(other.padded(-0.5))]
+    axes, frame = figure.axes[0], (0.0, 0.0, figure.width, figure.height)
+    boxes = [(words.text, shrunk(words_box(words, axes, frame))) for words in axes.of(Words)]
+    return [(a, b) for (a, one), (b, other) in combinations(boxes, 2) if meet(one, other)]
+
+
+def shrunk(box):
+    """Lines of one label stand one below the other without room between."""
+    return (box[0] + 0.15, box[1] + 0.15, box[2] - 0.15, box[3] - 0.15)
+
+
+def meet(one, other):
+    return min(one[2], other[2]) > max(one[0], other[0]) and min(one[3], other[3]) > max(one[1], other[1])
 
 
 @pytest.mark.parametrize("name", shipped_designs())
@@ -44,8 +56,8 @@ def test_no_two_labels_overlap_in_any_shipped_design(name) -> None:
 
 def test_labels_avoid_what_is_drawn_and_each_other() -> None:
     """Both want the middle of a gear: the first goes above it, the second beside the first."""
-    board = Board(Figure().add_axes((0.0, 0.0, 1.0, 1.0)))
-    board.axes.add_patch(Rectangle((-5.0, -5.0), 10.0, 10.0))
+    board = Board(Axes())
+    board.axes.rectangle((-5.0, -5.0), 10.0, 10.0)
     board.take_parts()
     places = [(0.0, 0.0), (0.0, 10.0), (30.0, 10.0)]
     first, second = board.place("input", places), board.place("output", places)
@@ -71,17 +83,17 @@ def test_a_motor_that_feeds_a_stage_from_its_own_shaft_stands_before_it() -> Non
 @pytest.mark.parametrize("name", NAMES)
 def test_a_train_without_any_sizing_is_drawn_with_all_its_names(designs, name) -> None:
     train = designs[name].train
-    written = {text.get_text() for text in schematic_figure(train).axes[0].texts}
+    written = {words.text for words in schematic_figure(train).axes[0].of(Words)}
     assert set(train.machines) | set(train.machines.values()) <= written
 
 
 def test_gears_are_drawn_to_one_scale(in_line_h2) -> None:
     layout = layout_of(in_line_h2)
-    drawn = [patch for patch in schematic_figure(in_line_h2).axes[0].patches if isinstance(patch, Rectangle)]
+    drawn = schematic_figure(in_line_h2).axes[0].of(Box)
     for gear in in_line_h2.gears:
         if gear.role == "sun":
             wanted = (gear.face_width * layout.scale, gear.pitch_diameter * layout.scale)
-            assert any((p.get_width(), p.get_height()) == pytest.approx(wanted) for p in drawn), gear.name
+            assert any((p.width, p.height) == pytest.approx(wanted) for p in drawn), gear.name
 
 
 def test_axes_of_a_pair_are_its_centre_distance_apart(designs) -> None:
@@ -98,7 +110,7 @@ def test_parallel_layshafts_mirror_each_other_and_the_drawing_says_that_it_is_no
     assert layout.heights["left"] == pytest.approx(-layout.heights["right"])
     assert layout.heights["input"] == pytest.approx(layout.heights["output"])
     assert not layout.exact
-    written = " ".join(text.get_text() for text in schematic_figure(designs["off-set"]).axes[0].texts)
+    written = " ".join(words.text for words in schematic_figure(designs["off-set"]).axes[0].of(Words))
     assert "not to one scale" in written
 
 

@@ -17,9 +17,8 @@ from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, Jso
 from gearwright.cli.terminal.output import progress, show, write_figure
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from gearwright.render.grid.table import Table
+    from gearwright.render.style.theme import Drawing
 
 
 def campbell(
@@ -159,7 +158,7 @@ def _show(*tables: Table) -> None:
     show(*map(table_text, tables))
 
 
-def _draw(drawing: Figure, path: Path, *, quiet: bool) -> None:
+def _draw(drawing: Drawing, path: Path, *, quiet: bool) -> None:
     write_figure(drawing, path)
     if not quiet:
         show(f"wrote {path}")

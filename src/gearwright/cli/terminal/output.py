@@ -17,10 +17,10 @@ from gearwright.cli.terminal.streams import clean_json
 from gearwright.writing import write_bytes, write_text
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
     from rich.console import RenderableType
 
     from gearwright.cli.terminal.screen import Screen
+    from gearwright.render.style.theme import Drawing
 
 UNFOLDED = 100_000
 """Width of what is no terminal: no line is folded there [characters]."""
@@ -90,7 +90,7 @@ def _named() -> Iterator[None]:
         raise OSError(error.errno, error.strerror, STANDARD_OUTPUT) from None
 
 
-def write_figure(drawn: Figure, path: Path) -> None:
+def write_figure(drawn: Drawing, path: Path) -> None:
     """Write a figure in the form that its name asks for.
 
     Args:

@@ -81,7 +81,7 @@ def line(axes: Axes, points: list[tuple[float, float]], width: float = LINE) -> 
         points: [mm].
         width: [pt].
     """
-    axes.plot(*zip(*points, strict=True), color=theme.INK, lw=width, zorder=5)
+    axes.plot([x for x, _ in points], [y for _, y in points], color=theme.INK, lw=width, zorder=5)
 
 
 def ground(axes: Axes, spot: Spot) -> None:

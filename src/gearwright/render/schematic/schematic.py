@@ -12,10 +12,11 @@ from gearwright.render.schematic.drawing import draw_train, gear_sides
 from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.schematic.power import NOTHING, Feed, Stretch, trace_power
 from gearwright.render.style import theme
-from gearwright.render.style.labels import Board, text_width
+from gearwright.render.style.labels import Board
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure, Slot
 from gearwright.render.vector.palette import tinted
+from gearwright.render.vector.words import text_width
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow, Train
 from gearwright.units import shown, text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -19,7 +20,12 @@ from gearwright.render.vector.words import Span
 
 INCH = 25.4
 """[mm]"""
-_STYLE = {"font.family": ["DejaVu Sans"], "hatch.linewidth": 0.6, "text.parse_math": True, "path.simplify": True}
+_STYLE: dict[Any, Any] = {
+    "font.family": ["DejaVu Sans"],
+    "hatch.linewidth": 0.6,
+    "text.parse_math": True,
+    "path.simplify": True,
+}
 
 
 def to_png(figure: Figure, resolution: float) -> bytes:

@@ -3,81 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
 from gearwright.render.vector import marks as m
+from gearwright.render.vector.axis import Axis
 from gearwright.render.vector.palette import CYCLE, INK
-
-NOWHERE = (np.inf, -np.inf)
-
-
-@dataclass
-class Axis:
-    """One axis of a panel."""
-
-    log: bool = False
-    low: float | None = None
-    high: float | None = None
-    margin: float = 0.05
-    """Free room at each end over the range [-]."""
-    values: list[float] | None = None
-    """Marks that are asked for."""
-    names: list[str] | None = None
-    label: str = ""
-    label_colour: str = INK
-    size: float = 8.0
-    """Of the numbers [pt]."""
-    grid: bool = True
-    ticks: bool = True
-    numbers: bool = True
-    most: int = 0
-    """Steps, at most; 0: as there is room."""
-    mates: list[Axis] = field(default_factory=list)
-    """Axes with the same limits."""
-    extent: tuple[float, float] = NOWHERE
-    least: float = np.inf
-    """Least positive value."""
-    zero: bool = False
-    """Bars start at zero."""
-    inverted: bool = False
-
-    def reach(self, values: Floats) -> None:
-        """Count values as shown."""
-        numbers = np.asarray(values, dtype=float).ravel()
-        numbers = numbers[np.isfinite(numbers)]
-        if len(numbers):
-            self.extent = (min(self.extent[0], float(numbers.min())), max(self.extent[1], float(numbers.max())))
-            positive = numbers[numbers > 0.0]
-            self.least = min(self.least, float(positive.min()) if len(positive) else np.inf)
-
-    def limits(self) -> tuple[float, float]:
-        """Return where the axis starts and ends; the first is larger where it is inverted."""
-        axes = self.mates or [self]
-        low, high = min(axis.extent[0] for axis in axes), max(axis.extent[1] for axis in axes)
-        given_low = next((axis.low for axis in axes if axis.low is not None), None)
-        given_high = next((axis.high for axis in axes if axis.high is not None), None)
-        log, zero, inverted = (any(getattr(axis, name) for axis in axes) for name in ("log", "zero", "inverted"))
-        if log:
-            low = min(axis.least for axis in axes)
-        if low > high:
-            low, high = (1.0, 10.0) if log else (0.0, 1.0)
-        low, high = _widened(low, high, min(axis.margin for axis in axes), log=log, zero=zero)
-        low, high = (low if given_low is None else given_low), (high if given_high is None else given_high)
-        if low == high:
-            high = low + (abs(low) or 1.0)
-        return (high, low) if inverted else (low, high)
-
-
-def _widened(low: float, high: float, margin: float, *, log: bool, zero: bool) -> tuple[float, float]:
-    if log:
-        factor = (high / low) ** margin if high > low else 2.0
-        return low / factor, high * factor
-    room = margin * (high - low) if high > low else 0.05 * (abs(high) or 1.0)
-    return (0.0 if zero and low == 0.0 else low - room), (0.0 if zero and high == 0.0 else high + room)
 
 
 @dataclass(frozen=True)
@@ -183,7 +116,7 @@ class Axes:
         across = np.asarray(x, dtype=float)
         ends = [np.broadcast_to(np.asarray(end, dtype=float), across.shape) for end in (low, high)]
         tone = color or self.colour()
-        self._add(m.Fill(across, *ends, tone, alpha, label=label, layer=zorder), across, ends)
+        self._add(m.Fill(across, ends[0], ends[1], tone, alpha, label=label, layer=zorder), across, ends)
         if lw:
             for end in ends:
                 self.plot(across, end, color=tone, lw=lw)
@@ -282,10 +215,17 @@ class Axes:
 
     # Axes -----------------------------------------------------------------------------------------------------------
 
-    def set(self, **what: Any) -> None:
-        """Set labels, limits, title and scales by name, as the methods ``set_NAME`` do."""
-        for name, value in what.items():
-            getattr(self, f"set_{name}")(value)
+    def set(
+        self, *, xlabel: str = "", ylabel: str = "", title: str = "", xlim: Any = None, ylim: Any = None,
+        xscale: str = "",
+    ) -> None:  # fmt: skip
+        """Set labels, title, limits and scale at once, as the methods ``set_NAME`` do."""
+        self.x.label, self.y.label = xlabel or self.x.label, ylabel or self.y.label
+        self.title = title or self.title
+        self.x.log = self.x.log or xscale == "log"
+        for axis, limits in ((self.x, xlim), (self.y, ylim)):
+            if limits is not None:
+                _set_limits(axis, limits, None)
 
     def set_xlim(self, low: Any = None, high: float | None = None, *, left: float | None = None) -> None:
         """Set where x starts and ends."""

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gearwright.render.vector.axes import Axes, Axis
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.axis import Axis
 
 
 @dataclass

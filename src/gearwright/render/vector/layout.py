@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.render.vector.axes import Axes, Axis
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.axis import Axis
 from gearwright.render.vector.figure import Figure
 from gearwright.render.vector.ink import Frame
 from gearwright.render.vector.keys import key_rows, key_size

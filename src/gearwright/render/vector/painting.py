@@ -88,11 +88,11 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
     elif isinstance(mark, m.Fill):
         across = x.places(mark.x)
         edges = [_near(np.stack([across, y.places(end)], axis=1), frame) for end in (mark.low, mark.high)]
-        low, high = (extremes(edge[np.all(np.isfinite(edge), axis=1)]) for edge in edges)
-        yield Path((np.concatenate([low, high[::-1]]),), None, mark.colour, mark.alpha, closed=True, clip=clip)
+        lower, upper = (extremes(edge[np.all(np.isfinite(edge), axis=1)]) for edge in edges)
+        yield Path((np.concatenate([lower, upper[::-1]]),), None, mark.colour, mark.alpha, closed=True, clip=clip)
     elif isinstance(mark, m.Box):
-        left, low, right, high = mark.box
-        corners = _corners(*x.places(np.array([left, right])).tolist(), *y.places(np.array([low, high])).tolist())
+        box = mark.box
+        corners = _corners(x.place(box[0]), x.place(box[2]), y.place(box[1]), y.place(box[3]))
         pen = m.Pen(mark.edge, mark.edge_width) if mark.edge and mark.edge_width else None
         if mark.width and mark.height:
             yield Path(
@@ -111,11 +111,11 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
         )
         outside = mark.low == mark.high and low != scale.place(mark.low)
         if not outside:
-            box = _corners(low, high, frame[1], frame[3]) if k == 0 else _corners(frame[0], frame[2], low, high)
+            corners = _corners(low, high, frame[1], frame[3]) if k == 0 else _corners(frame[0], frame[2], low, high)
             if mark.low == mark.high:
-                yield Path((box[[0, 2]],), mark.pen)
+                yield Path((corners[[0, 2]],), mark.pen)
             else:
-                yield Path((box,), None, mark.pen.colour, mark.pen.alpha, closed=True)
+                yield Path((corners,), None, mark.pen.colour, mark.pen.alpha, closed=True)
     elif isinstance(mark, m.Shape):
         points = np.stack([x.places(mark.points[:, 0]), y.places(mark.points[:, 1])], axis=1)
         pen = m.Pen(mark.edge, mark.edge_width) if mark.edge and mark.edge_width else None

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from gearwright.render.style.labels import POINT, text_width
+from gearwright.render.vector.words import POINT, text_width
 
 TEXT = 3.5
 """Height of capitals in dimensions and notes [mm] (ISO 3098-1)."""
