@@ -15,6 +15,7 @@ from gearwright.errors import DesignError
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.catalogue import contents, sheets
+from gearwright.render.drawings.sheet.crossing import crossings, segments, texts
 from gearwright.render.drawings.sheet.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.sheet.dxf import sheet_document, sheet_dxf
 from gearwright.render.drawings.sheet.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
@@ -202,6 +203,32 @@ def test_no_text_covers_another(every):
         boxes = [(words.text, inked(words)) for words in words_of(sheet)]
         for (text, one), (other, two) in itertools.combinations(boxes, 2):
             assert apart(one, two), f"{sheet.title}: {text!r} and {other!r}"
+
+
+CROSSED = {"15.5", "30.83", "12.92", "68.43°"}
+"""Of `ec120b-as-reported`: lengths that are shorter than their text, and an angle beside them."""
+
+
+def test_no_line_runs_through_a_text(every):
+    """Outlines, leaders, pitch circles, dimension and extension lines; hatching is parted around text."""
+    crossed = set()
+    for sheet in every:
+        lines = list(segments(sheet.entities))
+        crossed |= {(sheet.title, words.text) for words in texts(sheet.entities) if crossings(words, lines)}
+    assert {text for _, text in crossed} <= CROSSED
+    built = {title for title, _ in crossed if "as reported" not in title}
+    assert built <= {"Helical and bevel pair: Gear bevel.wheel"}  # of the same cones
+
+
+def test_a_line_through_letters_is_seen_and_one_beside_them_is_not():
+    """Capitals of 3.5 mm on a base line at 0; the box of a line with descenders is 4.375 mm high, its ink 3.5 mm."""
+    words = Words(0j, "Ra 0.8", 3.5)
+    end = words.length
+    assert crossings(words, [(complex(-5.0, 1.5), complex(end + 5.0, 1.5))]) == 1
+    assert crossings(words, [(complex(end / 2.0, -9.0), complex(end / 2.0, 9.0)), (complex(1.0, 1.0), 2 + 2j)]) == 2
+    assert crossings(words, [(complex(-5.0, -0.6), complex(end, -0.6)), (complex(-0.1, -9.0), complex(-0.1, 9.0))]) == 0
+    turned = Words(0j, "Ra 0.8", 3.5, turn=math.pi / 2.0)
+    assert crossings(turned, [(complex(-9.0, end / 2.0), complex(9.0, end / 2.0))]) == 1
 
 
 def test_everything_stands_on_its_paper_in_a_scale_of_iso_5455(every):

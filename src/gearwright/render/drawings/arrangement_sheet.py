@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Set as AbstractSet
 
 from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.sheet.compose import Content, Rows
+from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.sheet.frame import Title
@@ -29,6 +30,12 @@ AROUND = 9.0
 """From the parts to their item numbers [mm]."""
 _APART = 10.0
 """Between item numbers [mm]."""
+SIDES = ("left", "right", "top", "bottom")
+"""On which item numbers stand."""
+DOT = 1.5
+"""Room for the dot at the end of a leader [mm]."""
+_TRIES = 12
+"""Places of a name that are tried, a line further down or out [-]."""
 
 
 def arrangement_content(sizing: Sizing) -> Content:
@@ -78,9 +85,10 @@ def _crowded(sizing: Sizing) -> Iterator[str]:
 
 def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
     entities, items = _parts(sizing, plane, scale)
-    entities += _machines(sizing, plane, scale)
     entities += _distances(sizing, plane, scale)
-    entities += _balloons(items, extent(entities))
+    dots = [(item.anchor - arm, item.anchor + arm) for item in items for arm in (DOT, 1j * DOT)]
+    entities += _machines(sizing, plane, scale, [*segments(entities), *dots])
+    entities += _balloons(items, extent(entities), texts(entities))
     return [[*([end_view(sizing, scale)] if _has_end_view(sizing, plane) else []), entities]]
 
 
@@ -101,31 +109,40 @@ def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity]
     return entities, items
 
 
-def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
-    """Yield the name of every machine, clutch and damper where it joins its shaft."""
+def _machines(sizing: Sizing, plane: Positions, scale: float, lines: Sequence[Segment]) -> Iterator[Entity]:
+    """Yield the name of every machine, clutch and damper where it joins its shaft, clear of lines and other names."""
     seats = dict(sizing.train.machines) | {link.name: link.driving for link in sizing.train.links}
-    written: list[Words] = []
+    names: list[Words] = []
     for name, shaft in seats.items():
         lying, x = plane.shafts[shaft], plane.places[shaft][name]
         axis = axis_of(lying, scale)
         first, last = _ends(sizing, plane, shaft)
         if first < x < last:
-            yield from _between(name, axis.at(x))
-            continue
-        outwards = -lying.along if x <= first else lying.along
-        place = axis.at(lying.start if x <= first else lying.end) + 6.0 * outwards
-        flat = abs(outwards.real) > 0.5
-        align = ("right" if outwards.real < 0.0 else "left") if flat else "middle"
-        drop = 1.5 if flat else (0.0 if outwards.imag > 0.0 else -SMALL)
-        written.append(_clear(Words(place + 1j * drop, name, SMALL, align), written))
-        yield written[-1]
+            knees = [axis.at(x) + complex(4.0, -14.0 * way - 4.0 * k) for k in range(_TRIES) for way in (1.0, -1.0)]
+            wanted = [Words(knee + complex(1.0, -SMALL / 2.0), name, SMALL) for knee in knees]
+            words = _clear(wanted, names, lines)
+            yield Path((axis.at(x), knees[wanted.index(words)]), Layer.SYMBOL)
+        else:
+            outwards = -lying.along if x <= first else lying.along
+            words = _clear(_beyond(name, axis.at(lying.start if x <= first else lying.end), outwards), names, lines)
+        names.append(words)
+        yield words
 
 
-def _clear(words: Words, written: Sequence[Words]) -> Words:
-    """Return words moved down until they cover none that are written."""
-    while any(overlap(extent([words]), extent([other])) for other in written):
-        words = replace(words, at=words.at - 1j * (SMALL + 1.0))
-    return words
+def _beyond(name: str, end: complex, outwards: complex) -> list[Words]:
+    """Return places of a name beyond the end of a shaft, the nearest first."""
+    flat = abs(outwards.real) > 0.5
+    align = ("right" if outwards.real < 0.0 else "left") if flat else "middle"
+    drop = 1.5 if flat else (0.0 if outwards.imag > 0.0 else -SMALL)
+    places = [end + 6.0 * outwards + 1j * drop - 1j * (SMALL + 1.0) * k for k in range(_TRIES)]
+    places += [end + (6.0 + 6.0 * k) * outwards + 1j * drop for k in range(1, _TRIES)]
+    return [Words(place, name, SMALL, align) for place in places]
+
+
+def _clear(wanted: Sequence[Words], names: Sequence[Words], lines: Sequence[Segment]) -> Words:
+    """Return the first of several places of a name where it covers no other one, and no line where that can be."""
+    apart = [words for words in wanted if not any(overlap(extent([words]), extent([other])) for other in names)]
+    return next((words for words in apart if clear_of([words], lines)), apart[0] if apart else wanted[0])
 
 
 def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:
@@ -139,14 +156,6 @@ def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:
     lying = plane.shafts[shaft]
     middle = (lying.start + lying.end) / 2.0
     return min(seats, default=middle), max(seats, default=middle)
-
-
-def _between(name: str, middle: complex) -> Iterator[Entity]:
-    """Yield the name of what joins a shaft between its ends, with a leader."""
-    knee = middle + complex(4.0, -14.0)
-    words = Words(knee + complex(1.0, -SMALL / 2.0), name, SMALL)
-    yield Path((middle, knee), Layer.SYMBOL)
-    yield words
 
 
 def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
@@ -166,19 +175,39 @@ def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entit
             yield Distance(ends[0] - 4.0, ends[1] - 4.0, complex(left, 0.0), math.pi / 2.0, scale)
 
 
-def _balloons(items: Sequence[Item], box: Box) -> Iterator[Entity]:
-    """Yield item numbers around the parts, each on the side that is nearest to its part."""
-    sides: dict[str, list[tuple[float, str, complex]]] = {"left": [], "right": [], "top": [], "bottom": []}
-    for k, item in enumerate(items, start=1):
+def _balloons(items: Sequence[Item], box: Box, words: Sequence[Words]) -> Iterator[Entity]:
+    """Yield item numbers around the parts, each on the nearest side from which its leader crosses no text."""
+    barred = [set[str]() for _ in items]
+    for _ in range(len(SIDES)):
+        middles = _around(items, box, barred)
+        through = [not clear_of(words, [(middle, item.anchor)])
+                   for (_, middle), item in zip(middles, items, strict=True)]  # fmt: skip
+        retried = False
+        for (side, _), shut, crosses in zip(middles, barred, through, strict=True):
+            if crosses and len(shut) < len(SIDES) - 1:
+                shut.add(side)
+                retried = True
+        if not retried:
+            break
+    for k, ((_, middle), item) in enumerate(zip(middles, items, strict=True), start=1):
+        yield from balloon(item.anchor, middle, f"{k}")
+
+
+def _around(items: Sequence[Item], box: Box, barred: Sequence[AbstractSet[str]]) -> list[tuple[str, complex]]:
+    """Return side and place of every item number, on the nearest side that is not barred for it [mm]."""
+    sides: dict[str, list[tuple[float, int]]] = {side: [] for side in SIDES}
+    for k, item in enumerate(items):
         x, y = item.anchor.real, item.anchor.imag
         far = {"left": x - box[0], "right": box[2] - x, "bottom": y - box[1], "top": box[3] - y}
-        side = min(far, key=far.__getitem__)
-        sides[side].append((y if side in ("left", "right") else x, f"{k}", item.anchor))
+        side = min((side for side in far if side not in barred[k]), key=far.__getitem__)
+        sides[side].append((y if side in ("left", "right") else x, k))
+    found: dict[int, tuple[str, complex]] = {}
     for side, listed in sides.items():
         ordered = sorted(listed)
-        for place, (_, number, anchor) in zip(spread([along for along, *_ in ordered], _APART), ordered, strict=True):
+        for place, (_, k) in zip(spread([along for along, _ in ordered], _APART), ordered, strict=True):
             middle = {
                 "left": complex(box[0] - AROUND, place), "right": complex(box[2] + AROUND, place),
                 "bottom": complex(place, box[1] - AROUND), "top": complex(place, box[3] + AROUND),
             }[side]  # fmt: skip
-            yield from balloon(anchor, middle, number)
+            found[k] = (side, middle)
+    return [found[k] for k in range(len(items))]

@@ -5,11 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
 from gearwright.identity import Role
 from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.compose import Content, Rows
+from gearwright.render.drawings.sheet.crossing import Segment, crossings, segments
 from gearwright.render.drawings.sheet.dimensions import arrow, corner_leader, corner_words, words_corners
 from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.sheet.frame import Title
@@ -50,6 +52,8 @@ LEAN = math.pi / 4.0
 """Of the hatching [rad]."""
 BESIDE = 0.85
 """Share of the way from the apex to the hub that angles take, so that their texts stay clear of it [-]."""
+SHARES = (1.0, 0.93, 0.86, 0.8, 0.74, 0.68, 0.62, 0.56, 0.5, 0.44, 0.38)
+"""Of the radius of an angle's arc that are tried where lines run through its text [-]."""
 FACE_GRADE = 5
 """Of the run-out of a gear's faces; assumed."""
 ASIDE = 9.0
@@ -127,9 +131,9 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
         entities += [
             Path((axis.at(middle, side * outer), axis.at(middle, side * root)), Layer.OUTLINE) for side in (-1.0, 1.0)
         ]
-    entities.append(_across(axis, outer, span[1], ASIDE + 8.0))
+    entities.append(_across(axis, outer, span[1], ASIDE + 16.0))
     entities.append(_width(axis, span, outer))
-    entities += _flank(sizing, gear, axis.at(span[1], MM * teeth.pitch_radius))
+    entities += _flank(sizing, gear, axis.at(span[1], -MM * teeth.pitch_radius))
     if hub.teeth is not None:
         entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation)
     return entities
@@ -207,13 +211,14 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     ]
     entities += bevel_section(axis, profile, hub, away=1.0, lean=LEAN)
     entities += bore_edges(axis, bored, hub)
-    angles = _bevel_angles(sizing, gear, axis, profile=profile, boss=hub.boss)
-    entities += _bevel_lengths(axis, profile, angles, hub=hub, back=heel.real)
-    entities += angles
     entities += [
         Path((axis.at(profile.apex), axis.on(corner)), Layer.DIMENSION)
         for corner in (profile.small[0], profile.roots[0])
     ]
+    arcs = _bevel_angles(sizing, gear, axis, profile=profile, boss=hub.boss)
+    angles = _uncrossed(arcs, list(segments(entities)))
+    entities += _bevel_lengths(axis, profile, angles, hub=hub, back=heel.real)
+    entities += angles
     tip = profile.large[0]
     right = axis.at(max(heel.real, tip.real, bored[1])).real + 9.0
     entities.append(_at(axis, tip, right + (8.0 if hub.boss is None else 16.0)))
@@ -224,6 +229,17 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
         outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
         entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
     return entities
+
+
+def _uncrossed(arcs: Sequence[Corner], lines: Sequence[Segment]) -> list[Corner]:
+    """Return the first angle at the largest radius at which no line runs through its text, and the clear others."""
+    first, *others = arcs
+    tried = [replace(first, radius=share * first.radius) for share in SHARES]
+    wide = next((arc for arc in tried if not crossings(corner_words(arc), lines)), first)
+    return [
+        wide,
+        *(arc for arc in others if not crossings(corner_words(arc), lines) and arc.radius < 0.8 * wide.radius),
+    ]
 
 
 def _bored(corners: Sequence[complex], hub: Hub) -> tuple[float, float]:

@@ -37,6 +37,8 @@ RUNOUT_GRADE = 5
 """Of the seats of normal bearings, of which half is their total run-out; assumed (usual)."""
 BELOW = TRIANGLE + 2.0 + HIGH - 4.0
 """By which lengths stand lower than without datums [mm]."""
+ACROSS = 10.5
+"""Between what is written across a shaft: a texture mark on one side reaches beside half a frame on the other [mm]."""
 LEVEL = 8.0
 """Between parallel dimension lines [mm]."""
 SEAT_TEXTURE = "Ra 0.8"
@@ -119,7 +121,7 @@ def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
     """Yield every diameter and what its surface may run out, written above the shaft."""
     marks = sorted((*_marks(body), *_runouts(body, seats)), key=lambda mark: mark.x)
     top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
-    places = spread([axis.scale * mark.x for mark in marks], 2.0 * TEXT + 1.0)
+    places = spread([axis.scale * mark.x for mark in marks], ACROSS)
     for mark, slot in zip(marks, places, strict=True):
         yield from _mark(axis, mark, slot, top)
 

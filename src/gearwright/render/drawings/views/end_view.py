@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words
+from collections.abc import Sequence
+
+from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments
+from gearwright.render.drawings.sheet.dimensions import extent
+from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, words_length
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT
+from gearwright.render.style.labels import overlap
 from gearwright.sizing import Sizing
+
+STEP = 2.0
+"""Between places of a name that are tried [mm]."""
+TRIES = 12
+"""Of them, each way [-]."""
 
 
 def end_view(sizing: Sizing, scale: float) -> list[Entity]:
@@ -26,5 +36,19 @@ def end_view(sizing: Sizing, scale: float) -> list[Entity]:
         entities += [Arc(middle, radius, Layer.PITCH) for radius in sorted(radii)]
         reach = max(radii, default=0.0) + OVERSHOOT
         entities += [Path((middle - way, middle + way), Layer.CENTRE) for way in (reach, 1j * reach)]
-        entities += [Words(middle + complex(1.5, 1.5 + 1.6 * SMALL * k), name, SMALL) for k, name in enumerate(names)]
-    return entities
+    names_of = [(middle, name) for middle, shafts in axes.items() for name in shafts]
+    return [*entities, *_names(names_of, list(segments(entities)))]
+
+
+def _names(named: Sequence[tuple[complex, str]], lines: Sequence[Segment]) -> list[Words]:
+    """Return the names of shafts beside their axes, each at the nearest place that no line and no name crosses."""
+    found: list[Words] = []
+    for middle, name in named:
+        wide = words_length(name, SMALL)
+        ways = [complex(1.5 + STEP * k, side * (1.5 + STEP * j) - (side < 0.0) * SMALL)
+                for k in range(TRIES) for j in range(TRIES) for side in (1.0, -1.0)]  # fmt: skip
+        ways += [complex(-way.real - wide, way.imag) for way in ways]
+        wanted = [Words(middle + way, name, SMALL) for way in sorted(ways, key=abs)]
+        apart = [words for words in wanted if not any(overlap(extent([words]), extent([other])) for other in found)]
+        found.append(next((words for words in apart if clear_of([words], lines)), apart[0]))
+    return found
