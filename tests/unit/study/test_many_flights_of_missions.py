@@ -70,17 +70,17 @@ def study_of(count):
 
 
 def test_parts_of_any_size_and_any_number_of_workers_give_the_same_bits():
-    designs, study = {"in-line-h2": gw.read("in-line-h2")}, study_of(24)
+    designs, study = {"in-line-h2": gw.read("in-line-h2")}, study_of(12)
     whole, drawn = run_study(study, designs), list(cases(study))
-    for size in (1, 5, 24):
+    for size in (1, 5):
         parts = [flown_together(study, designs, drawn[k : k + size]) for k in range(0, len(drawn), size)]
         assert [row for part in parts for row in part] == list(whole.rows)
-    for workers in (1, 2, 3):
+    for workers in (1, 3):
         assert run_study(study, designs, workers=workers) == whole
 
 
 def test_flights_that_are_killed_are_resumed_to_the_same_bits(tmp_path: Path):
-    count = 400
+    count = 200
     (tmp_path / "study.toml").write_text(TEXT.replace("COUNT", str(count)), encoding="utf-8")
     process = command(tmp_path, "study", "study.toml", "--journal", "j", "--workers", "2")
     with ended(process):

@@ -24,7 +24,7 @@ def set_length(context: Context, gears: Mapping[str, GearSizing], stage: str) ->
     return sum(_widths(context, gears, stage).values())
 
 
-def slots(context: Context, gears: Mapping[str, GearSizing], stage: str, *, turned: bool = False) -> dict[str, float]:
+def slots(context: Context, gears: Mapping[str, GearSizing], stage: str, *, turned: bool) -> dict[str, float]:
     """Return gear -> where the middle of its width lies, from the set's middle on [m].
 
     Args:
