@@ -44,4 +44,4 @@ def test_page_has_every_figure_of_the_paper(sizing):
     page = sharing_page(sizing, [sharing_study(sharing_problem(sizing))], paper=paper_on(sizing))
     for caption in ("Figure 3:", "Figure 4:", "Figure 6:", "Figures 5 and 7:", "Figures 8 to 18:"):
         assert caption in page
-    assert page.count('class="verdict') == len(VERDICTS)
+    assert page.count('class="said ') == len(VERDICTS)

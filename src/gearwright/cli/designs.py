@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from gearwright.render.pages.page import Stamp
     from gearwright.reviews import Review
     from gearwright.sizing import Sizing
     from gearwright.spec import Design
@@ -58,6 +59,21 @@ def reviewed(sizing: Sizing, name: str) -> Review:
 
     with placed_in(name):
         return review_of(sizing)
+
+
+def stamped(name: str, date: str = "") -> Stamp:
+    """Return what a page says of where it comes from.
+
+    Args:
+        name: Path or name of the design whose lines it shows.
+        date: As the user writes it.
+    """
+    from gearwright.render.pages.page import Stamp
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text
+    from gearwright.spec.lines import key_lines
+
+    return Stamp(date, key_lines(file_text(find_design(name))))
 
 
 @contextmanager

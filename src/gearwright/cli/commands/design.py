@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.designs import reviewed, sized
+from gearwright.cli.designs import reviewed, sized, stamped
 from gearwright.cli.ends import end_interrupted, named_after, save_run
-from gearwright.cli.options import CaseOption, DesignArgument, JsonOption, LinesOption
+from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption, LinesOption
 from gearwright.cli.terminal.output import progress, show, tell
 from gearwright.writing import write_text
 
@@ -141,6 +141,7 @@ def report(
         Path | None, typer.Option("--out", help="HTML file to write; left out: NAME-report.html here")
     ] = None,
     results: Annotated[Path | None, typer.Option(help="Run (netCDF-4) to show with it")] = None,
+    date: DateOption = "",
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
     from gearwright.dynamics import modes as find_modes
@@ -160,6 +161,7 @@ def report(
         system=system,
         campbell=critical_speeds(sizing),
         review=reviewed(sizing, design),
+        stamp=stamped(design, date),
     )
     file = file or named_after(design, "report.html")
     write_text(file, page)

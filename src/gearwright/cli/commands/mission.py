@@ -13,7 +13,7 @@ import typer
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.completion import designs
 from gearwright.cli.designs import placed_in, sized
-from gearwright.cli.options import JsonOption, LinesOption, MissionArgument
+from gearwright.cli.options import DateOption, JsonOption, LinesOption, MissionArgument
 from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import write_text
 
@@ -44,6 +44,7 @@ def fly(
     window: Annotated[
         list[str] | None, typer.Option(help="Window of the mission to fly dynamically and draw on the page; or: all")
     ] = None,
+    date: DateOption = "",
     csv: Annotated[Path | None, typer.Option(help="Write the histories as CSV, in SI")] = None,
     json: JsonOption = False,
     jsonl: LinesOption = False,
@@ -74,11 +75,12 @@ def fly(
     if report is not None:
         from gearwright.mission.windows import fly_window
         from gearwright.render.pages.flight import flight_page
+        from gearwright.render.pages.page import Stamp
 
         windows = [fly_window(flight, name) for name in _windows(flight, window or [])]
         for dynamic in windows:
             dynamic.trace.whole()
-        write_text(report, flight_page(flight, parts, review, life=life, windows=windows))
+        write_text(report, flight_page(flight, parts, review, life=life, windows=windows, stamp=Stamp(date)))
         tell(f"wrote {report}")
     if csv is not None:
         write_text(csv, flight_csv(flight))

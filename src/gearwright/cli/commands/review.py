@@ -13,8 +13,8 @@ import typer
 from gearwright.cli.answers import show_answer
 from gearwright.cli.commands.runs import refuse_files
 from gearwright.cli.completion import missions
-from gearwright.cli.designs import placed_in, sized
-from gearwright.cli.options import DesignArgument, JsonOption
+from gearwright.cli.designs import design_of, placed_in, sized, stamped
+from gearwright.cli.options import DateOption, DesignArgument, JsonOption
 from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import write_text
 
@@ -31,6 +31,7 @@ def review(
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(help="Write it as one self-contained HTML page")] = None,
+    date: DateOption = "",
     json: JsonOption = False,
 ) -> None:
     """Judge a design by every check there is, worst first; a failing one ends with exit code 1."""
@@ -47,7 +48,7 @@ def review(
     if report is not None:
         from gearwright.render.pages.review import review_page
 
-        write_text(report, review_page(reviewed))
+        write_text(report, review_page(reviewed, design=design_of(design), stamp=stamped(design, date)))
         tell(f"wrote {report}")
     if reviewed.verdict is Verdict.FAILS:
         raise typer.Exit(1)

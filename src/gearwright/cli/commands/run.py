@@ -12,9 +12,9 @@ import typer
 
 from gearwright.cli.answers import answer_text, show_answer
 from gearwright.cli.commands.design import DurationOption, StiffnessOption, simulated
-from gearwright.cli.designs import reviewed, sized
+from gearwright.cli.designs import reviewed, sized, stamped
 from gearwright.cli.ends import end_interrupted, named_after, save_run
-from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
+from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption
 from gearwright.cli.terminal.output import show
 from gearwright.writing import make_folder, write_text
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.render.pages.page import Stamp
     from gearwright.reviews import Review
     from gearwright.sizing import Sizing
 
@@ -35,6 +36,7 @@ def run(
     folder: Annotated[
         Path | None, typer.Option("--out", help="Folder for the results; left out: NAME-results here")
     ] = None,
+    date: DateOption = "",
     full: Annotated[bool, typer.Option("--full", help="Print every table, too")] = False,
     json: JsonOption = False,
 ) -> None:
@@ -61,7 +63,7 @@ def run(
             _show_tables(sizing, solved, trace, review)
     if folder is not None or not json:
         drawn = Drawn(solved, trace, system, case, campbell, review)
-        written = _write(folder or named_after(design, "results"), sizing, drawn)
+        written = _write(folder or named_after(design, "results"), sizing, drawn, stamped(design, date))
         if not json:
             show(f"\nwrote {', '.join(map(str, written))}")
             if not full:
@@ -86,7 +88,7 @@ class Drawn(NamedTuple):
     review: Review | None
 
 
-def _write(folder: Path, sizing: Sizing, drawn: Drawn) -> list[Path]:
+def _write(folder: Path, sizing: Sizing, drawn: Drawn, stamp: Stamp) -> list[Path]:
     """Write sizing, run and report; of a run that was interrupted no report."""
     from gearwright.render.answers.design import size_answer
     from gearwright.render.pages.report import report as make_report
@@ -96,6 +98,6 @@ def _write(folder: Path, sizing: Sizing, drawn: Drawn) -> list[Path]:
     write_text(numbers, answer_text("size", size_answer(sizing), design=sizing.design.name) + "\n")
     kept = save_run(folder / "run.nc", drawn.trace, sizing, drawn.case)
     end_interrupted(drawn.trace, kept)
-    page = make_report(sizing, **drawn._asdict())
+    page = make_report(sizing, **drawn._asdict(), stamp=stamp)
     write_text(folder / "report.html", page)
     return [folder / "report.html", kept, numbers]

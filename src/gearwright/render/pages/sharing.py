@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
+from markupsafe import Markup
+from matplotlib.figure import Figure as Drawing
 
 from gearwright.dynamics.sharing import (
     PlanetCounts,
@@ -24,25 +25,21 @@ from gearwright.render.figures.sharing import (
     support_figure,
     tornado_figure,
 )
+from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, set_page
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.words.sharing import summary
 from gearwright.sizing import Sizing
-from gearwright.version import __version__
+from gearwright.units import Origin
+
+_FOOTER = "Shares are those of forces along the lines of action; b is the share times the number of paths."
+_OF_A_HUNDRED = 95.0
+"""Gearboxes below the share in the head [%]."""
 
 SPREAD = tuple(float(factor) for factor in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""
-Drawn = tuple[str, Figure]
+Drawn = tuple[str, Drawing]
 """Caption and figure."""
-
-
-class _Chapter(NamedTuple):
-    """Part of the page."""
-
-    title: str
-    sentences: tuple[str, ...]
-    figures: tuple[Drawn, ...]
-    """Captions and figures."""
 
 
 class ClaimRow(NamedTuple):
@@ -86,38 +83,77 @@ def sharing_page(
         paper: Figures and claims of a publication on such a design, which follow at the end.
     """
     chapters = _chapters(sizing, studies, counts, target)
+    claims = () if paper is None else paper.claims
     if paper is not None:
-        chapters.append(_Chapter("Figures of the paper", (), tuple(paper.figures)))
-    return _page(sizing, chapters, () if paper is None else paper.claims)
+        chapters.append(Section("Figures of the paper", figures=_drawn(tuple(paper.figures), "paper")))
+        chapters.insert(0, _claimed(claims))
+    return set_page(
+        Page("Load sharing", sizing.design.name, sizing.design.description, _verdict(studies, claims, target),
+             tuple(_numbers(studies)), tuple(chapters), design=sizing.design, footer=_FOOTER)
+    )  # fmt: skip
+
+
+def _verdict(studies: Sequence[SharingStudy], claims: Sequence[ClaimRow], target: float | None) -> Verdict:
+    """Return how equally the paths share, whether a target is kept, and how many claims of a paper do not hold."""
+    worst = max(studies, key=lambda study: study.sharing.load_factor)
+    factor = worst.sharing.load_factor
+    said = f"With the errors as given the most loaded path of {worst.problem.stage} carries K_γ = {factor:.3f} times"
+    said += " its equal share."
+    failing = sum(claim.sign == "no" for claim in claims)
+    if failing:
+        return Verdict(Tone.BAD, f"{failing} of {len(claims)} claims of the paper do not hold", said)
+    if target is not None:
+        missed = any(study.sharing.load_factor > target * len(study.problem.lines) for study in studies)
+        word = "Misses the target with the errors as given" if missed else "Keeps the target with the errors as given"
+        return Verdict(Tone.BAD if missed else Tone.GOOD, word, said)
+    return Verdict(Tone.OPEN, "No target is asked for", said)
+
+
+def _numbers(studies: Sequence[SharingStudy]) -> Iterator[Number]:
+    for study in studies:
+        stage, sharing = study.problem.stage, study.sharing
+        origin = Origin("K_γ = max(F_i) / mean(F_i)", sharing.reason)
+        yield Number(f"K_γ of {stage}", f"{sharing.load_factor:.3f}", value=sharing.load_factor, origin=origin)
+        yield Number(f"paths of {stage}", f"{len(study.problem.lines)}")
+        if study.distribution is not None and study.problem.shifts:
+            share = study.distribution.percentile(_OF_A_HUNDRED)
+            yield Number(f"{_OF_A_HUNDRED:g} % of gearboxes below", f"{share:.2%}".replace("%", " %"))
+
+
+def _claimed(claims: Sequence[ClaimRow]) -> Section:
+    content = environment().get_template("claims.html.j2").render(claims=claims)
+    return Section("Claims of the paper", content=Markup(content))
 
 
 def _chapters(
     sizing: Sizing, studies: Sequence[SharingStudy], counts: Sequence[PlanetCounts], target: float | None
-) -> list[_Chapter]:
+) -> list[Section]:
     stages = [
-        _Chapter(f"Stage {study.problem.stage}", tuple(summary(study)), tuple(_figures(study, target)))
-        for study in studies
-    ]
-    stages += [_planets(count) for count in counts]
-    floating = tuple(_supports(sizing))
-    return [*stages, _Chapter("Floating", (), floating)] if floating else stages
+        Section(f"Stage {study.problem.stage}", notes=_sentences(summary(study)),
+                figures=_drawn(tuple(_figures(study, target)), f"stage{k}"))
+        for k, study in enumerate(studies)
+    ]  # fmt: skip
+    stages += [_planets(count, f"planets{k}") for k, count in enumerate(counts)]
+    floating = _drawn(tuple(_supports(sizing)), "floating")
+    return [*stages, Section("Floating", figures=floating)] if floating else stages
 
 
-def _planets(counts: PlanetCounts) -> _Chapter:
+def _sentences(words: Iterable[str]) -> tuple[str, ...]:
+    return tuple(f"{line[:1].upper()}{line[1:]}." for line in words)
+
+
+def _planets(counts: PlanetCounts, prefix: str) -> Section:
     """Return K_γ against the number of planets of one set."""
     drawn = (f"K_γ against planets; {LIMIT}", planets_figure(counts))
-    return _Chapter(f"Planets of stage {counts.stage}", tuple(published_notes()), (drawn,))
+    title = f"Planets of stage {counts.stage}"
+    return Section(title, notes=_sentences(published_notes()), figures=_drawn((drawn,), prefix))
 
 
-def _page(sizing: Sizing, chapters: Sequence[_Chapter], claims: Sequence[ClaimRow]) -> str:
-    # Numbers in the page keep the ids of its figures apart and the same each time.
-    shown = [(chapter.title, chapter.sentences, _drawn(chapter.figures, f"f{i}")) for i, chapter in enumerate(chapters)]
-    page = environment().get_template("sharing_page.html.j2")
-    return page.render(name=sizing.design.name, chapters=shown, claims=claims, version=__version__)
-
-
-def _drawn(figures: Sequence[Drawn], prefix: str) -> list[tuple[str, str]]:
-    return [(words, theme.to_svg(figure, prefix=f"{prefix}-{k}")) for k, (words, figure) in enumerate(figures)]
+def _drawn(figures: Sequence[Drawn], prefix: str) -> tuple[Figure, ...]:
+    """Draw figures; the prefix keeps their ids apart and the same each time."""
+    return tuple(
+        Figure(theme.to_svg(figure, prefix=f"{prefix}-{k}"), words) for k, (words, figure) in enumerate(figures)
+    )
 
 
 def _figures(study: SharingStudy, target: float | None) -> Iterator[Drawn]:

@@ -5,15 +5,19 @@ from __future__ import annotations
 import io
 from base64 import b64encode
 from collections import Counter
+from collections.abc import Iterator
 
+from markupsafe import Markup
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from gearwright.catalogue import Engine, Series, all_series
 from gearwright.render.figures.weights import figure_densities, figure_mass_over_power, figure_methods
+from gearwright.render.pages.page import Number, Page, Section, Tone, quantity, set_page
+from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.style.templates import environment
 from gearwright.render.tables import weights
-from gearwright.units import RPM, text
+from gearwright.units import RPM, Origin, text
 from gearwright.weights import (
     COLUMNS,
     Check,
@@ -31,6 +35,17 @@ from gearwright.weights import (
 _SHORT = {Verdict.AGREES: "agrees", Verdict.ROUNDED: "rounding", Verdict.BLANK: "not printed"}
 _KINDS = {Verdict.AGREES: "agrees", Verdict.ROUNDED: "rounded", Verdict.BLANK: "blank"}
 _Cells = dict[str, object]
+_PARTS = {
+    "mass": "What it will weigh",
+    "engines_alike": "Engines most alike",
+    "methods_against_weights": "The methods against 61 real weights",
+    "formulas": "Methods, formulas and sources",
+    "engine_figures": "121 engines",
+    "tables": "Tables 1.3 to 1.15 of Pulvirenti (2023): printed, recomputed, difference, verdict",
+}
+"""Macro of the template -> title of the chapter."""
+_FIRST = 3
+"""Chapters before the appendices [-]."""
 
 
 def weights_page(comparison: Comparison) -> str:
@@ -39,14 +54,41 @@ def weights_page(comparison: Comparison) -> str:
     Args:
         comparison: Of `compare`.
     """
-    return environment().get_template("weights_page.html.j2").render(_context(comparison))
+    context = _context(comparison)
+    parts = environment().get_template("weights_sections.html.j2").make_module(context)
+    sections = tuple(Section(title, content=Markup(getattr(parts, f"part_{name}")())) for name, title in _PARTS.items())
+    return set_page(
+        Page("Gearbox mass", str(context["requirement"]), "", _verdict(comparison), tuple(_numbers(comparison)),
+             sections[:_FIRST], sections[_FIRST:], footer="Masses in kg.")
+    )  # fmt: skip
+
+
+def _verdict(comparison: Comparison) -> Judged:
+    """Return how far the methods lie apart: an estimate never is more than open."""
+    low, high = comparison.spread
+    said = f"{weights.taken_text(comparison)}. The methods that apply span {low:.3g} to {high:.3g} kg."
+    return Judged(Tone.OPEN, f"An estimate: the methods differ by a factor of {high / low:.1f}", said)
+
+
+def _numbers(comparison: Comparison) -> Iterator[Number]:
+    taken = comparison.taken
+    if taken is not None:
+        band = next(((band.low, band.high) for band in comparison.bands), None)
+        share = next((f"{band.level:.0%}".replace("%", " %") for band in comparison.bands), "")
+        yield quantity("mass that is taken", taken.mass, "mass", digits=4, band=band, share=share)
+    for mass in (comparison.bottom_up, comparison.stated):
+        if mass is not None:
+            yield quantity(weights.given_name(mass), mass.mass, "mass", origin=Origin("given", mass.origin))
+    for estimate in comparison.estimates:
+        if estimate.mass is not None:
+            origin = Origin(estimate.method.formula, estimate.method.source)
+            yield quantity(estimate.method.name, estimate.mass, "mass", origin=origin)
 
 
 def _context(comparison: Comparison) -> _Cells:
     stated = [mass for mass in (comparison.bottom_up, comparison.stated) if mass is not None]
     return {
         "requirement": weights.requirement_text(comparison.requirement),
-        "taken": weights.taken_text(comparison),
         "spread": weights.spread_text(comparison).splitlines(),
         "estimates": [_estimate(estimate) for estimate in comparison.estimates],
         "given": [
