@@ -1,0 +1,216 @@
+"""Every kind of page in a browser: quiet, alone, as narrow as a telephone, readable by all, with the JSON's numbers."""
+
+import functools
+import os
+import re
+import shutil
+
+import pytest
+
+from gearwright.dynamics.sharing import sharing_problem, sharing_study
+from gearwright.mission import durability
+from gearwright.render.answers.design import size_answer
+from gearwright.render.answers.plain import plain
+from gearwright.render.answers.review import review_answer
+from gearwright.render.pages.comparison import comparison
+from gearwright.render.pages.flight import flight_page
+from gearwright.render.pages.report import report
+from gearwright.render.pages.review import review_page
+from gearwright.render.pages.sharing import sharing_page
+from gearwright.replays.colibri.page import colibri_page
+from gearwright.replays.pulvirenti.page import thesis_page
+from gearwright.reviews import review_of
+from gearwright.shipped import shipped_design
+from gearwright.spec import read
+from gearwright.study import compare
+from shipped_work import flown, ground_review, sized
+
+pytestmark = pytest.mark.extra("playwright", "axe_playwright_python")
+WIDTHS = (1400, 820, 390)
+SHOWN = ("in-line-h2", "ec120b")
+KEY_NUMBERS = """[...document.querySelectorAll("dl.key > div")].map(box =>
+  [box.querySelector("dt").textContent, (box.querySelector(".q") || {dataset: {}}).dataset.v])"""
+"""Name and value of every key number."""
+TOLERANCE = 5e-4
+"""Half a unit of the fourth digit that a table shows."""
+
+
+@functools.cache
+def reviewed(name):
+    """Return the review of a shipped design."""
+    return ground_review() if name == "in-line-h2" else review_of(sized(name))
+
+
+@functools.cache
+def shared():
+    """Return the page of a set of planets that share the load."""
+    sizing = sized("single-planetary")
+    return sharing_page(sizing, [sharing_study(sharing_problem(sizing))])
+
+
+@functools.cache
+def compared():
+    """Return the page of two designs side by side."""
+    names = ("in-line-h2", "mixed-h2")
+    table = compare({name: read(shipped_design(name)) for name in names})
+    return comparison(table, {name: sized(name) for name in names}, {name: reviewed(name) for name in names})
+
+
+@functools.cache
+def page_of_the_flight():
+    """Return the page of the shipped flight."""
+    flight = flown()
+    return flight_page(flight, durability(flight), review_of(flight.sizing, flight))
+
+
+PAGES = {
+    **{f"report of {name}": functools.partial(lambda name: report(sized(name), review=reviewed(name)), name)
+       for name in SHOWN},
+    **{f"review of {name}": functools.partial(lambda name: review_page(reviewed(name)), name) for name in SHOWN},
+    "flight": page_of_the_flight, "sharing": shared, "comparison": compared,
+    "colibri": colibri_page, "thesis": thesis_page,
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """Yield a browser; skip with the reason where none is installed, and fail where one is demanded."""
+    from playwright.sync_api import Error, sync_playwright
+
+    path = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    with sync_playwright() as playwright:
+        try:
+            browser = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        except Error as reason:
+            if os.environ.get("GEARWRIGHT_BROWSER") == "1":
+                raise
+            pytest.skip(f"no browser starts: {str(reason).splitlines()[0]}")
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def opened(chromium, tmp_path):
+    """Return a function that opens a page, and what its browser complained of and asked for."""
+    contexts = []
+
+    def opening(text, *, width=1400, scheme="light", scripts=True):
+        file = tmp_path / "page.html"
+        file.write_text(text, encoding="utf-8")
+        context = chromium.new_context(
+            viewport={"width": width, "height": 900}, color_scheme=scheme, java_script_enabled=scripts, offline=True,
+            reduced_motion="reduce",
+        )  # fmt: skip
+        contexts.append(context)
+        page, told = context.new_page(), []
+        page.on("console", lambda message: told.append(message.text))
+        page.on("pageerror", lambda error: told.append(str(error)))
+        page.on("request", lambda request: told.append(request.url) if request.url[:4] not in ("file", "data") else 0)
+        page.goto(file.as_uri())
+        return page, told
+
+    yield opening
+    for context in contexts:
+        context.close()
+
+
+def wider(page):
+    """Return by how much a page is wider than its window [px]."""
+    return page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+
+
+@pytest.mark.parametrize("kind", PAGES)
+def test_a_page_is_quiet_asks_for_nothing_and_fits_at_every_width(kind, opened):
+    page, told = opened(PAGES[kind]())
+    for width in WIDTHS:
+        page.set_viewport_size({"width": width, "height": 900})
+        assert wider(page) <= 0, width
+    page.emulate_media(media="print")
+    assert page.locator("nav").is_hidden()
+    assert told == []
+
+
+@pytest.mark.parametrize("kind", PAGES)
+def test_links_lead_somewhere_and_no_id_stands_twice(kind):
+    text = PAGES[kind]()
+    ids = re.findall(r'\bid="([^"]+)"', text)
+    assert len(ids) == len(set(ids))
+    assert set(re.findall(r'href="#([^"]+)"', text)) <= set(ids)
+
+
+@pytest.mark.parametrize("kind", PAGES)
+def test_nothing_serious_keeps_anyone_from_reading_a_page(kind, opened):
+    """axe-core: no violation that it calls serious or critical, in light or dark; what is inside figures is theirs."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    page, _ = opened(PAGES[kind](), width=820)
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        answer = Axe().run(page, context={"exclude": [["figure svg"]]}, options={"resultTypes": ["violations"]})
+        found = answer.response["violations"]
+        worst = [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in ("serious", "critical")]
+        assert worst == [], scheme
+
+
+@pytest.mark.parametrize("kind", PAGES)
+def test_a_page_is_whole_without_scripts(kind, opened):
+    page, _ = opened(PAGES[kind](), width=390, scripts=False)
+    assert page.locator(".verdict").first.is_visible()
+    assert page.locator("#units").is_hidden()
+
+
+def test_units_switch_there_and_back_tables_sort_and_a_number_opens(opened):
+    page, told = opened(PAGES["review of in-line-h2"]())
+    mass = page.locator("dl.key .q[data-u=kg]").first
+    pounds = float(mass.get_attribute("data-v")) / 0.45359237
+    before = page.locator("main").inner_text()
+    page.click("#units")
+    assert float(mass.inner_text().removesuffix(" lb")) == pytest.approx(pounds, rel=TOLERANCE)
+    page.click("#units")
+    assert page.locator("main").inner_text() == before
+    table = page.locator("table").first
+    column = (
+        table.locator("thead th")
+        .all_inner_texts()
+        .index(next(head for head in table.locator("thead th").all_inner_texts() if head.startswith("margin")))
+    )
+    table.locator("thead th").nth(column).locator("button").click()
+    cells = [float(row) for row in table.locator(f"tbody td:nth-child({column + 1})").all_inner_texts()]
+    assert cells == sorted(cells)
+    cell = table.locator("tbody td.n").first
+    cell.focus()
+    page.keyboard.press("Enter")
+    assert page.locator("dialog").is_visible()
+    page.keyboard.press("Escape")
+    assert page.locator("dialog").is_hidden()
+    assert told == []
+
+
+def test_a_number_of_the_report_opens_with_its_equation_and_what_the_file_says(opened):
+    page, _ = opened(PAGES["report of in-line-h2"]())
+    table = page.locator("table", has=page.locator("caption", has_text=re.compile("^Gears$"))).first
+    named = table.locator("thead th").evaluate_all("heads => heads.findIndex(head => head.querySelector('a'))")
+    table.locator(f"tbody td:nth-child({named + 1})").first.click()
+    said = page.locator("dialog").inner_text()
+    assert "equation" in said and "source" in said and "planetaries.first" in said
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_the_head_has_the_numbers_of_the_json(name, opened):
+    """The mass of the train, and complete mass and worst margin of the review, as their commands print them."""
+    page, _ = opened(PAGES[f"report of {name}"]())
+    named = dict(page.evaluate(KEY_NUMBERS))
+    sizing, judged = plain(size_answer(sized(name))), plain(review_answer(reviewed(name)))
+    mass = next(value for key, value in named.items() if key == "mass of the train")
+    assert float(mass) == pytest.approx(sizing["mass_kg"], rel=1e-6)
+    margin = next(value for key, value in named.items() if key.startswith("worst margin"))
+    assert float(margin) == pytest.approx(judged["margin"], rel=1e-6)
+    whole = next(value for key, value in named.items() if key == "complete mass")
+    assert float(whole) == pytest.approx(judged["complete_mass"]["total_kg"], rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ("wolfrom-reducer", "twin-engine-helicopter", "wind-turbine-5mw"))
+def test_reports_of_other_architectures_fit_a_telephone(name, opened):
+    page, told = opened(report(sized(name)), width=390)
+    assert wider(page) <= 0
+    assert told == []
