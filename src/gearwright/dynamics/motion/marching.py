@@ -40,13 +40,13 @@ class Pass(NamedTuple):
     @property
     def forces(self) -> Forces:
         """What is promised of the line forces, over all bins, shape (1, lines); zeros before any."""
-        recorder, names = self.recorder, self.recorder.system.labels.lines
-        found = recorder.statistics(names, recorder.size, "line")
-        length = np.diff(found.edges)[:, None]
+        recorder = self.recorder
+        low, high, square = recorder.line_extremes()
+        length = np.diff(recorder.edges)[:, None] * self.pace.step
         if not len(length):
-            return Forces(*np.zeros((4, 1, len(names))))
-        square = np.sum(length * found.rms**2, axis=0) / np.sum(length)
-        extremes = np.max(np.maximum(np.abs(found.minimum), np.abs(found.maximum)), axis=0)
+            return Forces(*np.zeros((4, 1, low.shape[1])))
+        square = np.add.reduce(square) * (self.pace.step / np.add.reduce(length))
+        extremes = np.maximum.reduce(np.maximum(np.abs(low), np.abs(high)))
         # The sum over steps counts the first instant whole and the last not at all; each should count half.
         ends = (recorder.last_force**2 - recorder.first_force**2) / (2.0 * float(np.sum(length)) / self.pace.step)
         rms = np.sqrt(np.maximum(square + ends, 0.0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -67,6 +68,9 @@ STIFF_GAIN = 40.0
 LEAST_STEPS = 16
 """Steps from which a run is compared with a coarser one [-]."""
 
+USUAL = Outputs()
+"""What is kept of a run where nothing is asked for."""
+
 Start = Literal["static", "rigid"] | tuple[Floats, Floats]
 
 
@@ -120,7 +124,7 @@ def simulate(
     system = replace(system, arrays=plan_of(system.arrays))
     kept(system.arrays, (check_finite,), lambda: check_finite(system))
     method, reason = _method(system.arrays, method, _steps(system.arrays, step, duration))
-    state, outputs = _start(system, start), outputs or Outputs()
+    state, outputs = _start(system, start), outputs or USUAL
     pace = pace_of(system, method, step, state)
     if step is None or isinstance(step, Accuracy):
         pace = pace._replace(step=whole_step(duration, pace.step))
@@ -200,12 +204,18 @@ def _beside(run: Pass) -> Pass:
     """Return the same run at another pace: a coarser one if that can be taken, else a finer."""
     recorder, method = run.recorder, run.method
     system, span = recorder.system, run.done * run.pace.step
-    outputs = Outputs(samples=2, start=float(recorder.edges[0]) * run.pace.step)
+    outputs = _statistics_from(float(recorder.edges[0]) * run.pace.step)
     if run.done >= LEAST_STEPS and may_take(system.arrays, method, run.pace.times(COARSER)):
         with contextlib.suppress(SolveError, DesignError):  # too coarse for its motion or its statistics
             return marched(system, method, run.pace.times(COARSER), span, start=run.start, outputs=outputs)
-    outputs = outputs if outputs.start < span else Outputs(samples=2)
+    outputs = outputs if outputs.start < span else _statistics_from(0.0)
     return marched(system, method, run.pace.times(1.0 / COARSER), span, start=run.start, outputs=outputs)
+
+
+@lru_cache
+def _statistics_from(start: float) -> Outputs:
+    """Return what is kept of a run that another is compared with."""
+    return Outputs(samples=2, start=start)
 
 
 @verb
@@ -328,9 +338,10 @@ def _trace(run: Pass, ran: Ran) -> Trace:
 
 def _work(run: Pass) -> Work:
     arrays, size = run.recorder.system.arrays, run.recorder.size
-    before, after = (
-        stored_energy(arrays, time, state[:size], state[size : 2 * size])
-        for time, state in ((0.0, run.start), (run.done * run.pace.step, run.end))
-    )
+    places, rates = slice(size), slice(size, 2 * size)
+    begin, end, time = run.start, run.end, run.done * run.pace.step
+    key = (stored_energy, begin[: 2 * size].tobytes())
+    before = kept(arrays, key, lambda: stored_energy(arrays, 0.0, begin[places], begin[rates]))
+    after = stored_energy(arrays, time, end[places], end[rates])
     driven, braked, dissipated, stiffness, error, frame = (float(work) for work in run.end[2 * size :][:WORKS])
     return Work(driven, braked, dissipated, stiffness, error, frame, after - before, after)

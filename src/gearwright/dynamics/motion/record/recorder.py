@@ -64,7 +64,8 @@ class Kept:
     @property
     def rows(self) -> tuple[Ints, Floats]:
         """Steps that were taken, and their rows."""
-        return np.array(self.steps[: self.taken], dtype=np.int64), self.table[: self.taken]
+        steps = self.steps[: self.taken]
+        return np.arange(steps.start, steps.stop, steps.step), self.table[: self.taken]
 
 
 class Recorder:
@@ -73,7 +74,9 @@ class Recorder:
     def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
         self.system, self.outputs, self.step, self.steps = system, outputs, step, steps
         self.size = len(system.labels.coordinates)
-        self.past = 2 * self.size + 2 * len(system.labels.lines) + len(system.labels.drives)
+        self.forces = slice(2 * self.size, 2 * self.size + len(system.labels.lines))
+        self.drives = self.forces.stop + len(system.labels.lines)
+        self.past = self.drives + len(system.labels.drives)
         self.outside = [number for number, owner in enumerate(system.labels.drive_owners) if owner.what == OUTSIDE_MAP]
         self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
         self.spans = [_span(window, step, steps) for window in outputs.windows]
@@ -89,7 +92,8 @@ class Recorder:
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
         self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
         self.lost = np.full(len(self.gaps), -1)
-        self.marks = Marks(2 * self.size + len(system.labels.lines) + self.gaps, step, steps)
+        self.loose = self.forces.stop + self.gaps
+        self.marks = Marks(self.loose, step, steps)
         self.orders = OrderSums(system, outputs.orders, step=step, bins=bins) if outputs.orders else None
 
     def checkpoint(self, first: int, state: Floats) -> None:
@@ -113,33 +117,34 @@ class Recorder:
         Raises:
             SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
-        minimum, maximum, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
+        minimum, maximum, _, square = summary[:, self.forces.start : self.drives]
         if not (maximum.max() < RUNAWAY and minimum.min() > -RUNAWAY and np.isfinite(square).all()):
             self._diverged(first, record)
-        self._check_maps(first, record, summary)
+        if self.outside:
+            self._check_maps(first, record, summary)
         for part in self.kept:
             part.take(first, record)
-        begin = int(np.searchsorted(self.edges, first, side="right")) - 1
-        for place in range(max(begin, 0), len(self.edges) - 1):
-            low, high = max(int(self.edges[place]), first), min(int(self.edges[place + 1]), first + len(record))
+        edges, forces = self.edges, record[:, self.forces]
+        begin = int(edges.searchsorted(first, side="right")) - 1
+        for place in range(max(begin, 0), len(edges) - 1):
+            low, high = max(int(edges[place]), first), min(int(edges[place + 1]), first + len(record))
             if low >= high:
                 break
             rows = record[low - first : high - first]
             self._count(place, summary if len(rows) == len(record) else summary_of(rows))
             if self.orders is not None:
-                self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
+                self.orders.add(place, low, rows[:, self.forces])
         self._watch(first, record, summary[0])
         self.marks.take(first, record)
-        forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
         self.between.take(first, forces)
         self.last_force = forces[-1].copy()
-        if first <= self.edges[0] < first + len(record):
-            self.first_force = forces[int(self.edges[0]) - first].copy()
+        if first <= edges[0] < first + len(record):
+            self.first_force = forces[int(edges[0]) - first].copy()
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
         labels = self.system.labels
-        start = self.past - len(labels.drives)
+        start = self.drives
         for number in self.outside:
             if summary[1, start + number] > 0.0:
                 row = int(np.argmax(record[:, start + number] > 0.0))
@@ -152,7 +157,7 @@ class Recorder:
                 )
 
     def _diverged(self, first: int, record: Floats) -> None:
-        forces = record[:, 2 * self.size : self.past - len(self.system.labels.drives)]
+        forces = record[:, self.forces.start : self.drives]
         row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
         lines = self.system.labels.lines
         column = int(np.argmin(np.abs(forces[row]) < RUNAWAY))
@@ -172,10 +177,9 @@ class Recorder:
 
     def _watch(self, first: int, record: Floats, minimum: Floats) -> None:
         if len(self.gaps):
-            columns = 2 * self.size + len(self.system.labels.lines) + self.gaps
-            new = (minimum[columns] <= 0.0) & (self.lost < 0)
+            new = (minimum[self.loose] <= 0.0) & (self.lost < 0)
             if new.any():
-                self.lost[new] = first + np.argmax(record[:, columns[new]] <= 0.0, axis=0)
+                self.lost[new] = first + np.argmax(record[:, self.loose[new]] <= 0.0, axis=0)
 
     def samples(self, number: int = 0) -> Samples:
         """Return the evenly spaced instants (0) or a window (1, 2, …).
@@ -198,12 +202,18 @@ class Recorder:
             first: Column of the first; extremes of line forces, the first after q̇, are those between steps too.
             what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
-        columns, bins = slice(first, first + len(names)), len(self.edges) - 1
+        columns = slice(first, first + len(names))
         mean, square = self.sums[:, :, columns] / np.diff(self.edges)[:, None]
         least, most = self.minimum[:, columns], self.maximum[:, columns]
         if first == self.size:
-            least, most = np.minimum(least, self.between.low[:bins]), np.maximum(most, self.between.high[:bins])
+            least, most, _ = self.line_extremes()
         return Statistics(names, what, self.edges.astype(np.float64) * self.step, mean, least, most, np.sqrt(square))
+
+    def line_extremes(self) -> tuple[Floats, Floats, Floats]:
+        """Return least, most and sums of squares of line forces, extremes between steps too, shape (bins, lines)."""
+        bins, columns = len(self.edges) - 1, slice(self.size, self.size + len(self.first_force))
+        low = np.minimum(self.minimum[:, columns], self.between.low[:bins])
+        return low, np.maximum(self.maximum[:, columns], self.between.high[:bins]), self.sums[1, :, columns]
 
     def checkpoints(self) -> Checkpoints:
         """Return the states that were kept for replay."""
@@ -245,4 +255,6 @@ def _edges(outputs: Outputs, step: float, steps: int) -> Ints:
     if not 0 <= first < steps or not 1 <= outputs.bins <= steps - first:
         message = f"{outputs.bins} bins from {outputs.start:g} s do not fit a run of {steps} steps of {step:.3g} s"
         raise DesignError([Problem("outputs", message)])
+    if outputs.bins == 1:
+        return np.array([first, steps])
     return np.unique(np.linspace(first, steps, outputs.bins + 1).round().astype(np.int64))
