@@ -113,11 +113,11 @@ def chain(bodies: int) -> System:
 def sizes() -> None:
     """Cost of a step against entries and lines."""
     works, costs = [], []
-    for bodies in (15, 30, 60, 120, 240):
+    for bodies in (10, 30, 100, 300, 1000):
         arrays = chain(bodies).arrays
         advance, record = stepper(arrays, "runge-kutta", 1e-6), blank_record(arrays, 512)
         state = np.zeros(2 * bodies + 6)
-        cost = median(lambda: advance(0, record, state), 9) / 512  # noqa: B023
+        cost = medians([lambda: advance(0, record, state)])[0] / 512  # noqa: B023
         works.append(len(arrays.line_dof) + len(arrays.stiffness))
         costs.append(cost)
         print(f"{bodies} coordinates, {works[-1]} entries and lines: {cost * 1e9:.0f} ns a step")
