@@ -48,13 +48,13 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
 
 
 def _shared_axes(sizing: Sizing, built: set[str]) -> Iterator[Check]:
-    """Yield the shafts of one axis of which some are not worked out along it."""
+    """Yield the shafts of one axis of which some have no bearings, nor what is between them a length."""
     on_axis: dict[tuple[float, float], list[str]] = {}
     for name, axis in sizing.arrangement.axes.items():
         on_axis.setdefault((round(axis.real, 9), round(axis.imag, 9)), []).append(name)
     names = [name for shafts in on_axis.values() if len(shafts) > 1 and not built >= set(shafts) for name in shafts]
     if names:
-        why = f"a first sizing does not work out how these stand in or beside each other: {', '.join(names)}"
+        why = f"without [bearings], machines, clutches and bearings among these have no length: {', '.join(names)}"
         yield not_assessed(GEARBOX, "room of shafts on one axis", "", why)
 
 

@@ -144,9 +144,9 @@ class Arrangement:
     """Axes that were turned to make room."""
     within: tuple[tuple[str, str], ...] = ()
     """Inner and outer shaft, where one goes through the other."""
-    turned: frozenset[str] = frozenset()
+    turned: tuple[str, ...] = ()
     """Planetary sets whose planes lie the other way round along the axis."""
-    two_sided: frozenset[str] = frozenset()
+    two_sided: tuple[str, ...] = ()
     """Planetary sets whose carrier's shaft leaves them on both sides."""
     unordered: tuple[tuple[str, ...], ...] = ()
     """Shafts of every axis on which no order was found in which all have room."""

@@ -99,6 +99,6 @@ def _with(
         plans[shaft] = plan_along(context, shaft, length, places)
     within = tuple(pair for pair in way.within if pair[0] in plans and pair[1] in plans)
     return replace(
-        arrangement, plans=plans, within=(*arrangement.within, *within), turned=arrangement.turned | {*way.turned},
-        two_sided=arrangement.two_sided | both_sides(axle, way),
+        arrangement, plans=plans, within=(*arrangement.within, *within), turned=(*arrangement.turned, *way.turned),
+        two_sided=(*arrangement.two_sided, *both_sides(axle, way)),
     )  # fmt: skip

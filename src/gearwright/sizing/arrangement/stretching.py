@@ -144,16 +144,16 @@ def spans_a_set(axle: Axle, way: Way) -> bool:
     return False
 
 
-def both_sides(axle: Axle, way: Way) -> frozenset[str]:
+def both_sides(axle: Axle, way: Way) -> tuple[str, ...]:
     """Return the planetary sets whose carrier's shaft leaves them on both sides.
 
     Args:
         axle: What stands on the axis.
         way: In which order.
     """
-    found, before = set[str](), tuple[str, ...]()
+    found, before = list[str](), tuple[str, ...]()
     for k, behind in zip(way.order, way.layers, strict=True):
         arms = [member.shaft for member in axle.tokens[k].members if member.layer == CARRIER]
-        found |= {axle.tokens[k].name for arm in arms if arm in before and arm in behind}
+        found += [axle.tokens[k].name for arm in arms if arm in before and arm in behind]
         before = behind
-    return frozenset(found)
+    return tuple(found)

@@ -36,7 +36,7 @@ class _Pins(NamedTuple):
 
 def size_carriers(
     context: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...],
-    two_sided: frozenset[str] = frozenset(),
+    two_sided: tuple[str, ...] = (),
 ) -> tuple[CarrierSizing, ...]:  # fmt: skip
     """Return the carrier of every planetary set.
 
