@@ -123,7 +123,7 @@ def test_a_waived_failure_is_shown_as_such_with_its_reason():
 def test_a_waived_failure_is_no_longer_too_small_in_the_figure():
     thin = shipped_design("in-line-h2").read_text(encoding="utf-8") + '[overrides]\n"input.diameter_mm" = 20\n'
     for text, words in ((thin, "too small"), (thin + '[waivers]\n"input Tresca" = "as drawn"\n', "waived")):
-        labels = [label.get_text() for label in margin_figure(size(parse(text))).axes[0].texts]
+        labels = margin_figure(size(parse(text))).texts()
         assert sum(label.endswith(words) for label in labels) == 1
 
 

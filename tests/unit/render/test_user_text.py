@@ -1,5 +1,7 @@
 """Figures show what a user wrote as it is written, and do not read it as mathematics."""
 
+from html import escape
+
 import matplotlib.pyplot as plt
 import pytest
 from matplotlib.figure import Figure
@@ -7,7 +9,7 @@ from matplotlib.text import Text
 
 from designs import PAIR, changed
 from gearwright.render.schematic.schematic import power_flow_figure
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.sizing import size
 from gearwright.spec import parse
 
@@ -19,11 +21,12 @@ def test_a_design_with_dollars_in_its_name_is_drawn() -> None:
     drawn = power_flow_figure(size(design), "rated")
     assert "<svg" in theme.to_svg(drawn)
     assert theme.to_png(drawn)
-    assert EVIL in [each.get_text() for each in drawn.findobj(Text)]
+    assert EVIL in drawn.texts()
+    assert escape(EVIL) in theme.to_svg(drawn)
 
 
 def _labelled() -> Figure:
-    figure = theme.sheet(100.0, 60.0)
+    figure = plotted.sheet(100.0, 60.0)
     left, right = figure.subplots(1, 2)
     left.loglog([1.0, 1e4], [1e-3, 1.0], label=EVIL)
     left.legend(title=EVIL)
@@ -36,13 +39,13 @@ def _labelled() -> Figure:
 
 
 def test_no_title_label_legend_or_tick_of_a_figure_is_read_as_mathematics() -> None:
-    drawn = theme.styled(_labelled)()
+    drawn = plotted.styled(_labelled)()
     assert "<svg" in theme.to_svg(drawn)
     assert all(not each.get_parse_math() for each in drawn.findobj(Text) if each.get_text() == EVIL)
 
 
 def test_logarithmic_axes_keep_their_powers() -> None:
-    drawn = theme.styled(_labelled)()
+    drawn = plotted.styled(_labelled)()
     theme.to_svg(drawn)
     ticks = [each for each in drawn.axes[0].get_xticklabels() if "mathdefault" in each.get_text()]
     assert ticks

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Plotted
 
     Drawing = Figure | Plotted
+else:
+    Drawing = object
 
 __all__ = [
     "AMBER", "BLUE", "CYCLE", "GREEN", "HAIR", "INCH", "INK", "KIND_COLOURS", "MUTED", "ORANGE", "PAPER", "PURPLE",
@@ -113,8 +115,10 @@ def to_png(figure: Figure | Plotted, resolution: float = RESOLUTION) -> bytes:
         figure: As drawn.
         resolution: [dots per inch].
     """
-    from gearwright.render.style import pixels, plotted
-
     if isinstance(figure, Figure):
+        from gearwright.render.vector import pixels
+
         return pixels.to_png(figure, resolution)
+    from gearwright.render.style import plotted
+
     return plotted.to_png(figure, resolution)

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
+from gearwright.errors import DesignError, Problem
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.axis import Axis
+from gearwright.writing import write_bytes, write_text
+
+RESOLUTION = 160.0
+"""Of PNG images [dots per inch]."""
 
 
 @dataclass
@@ -50,6 +56,32 @@ class Figure:
     def texts(self) -> list[str]:
         """Return all that is written on it."""
         return [*(word for axes in self.axes for word in axes.texts()), *([self.caption] if self.caption else [])]
+
+    def savefig(self, path: str | Path) -> None:
+        """Write the figure as a file.
+
+        Args:
+            path: Of the file, ``*.svg`` or ``*.png``.
+
+        Raises:
+            DesignError: If the name ends otherwise.
+        """
+        target = Path(path)
+        if target.suffix == ".png":
+            from gearwright.render.vector.pixels import to_png
+
+            write_bytes(target, to_png(self, RESOLUTION))
+        elif target.suffix == ".svg":
+            write_text(target, self._repr_html_())
+        else:
+            message = f"{target.suffix!r} is not drawn; end the name with .svg or .png"
+            raise DesignError([Problem("path", message)], "figure")
+
+    def _repr_html_(self) -> str:
+        """Return the figure as a notebook shows it."""
+        from gearwright.render.vector.svg import svg_text
+
+        return svg_text(self)
 
     def panel(self) -> Axes:
         """Add the only panel and return it."""

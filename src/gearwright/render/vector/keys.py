@@ -34,7 +34,7 @@ def _columns(rows: list[m.Mark], columns: int, size: float) -> tuple[int, list[f
     count = math.ceil(len(rows) / max(columns, 1)) or 1
     groups = [rows[k : k + count] for k in range(0, len(rows), count)]
     return count, [
-        SWATCH + BEFORE + max(text_width(row.label, size, math=True, bold=False) for row in group) for group in groups
+        SWATCH + BEFORE + max(text_width(row.label, size, math=False, bold=False) for row in group) for group in groups
     ]
 
 
@@ -78,7 +78,7 @@ def key_ink(rows: list[m.Mark], columns: int, size: float, *, at: tuple[float, f
         x = left + sum(widths[:column]) + BETWEEN * column
         y = top - (place + 0.5) * high
         ink += _sample(row, x, y)
-        ink.append(Line(x + SWATCH + BEFORE, y - 0.27 * high, spans(row.label, math=True), size, INK, "start"))
+        ink.append(Line(x + SWATCH + BEFORE, y - 0.27 * high, spans(row.label, math=False), size, INK, "start"))
     return ink
 
 

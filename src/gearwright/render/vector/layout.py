@@ -152,14 +152,17 @@ def outside(axes: Axes, frame: Frame) -> float:
     if axes.off:
         return right
     names = ticks_of(axes.x, frame[2] - frame[0], "x").names if axes.x.numbers else []
-    right = max(right, text_width(names[-1], axes.x.size, math=True, bold=False) / 2.0 if names else 0.0)
+    right = max(
+        right, text_width(names[-1], axes.x.size, math=axes.x.names is None, bold=False) / 2.0 if names else 0.0
+    )
     return right if axes.twin is None else max(right, _side(axes.twin.y, frame[3] - frame[1]))
 
 
 def _side(axis: Axis, length: float) -> float:
     """Return the room of numbers and name of an upright axis [mm]."""
     names = ticks_of(axis, length, "y").names if axis.numbers else []
-    width = max((text_width(word, axis.size, math=True, bold=False) for name in names for word in name.split("\n")),
+    words = [word for name in names for word in name.split("\n")]
+    width = max((text_width(word, axis.size, math=axis.names is None, bold=False) for word in words),
                 default=0.0)  # fmt: skip
     label = len(axis.label.split("\n")) * line_height(8.0) + 0.5 if axis.label else 0.0
     return (width + 2.0 * TICK if names else 0.0) + label

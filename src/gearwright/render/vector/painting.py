@@ -188,12 +188,12 @@ def _axes(axes: Axes, frame: Frame, scales: tuple[Scale, Scale]) -> Iterator[Ink
             spines.append(np.array([(at, frame[1]), (at, frame[1] - TICK)]))
         for k, line in enumerate(name.split("\n") if axes.x.numbers else ()):
             y = low - (k + 0.72) * line_height(axes.x.size)
-            yield Line(at, y, spans(line, math=True), axes.x.size, INK, "middle")
+            yield Line(at, y, spans(line, math=axes.x.names is None), axes.x.size, INK, "middle")
     if axes.x.label:
         rows = max((len(name.split("\n")) for name in axes.x.names or [""]), default=1) if axes.x.numbers else 0
         y = (low - rows * line_height(axes.x.size) if rows else frame[1]) - 0.3
         for k, line in enumerate(axes.x.label.split("\n")):
-            yield Line((frame[0] + frame[2]) / 2.0, y - (k + 0.72) * line_height(8.0), spans(line, math=True), 8.0,
+            yield Line((frame[0] + frame[2]) / 2.0, y - (k + 0.72) * line_height(8.0), spans(line, math=False), 8.0,
                        axes.x.label_colour, "middle")  # fmt: skip
     yield from _upright(axes, frame, scales[1], spines, side=-1.0)
     if axes.twin is not None:
@@ -214,10 +214,15 @@ def _upright(axes: Axes, frame: Frame, scale: Scale, spines: list[np.ndarray], *
             spines.append(np.array([(edge, at), (edge + side * TICK, at)]))
         lines = name.split("\n") if axes.y.numbers else []
         for k, line in enumerate(lines):
-            widest = max(widest, text_width(line, axes.y.size, math=True, bold=False))
+            widest = max(widest, text_width(line, axes.y.size, math=axes.y.names is None, bold=False))
             y = at + (0.5 * len(lines) - k - 0.78) * high
             yield Line(
-                edge + side * 2.0 * TICK, y, spans(line, math=True), axes.y.size, INK, "end" if side < 0.0 else "start"
+                edge + side * 2.0 * TICK,
+                y,
+                spans(line, math=axes.y.names is None),
+                axes.y.size,
+                INK,
+                "end" if side < 0.0 else "start",
             )
     lines = axes.y.label.split("\n") if axes.y.label else []
     room = widest + 2.0 * TICK if ticks.names and axes.y.numbers else 0.0
@@ -225,7 +230,7 @@ def _upright(axes: Axes, frame: Frame, scale: Scale, spines: list[np.ndarray], *
         rows = len(lines) - 1 - k if side < 0.0 else k
         x = edge + side * (room + 0.5 + rows * line_height(8.0)) + (0.0 if side < 0.0 else 0.72 * line_height(8.0))
         x -= 0.25 * line_height(8.0) if side < 0.0 else 0.0
-        yield Line(x, (frame[1] + frame[3]) / 2.0, spans(line, math=True), 8.0, axes.y.label_colour, "middle", 90.0)
+        yield Line(x, (frame[1] + frame[3]) / 2.0, spans(line, math=False), 8.0, axes.y.label_colour, "middle", 90.0)
 
 
 def _title(axes: Axes, frame: Frame) -> Iterator[Ink]:
