@@ -44,7 +44,7 @@ def test_a_notebook_runs_from_top_to_bottom(notebook, tmp_path, monkeypatch):
 
 def test_there_is_one_for_each_kind_of_user():
     """An engineer of preliminary design, a researcher, a student."""
-    assert len(NOTEBOOKS) == 3
+    assert len(NOTEBOOKS) == 5
     for notebook in NOTEBOOKS:
         assert "\n# For " in notebook.read_text(encoding="utf-8")
 

@@ -56,6 +56,7 @@ COMMANDS = (
     Command("fly"),
     Command("mix in-line-h2"),
     Command("duty bench.csv --classes 5"),
+    Command("duty bench.csv --cycles half-cycles"),
     Command("propeller --ratios 0:2:0.5 --angles-deg 0:40:10"),
     Command("fly in-line-h2"),
     Command("window in-line-h2"),

@@ -6,7 +6,7 @@ Imports that cost time stand inside the commands, so that ``--help`` stays quick
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -65,20 +65,26 @@ def duty(
     machine: Annotated[str, typer.Option(help="Machine of the design that gave what was measured")] = MACHINE,
     name: Annotated[str, typer.Option(help="Of load case and spectrum")] = "measured",
     out: Annotated[Path | None, typer.Option(help="Write load case and spectrum to this file, as TOML")] = None,
+    cycles: Annotated[
+        Literal["half-cycles", "repeated"] | None,
+        typer.Option(help="Count cycles of torque for shafts, too, by rainflow; says what becomes of the residue"),
+    ] = None,
     json: JsonOption = False,
 ) -> None:
     """Count measured torque over time into a load spectrum, and write it as a load case of a design."""
     from gearwright.mission import duty_spectrum, read_duty
     from gearwright.render.answers.duty import duty_answer
-    from gearwright.render.words.duty import duty_text
+    from gearwright.render.words.duty import cycles_text, duty_text
 
     measured = read_duty(file)
     spectrum = duty_spectrum(measured, classes=classes)
     text = spectrum.text(machine, name)
     if json:
-        show_answer("duty", duty_answer(measured, spectrum, text))
+        show_answer("duty", duty_answer(measured, spectrum, text, cycles))
     else:
         show(duty_text(measured, spectrum))
+        if cycles is not None:
+            show(cycles_text(measured, cycles))
         fill = f", with the name of its machine for {MACHINE} (or from --machine)" if machine == MACHINE else ""
         show(f"For a design file{fill}:\n")
         show_commands(text.rstrip())

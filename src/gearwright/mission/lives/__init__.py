@@ -8,7 +8,7 @@ from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
 from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix
 from gearwright.mission.lives.life import LifeSizing, size_for_life
-from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
+from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty, torque_cycles
 from gearwright.mission.lives.mix import MixedLife, mixed_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
 from gearwright.mission.lives.verdict import ENDLESS, Durability, PartLife, durability
@@ -42,5 +42,6 @@ __all__ = [
     "seat_duties",
     "shaft_spectrum",
     "size_for_life",
+    "torque_cycles",
     "unrated_stages",
 ]

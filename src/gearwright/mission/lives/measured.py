@@ -14,6 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, excerpt, near, refuse
+from gearwright.parts.shafts import LoadCycle, Residue, rainflow
 from gearwright.reading import text_of
 from gearwright.showing import Shown
 from gearwright.spec import NAME_RULE, is_name
@@ -201,6 +202,18 @@ def duty_spectrum(duty: MeasuredDuty, *, classes: int = 20) -> DutySpectrum:
     time = np.array([duty.duration[place == k].sum() for k in kept])
     turning = np.array([(np.abs(duty.speed) * duty.duration)[place == k].sum() for k in kept])
     return DutySpectrum(kept / classes * top, turning / time, time / time.sum(), float(time.sum()))
+
+
+def torque_cycles(duty: MeasuredDuty, *, residue: Residue = "half-cycles") -> tuple[LoadCycle, ...]:
+    """Return the cycles of torque that a shaft lives through in a measured duty, the largest range first [N m].
+
+    Args:
+        duty: As measured.
+        residue: ``half-cycles`` of what closes no loop, or the record ``repeated`` without end.
+
+    Source: ASTM E1049-85 (2017), clauses 5.4.4 and 5.4.5.
+    """
+    return rainflow(duty.torque.tolist(), residue=residue)
 
 
 def _listed(key: str, numbers: Sequence[str]) -> str:

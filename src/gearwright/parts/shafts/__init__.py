@@ -45,6 +45,7 @@ from gearwright.parts.shafts.notch import (
     stress_concentration,
     tension_notch_factor,
 )
+from gearwright.parts.shafts.rainflow import LoadCycle, Residue, rainflow, reversals
 from gearwright.parts.shafts.shaft import (
     shaft_diameter,
     shaft_diameter_around,
@@ -65,8 +66,10 @@ __all__ = [
     "Concentration",
     "Diagram",
     "FatigueStrength",
+    "LoadCycle",
     "Overload",
     "PointLoads",
+    "Residue",
     "SectionLoad",
     "Sections",
     "ShaftSection",
@@ -92,6 +95,8 @@ __all__ = [
     "lumped_shaft",
     "notch_sensitivity",
     "press_fit_factor",
+    "rainflow",
+    "reversals",
     "section_factor",
     "section_stress",
     "section_stresses",

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.mission import DutySpectrum, MeasuredDuty
-from gearwright.render.tables.duty import RULE, DutyClass, duty_classes
+from gearwright.mission.lives import torque_cycles
+from gearwright.parts.shafts import Residue
+from gearwright.render.tables.duty import RESIDUES, RULE, DutyClass, TorqueCycle, cycle_rows, duty_classes
 from gearwright.render.words.duty import notes, work
 from gearwright.units import Quantity, Speed, Time, Torque
 
@@ -34,15 +36,20 @@ class DutyAnswer:
     text: str
     """Load case and spectrum as a design file has them; shares are parts of the revolutions."""
     notes: tuple[str, ...]
+    residue: str | None
+    """Rule by which cycles were counted; null where none were asked for."""
+    cycles: tuple[TorqueCycle, ...]
+    """Of torque, by rainflow, the largest range first; empty where none were asked for."""
 
 
-def duty_answer(duty: MeasuredDuty, spectrum: DutySpectrum, text: str) -> DutyAnswer:
+def duty_answer(duty: MeasuredDuty, spectrum: DutySpectrum, text: str, residue: Residue | None = None) -> DutyAnswer:
     """Return what `gearwright duty --json` answers.
 
     Args:
         duty: As read.
         spectrum: Its classes.
         text: Lines for a design file.
+        residue: Rule by which cycles of torque are counted; None: they are not.
     """
     temperature = duty.temperature
     return DutyAnswer(
@@ -57,4 +64,6 @@ def duty_answer(duty: MeasuredDuty, spectrum: DutySpectrum, text: str) -> DutyAn
         classes=tuple(duty_classes(spectrum)),
         text=text,
         notes=tuple(notes(duty)),
+        residue=residue and RESIDUES[residue],
+        cycles=() if residue is None else cycle_rows(torque_cycles(duty, residue=residue)),
     )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Annotated
 
 from gearwright.mission import DutySpectrum
+from gearwright.parts.shafts import LoadCycle, Residue
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Origin, Quantity, Ratio, Speed, Time, Torque
 
@@ -16,6 +18,13 @@ RULE = (
     " (ISO 6336-6), and empty ones are left out"
 )
 """How a duty is counted."""
+MOST_ROWS = 20
+"""Cycles that are shown on the screen [-]."""
+RESIDUES: Mapping[Residue, str] = MappingProxyType({
+    "half-cycles": "Rainflow by ASTM E1049-85, 5.4.4: each range of what closes no loop is half a cycle",
+    "repeated": "Rainflow by ASTM E1049-85, 5.4.5: the record repeats, from its largest torque on",
+})  # fmt: skip
+"""Rule of the residue -> in words."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +52,39 @@ def duty_classes(spectrum: DutySpectrum) -> Iterator[DutyClass]:
     for k, (torque, speed, share) in enumerate(zip(spectrum.torque, spectrum.speed, spectrum.share, strict=True), 1):
         time = float(share) * spectrum.time
         yield DutyClass(k, float(torque), float(speed), time, float(share), float(speed) * time / (2.0 * math.pi))
+
+
+@dataclass(frozen=True)
+class TorqueCycle:
+    """Cycles of torque of one size."""
+
+    range: Torque
+    """From the smallest to the largest torque of the cycle."""
+    mean: Torque
+    """Half of both."""
+    cycles: Annotated[float, Quantity("number"), Origin("rainflow", "ASTM E1049-85")]
+    """Half ones count as 0.5."""
+
+
+def cycle_rows(cycles: Iterable[LoadCycle]) -> tuple[TorqueCycle, ...]:
+    """Return cycles of torque as rows, the largest range first.
+
+    Args:
+        cycles: As counted.
+    """
+    return tuple(TorqueCycle(float(cycle.range), float(cycle.mean), cycle.count) for cycle in cycles)
+
+
+def cycle_table(cycles: Iterable[LoadCycle], residue: Residue) -> Table:
+    """Return the largest cycles of torque of a duty.
+
+    Args:
+        cycles: As counted.
+        residue: By which rule.
+    """
+    rows = cycle_rows(cycles)
+    more = f" {len(rows) - MOST_ROWS} smaller ones are not shown." if len(rows) > MOST_ROWS else ""
+    return table("Cycles of torque", rows[:MOST_ROWS], ("range", "mean", "cycles"), note=f"{RESIDUES[residue]}.{more}")
 
 
 def duty_table(spectrum: DutySpectrum) -> Table:

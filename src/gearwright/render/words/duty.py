@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.mission import DutySpectrum, MeasuredDuty
-from gearwright.render.tables.duty import duty_table
+from gearwright.mission.lives import torque_cycles
+from gearwright.parts.shafts import LoadCycle, Residue
+from gearwright.render.tables.duty import cycle_table, duty_table
 from gearwright.render.words.text import table_text
 from gearwright.units import CELSIUS, KWH, text
 
@@ -20,6 +25,30 @@ def duty_text(duty: MeasuredDuty, spectrum: DutySpectrum) -> RenderableType:
     """
     lines = [summary(duty), *notes(duty)]
     return Group(*map(Text, lines), Text(), table_text(duty_table(spectrum)))
+
+
+def cycles_text(duty: MeasuredDuty, residue: Residue) -> RenderableType:
+    """Return the cycles of torque of a duty for the terminal, and what a shaft needs for the largest of them.
+
+    Args:
+        duty: As read.
+        residue: Rule of what closes no loop.
+    """
+    cycles = torque_cycles(duty, residue=residue)
+    return Group(table_text(cycle_table(cycles, residue)), Text(swing_words(cycles)))
+
+
+def swing_words(cycles: Sequence[LoadCycle]) -> str:
+    """Return which swing of the torque a shaft must bear so that it bears every cycle.
+
+    Args:
+        cycles: As counted.
+    """
+    swings = [cycle.range / 2.0 / abs(cycle.mean) if cycle.mean else math.inf for cycle in cycles]
+    largest = max(swings, default=0.0)
+    if largest <= 1.0:
+        return f"For shafts: torque_swing = {largest:.4g} in [service], alternating over mean torque of the worst cycle"
+    return "For shafts: torque reverses within a cycle; torque_swing = 1, the most that [service] has, is less"
 
 
 def summary(duty: MeasuredDuty) -> str:
