@@ -118,7 +118,9 @@ def _machines(sizing: Sizing, plane: Positions, scale: float, lines: Sequence[Se
         axis = axis_of(lying, scale)
         first, last = _ends(sizing, plane, shaft)
         if first < x < last:
-            knees = [axis.at(x) + complex(4.0, -14.0 * way - 4.0 * k) for k in range(_TRIES) for way in (1.0, -1.0)]
+            ways = [complex(aside, -way * (14.0 + 4.0 * k))
+                    for aside in (4.0, 12.0, 20.0, 28.0) for k in range(3 * _TRIES) for way in (1.0, -1.0)]  # fmt: skip
+            knees = [axis.at(x) + way for way in ways]
             wanted = [Words(knee + complex(1.0, -SMALL / 2.0), name, SMALL) for knee in knees]
             words = _clear(wanted, names, lines)
             yield Path((axis.at(x), knees[wanted.index(words)]), Layer.SYMBOL)
