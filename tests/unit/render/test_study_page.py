@@ -12,7 +12,7 @@ from gearwright.render.figures.study.lines import study_figure
 from gearwright.render.figures.study.spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.figures.study.trade import draw_ranges
 from gearwright.render.pages.study import study_page
-from gearwright.render.style import theme
+from gearwright.render.style import plotted, theme
 from gearwright.render.tables.study.variants import reasons, spread
 from gearwright.render.words.study import answer
 from gearwright.shipped import shipped_design
@@ -161,7 +161,7 @@ def test_results_without_an_end_are_written_so_and_break_no_figure(
 def test_one_life_of_nothing_leaves_an_axis_over_decades_logarithmic() -> None:
     """Quantiles are drawn: a gear that does not live at all in one case of fifty is not among them."""
     lives = [np.array([0.0, *np.geomspace(1.0, 100.0, 49)]), np.geomspace(1e4, 1e7, 50)]
-    panel = theme.sheet(80.0, 40.0).subplots()
+    panel = plotted.sheet(80.0, 40.0).subplots()
     draw_ranges(panel, lives)
     assert panel.get_xscale() == "log"
 

@@ -70,14 +70,14 @@ def test_bearings_of_a_short_shaft_stand_at_its_quarters():
 
 
 def test_what_gives_torque_only_stands_at_equal_distances():
-    """Along x: turbines and motors, then members of sets in the order of the design, then propellers."""
+    """Along x: the turbine, the first set, the motor between the sets, the second set, the propeller."""
     sizing = sized(HYBRID)
     rules, plans = sizing.design.shafting, sizing.arrangement.plans
     assert plans["input"].length == rules.end_length and plans["middle"].length == rules.middle_length
     assert dict(plans["input"].places) == {"turbine": 0.0, "first.sun": rules.end_length}
     middle = rules.middle_length
     assert list(plans["middle"].places.items()) == [
-        ("electric", 0.0), ("first.carrier", middle / 2), ("second.sun", middle),
+        ("first.carrier", 0.0), ("electric", middle / 2), ("second.sun", middle),
     ]  # fmt: skip
     assert list(plans["output"].places) == ["second.carrier", "propeller"]
 

@@ -199,7 +199,7 @@ def test_a_planet_and_what_stands_belong_to_their_set_all_else_to_its_shaft():
 def test_bodies_on_one_axis_that_meet_are_told_unless_both_shafts_are_worked_out(built, told):
     """The same with a third shaft beside that is not worked out and that nothing meets."""
     bodies = [rod(gear("x"), "a", (0, 0, 0)), rod(gear("y"), "b", (0.05, 0, 0)), rod(gear("z"), "c", (1.0, 0, 0))]
-    checks = list(coaxial_checks(bodies, frozenset(), frozenset(built)))
+    checks = list(coaxial_checks(SimpleNamespace(bodies=bodies, within=()), frozenset(), frozenset(built)))
     assert len(checks) == told
     assert all((check.part.name, check.mode) == ("b", "room beside a") for check in checks)
 

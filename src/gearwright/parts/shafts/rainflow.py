@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Literal, NamedTuple
+from dataclasses import dataclass
+from typing import Literal
 
 Residue = Literal["half-cycles", "repeated"]
 """What becomes of what closes no loop: every range of it is half a cycle, or the history is one period that repeats."""
 HALF, WHOLE = 0.5, 1.0
 
 
-class LoadCycle(NamedTuple):
+@dataclass(frozen=True)
+class LoadCycle:
     """Cycles of one size."""
 
     range: float
