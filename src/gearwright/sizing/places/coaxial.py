@@ -18,7 +18,7 @@ from gearwright.spec import GROUND
 CLAUSE = "bodies in space"
 """Of checks of room between bodies."""
 _CLOSE = 1e-9
-"""Axes nearer than this are one [m]; so are directions [-]."""
+"""Axes are one where the square of their distance is less [m²], and 1 − |cos| of their angle [-]."""
 _TOUCH = 1e-9
 """How far bodies may stand into each other by rounding [m]."""
 
