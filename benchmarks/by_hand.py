@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 from numba import njit
-from peers import Case
+from peers import Case, line_forces_of
 
 from gearwright.dynamics.model import Arrays
 
@@ -24,32 +24,14 @@ FLAGS = ("-O3", "-march=native", "-ffast-math", "-shared", "-fPIC")
 
 def numba_fill(arrays: Arrays) -> Callable:
     """Return what fills dy/dt from the cosines and sines of the tones, without an allocation."""
-    start, dof, weight = arrays.line_start, arrays.line_dof, arrays.line_weight
-    damping, backlash, rate, mean = arrays.damping, arrays.backlash, arrays.tone_rate, arrays.stiffness
-    vs, vt, vc, vn = arrays.variation
-    es, et, ec, en = arrays.error
+    push, mean = line_forces_of(arrays), arrays.stiffness
     mobility, constant, size = 1.0 / arrays.mass, arrays.loads.constant, len(arrays.mass)
 
     @njit(error_model="numpy", fastmath=True, inline="always")
     def fill(cos, sin, y, out):
         for i in range(size):
             out[i], out[size + i] = y[size + i], constant[i]
-        for j in range(len(mean)):
-            d, v, k = 0.0, 0.0, 1.0
-            for i in range(start[j], start[j + 1]):
-                d += weight[i] * y[dof[i]]
-                v += weight[i] * y[size + dof[i]]
-            for i in range(vs[j], vs[j + 1]):
-                k += vc[i] * cos[vt[i]] + vn[i] * sin[vt[i]]
-            for i in range(es[j], es[j + 1]):
-                d -= ec[i] * cos[et[i]] + en[i] * sin[et[i]]
-                v -= rate[et[i]] * (en[i] * cos[et[i]] - ec[i] * sin[et[i]])
-            g = max(d, 0.0)
-            if d < -backlash[j]:
-                g = d + backlash[j]
-            f = mean[j] * k * g + damping[j] * v
-            for i in range(start[j], start[j + 1]):
-                out[size + dof[i]] -= weight[i] * f
+        push(cos, sin, y, mean, out)
         for i in range(size):
             out[size + i] *= mobility[i]
 

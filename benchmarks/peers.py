@@ -107,16 +107,27 @@ def numba_slope_of(arrays: Arrays) -> Callable:
 
 def numba_fill_of(arrays: Arrays) -> Callable:
     """Return what fills dy/dt for (t, y, k)."""
-    start, dof, weight = arrays.line_start, arrays.line_dof, arrays.line_weight
-    damping, backlash, rate = arrays.damping, arrays.backlash, arrays.tone_rate
-    vs, vt, vc, vn = arrays.variation
-    es, et, ec, en = arrays.error
+    push, rate = line_forces_of(arrays), arrays.tone_rate
     mass, constant, size = arrays.mass, arrays.loads.constant, len(arrays.mass)
 
     @njit(error_model="numpy", fastmath=True)
     def fill(t, y, mean, out):
-        cos, sin = np.cos(rate * t), np.sin(rate * t)
         out[:size], out[size:] = y[size:], constant
+        push(np.cos(rate * t), np.sin(rate * t), y, mean, out)
+        out[size:] /= mass
+
+    return fill
+
+
+def line_forces_of(arrays: Arrays) -> Callable:
+    """Return what takes the forces of all lines from the coordinates' own, by cosines and sines of the tones."""
+    start, dof, weight, size = arrays.line_start, arrays.line_dof, arrays.line_weight, len(arrays.mass)
+    damping, backlash, rate = arrays.damping, arrays.backlash, arrays.tone_rate
+    vs, vt, vc, vn = arrays.variation
+    es, et, ec, en = arrays.error
+
+    @njit(error_model="numpy", fastmath=True, inline="always")
+    def push(cos, sin, y, mean, out):
         for j in range(len(mean)):
             d, v, k = 0.0, 0.0, 1.0
             for i in range(start[j], start[j + 1]):
@@ -133,9 +144,8 @@ def numba_fill_of(arrays: Arrays) -> Callable:
             f = mean[j] * k * g + damping[j] * v
             for i in range(start[j], start[j + 1]):
                 out[size + dof[i]] -= weight[i] * f
-        out[size:] /= mass
 
-    return fill
+    return push
 
 
 def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:

@@ -24,8 +24,8 @@ from gearwright.mission.history import MESH_LOSS
 from gearwright.render.answers.described import described
 from gearwright.render.answers.flight import Moment, fly_answer
 from gearwright.render.answers.plain import plain
-from gearwright.render.words.flight import flight_text, verdict_text
-from gearwright.render.words.flight_data import flight_csv
+from gearwright.render.words.flights.flight import flight_text, verdict_text
+from gearwright.render.words.flights.flight_data import flight_csv
 from gearwright.reviews import review_of
 from gearwright.spec import parse_mission
 from gearwright.units import si_unit

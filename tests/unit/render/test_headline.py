@@ -17,7 +17,7 @@ from gearwright.render.pages.flight import flight_page
 from gearwright.render.pages.report import report
 from gearwright.render.pages.report_parts import warnings
 from gearwright.render.pages.study import study_page
-from gearwright.render.words.flight import flight_text
+from gearwright.render.words.flights.flight import flight_text
 from gearwright.render.words.headline import energy_text, headline, said_of, sizing_headline
 from gearwright.render.words.review import review_text
 from gearwright.reviews import Review, review_of

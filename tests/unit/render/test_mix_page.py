@@ -5,7 +5,7 @@ from functools import cache
 
 from gearwright.mission import fly_mix
 from gearwright.render.pages.mix import mix_page
-from gearwright.render.words.mix import totals, verdict
+from gearwright.render.words.flights.mix import totals, verdict
 from gearwright.spec import read_mix
 from shipped_work import sized
 

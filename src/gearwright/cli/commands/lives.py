@@ -33,7 +33,7 @@ def mix(
     from gearwright.errors import DesignError
     from gearwright.mission import fly_mix
     from gearwright.render.answers.mix import mix_answer
-    from gearwright.render.words.mix import mix_text
+    from gearwright.render.words.flights.mix import mix_text
     from gearwright.shipped import find_mix
     from gearwright.spec import file_text, placed, read_mix
 

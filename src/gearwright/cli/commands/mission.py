@@ -62,8 +62,8 @@ def fly(
     with placed_in(design):
         review = review_of(flight.sizing, flight, parts, life=None if life_h is None else 3600.0 * life_h)
     from gearwright.render.answers.flight import fly_answer, moments
-    from gearwright.render.words.flight import flight_text
-    from gearwright.render.words.flight_data import flight_csv
+    from gearwright.render.words.flights.flight import flight_text
+    from gearwright.render.words.flights.flight_data import flight_csv
 
     name = flight.sizing.design.name
     if jsonl:

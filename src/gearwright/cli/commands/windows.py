@@ -43,7 +43,7 @@ def window(
     from gearwright.mission.windows import fly_window, window_rules
     from gearwright.render.answers.flight import window_answer
     from gearwright.render.answers.motion import instants
-    from gearwright.render.words.window import window_text
+    from gearwright.render.words.flights.window import window_text
 
     sizing = sized(design)
     flight = fly(sizing, flown, folder=folder)

@@ -24,7 +24,7 @@ from gearwright.mission.history import History
 from gearwright.mission.lives.spectrum import DutyBin
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.answers.review import Factor
-from gearwright.render.words.window import Range, ranges
+from gearwright.render.words.flights.window import Range, ranges
 from gearwright.reviews import Review, Verdict
 from gearwright.units import Force, Frequency, Life, Mass, Power, Quantity, Ratio, Speed, Time, Torque
 

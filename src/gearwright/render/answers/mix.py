@@ -8,7 +8,7 @@ from typing import Annotated
 
 from gearwright.mission import FlownMix
 from gearwright.render.tables.mix import MissionOfMix, PartOfMix, mission_rows, part_rows
-from gearwright.render.words.mix import not_rated, verdict
+from gearwright.render.words.flights.mix import not_rated, verdict
 from gearwright.units import Life, Mass, Quantity, Ratio
 
 

@@ -37,10 +37,10 @@ from gearwright.render.tables.flight import (
     mode_table,
     phase_table,
 )
-from gearwright.render.words.flight import count_text, life_text, verdict_text
+from gearwright.render.words.flights.flight import count_text, life_text, verdict_text
+from gearwright.render.words.flights.window import window_verdict
 from gearwright.render.words.headline import energy_text
 from gearwright.render.words.inputs import entries
-from gearwright.render.words.window import window_verdict
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KNOT, KWH
 

@@ -24,8 +24,8 @@ from gearwright.render.pages.page import (
 from gearwright.render.style import theme
 from gearwright.render.tables.flight import forces_table, phase_table
 from gearwright.render.tables.mix import mission_table, part_table
-from gearwright.render.words.flight import count_text
-from gearwright.render.words.mix import notes, totals, verdict
+from gearwright.render.words.flights.flight import count_text
+from gearwright.render.words.flights.mix import notes, totals, verdict
 from gearwright.units import Origin
 
 

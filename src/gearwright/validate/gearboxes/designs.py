@@ -15,10 +15,11 @@ from gearwright.catalogue import PublishedGearbox
 from gearwright.spec import Design, parse
 from gearwright.units import RPM
 
-_WIND = """schema = 1
+_HEAD = """schema = 1
 name = "{name}"
 level = "concept"
-shafts = ["main", "second", "third", "fast"]
+"""
+_WIND = """shafts = ["main", "second", "third", "fast"]
 [rotors.blades]
 shaft = "main"
 speed_rpm = {slow!r}
@@ -75,16 +76,10 @@ wheel = "{wheel}"
 [pairs.{name}.gears]
 helix_angle_deg = 10
 {rules}"""
-_SMALL = (
-    _SET.format(name="first", sun="second", carrier="main", planets=3, own="")
-    + _PAIR.format(name="middle", pinion="third", wheel="second", own="", rules="")
-    + _PAIR.format(name="last", pinion="fast", wheel="third", own="", rules="")
-)
-_LARGE = (
-    _SET.format(name="first", sun="second", carrier="main", planets=3, own="")
-    + _SET.format(name="middle", sun="third", carrier="second", planets=3, own="")
-    + _PAIR.format(name="last", pinion="fast", wheel="third", own="", rules="")
-)
+_FIRST = _SET.format(name="first", sun="second", carrier="main", planets=3, own="")
+_LAST = _PAIR.format(name="last", pinion="fast", wheel="third", own="", rules="")
+_SMALL = _FIRST + _PAIR.format(name="middle", pinion="third", wheel="second", own="", rules="") + _LAST
+_LARGE = _FIRST + _SET.format(name="middle", sun="third", carrier="second", planets=3, own="") + _LAST
 _TEETH = "sun_teeth = {}\nplanet_teeth = {}\nring_teeth = {}\nmodule_mm = {}\nface_width_mm = {}\n{}"
 _SIMPACK = (
     # Shifts and centre distances are not published: rings of 93 and 97 teeth close half-way between both references.
@@ -95,10 +90,7 @@ _SIMPACK = (
     + _PAIR.format(name="last", pinion="fast", wheel="third",
         own="pinion_teeth = 19\nwheel_teeth = 63\nmodule_mm = 16\nface_width_mm = 280\n", rules="")
 )  # fmt: skip
-_FAN = """schema = 1
-name = "{name}"
-level = "concept"
-shafts = ["low-pressure", "fan"]
+_FAN = """shafts = ["low-pressure", "fan"]
 [turbines.turbine]
 shaft = "low-pressure"
 power_kw = {power!r}
@@ -132,10 +124,7 @@ application_factor = 1.0
 own = false
 oil_system = "shared"
 """
-_PROPELLER = """schema = 1
-name = "{name}"
-level = "concept"
-shafts = ["fast", "slow"]
+_PROPELLER = """shafts = ["fast", "slow"]
 [turbines.engine]
 shaft = "fast"
 power_kw = {power!r}
@@ -182,7 +171,7 @@ def design_of(gearbox: PublishedGearbox) -> Design:
     elif gearbox.kind != "geared-fan":
         form, stages = _WIND, {"wind-small": _SMALL, "wind-large": _LARGE, "simpack-5mw": _SIMPACK}[gearbox.kind]
     return parse(
-        form.format(
+        (_HEAD + form).format(
             name=gearbox.name, power=gearbox.power / 1e3, slow=slow, fast=slow * gearbox.ratio, stages=stages,
             end=600.0 * size, middle=250.0 * size, bearing=90.0 * size,
         )

@@ -8,7 +8,7 @@ from rich.text import Text
 from gearwright.mission import FlownMix
 from gearwright.mission.lives import bearings_of
 from gearwright.render.tables.mix import mission_table, part_table, shares_of_damage
-from gearwright.render.words.flight import count_text
+from gearwright.render.words.flights.flight import count_text
 from gearwright.render.words.text import table_text
 from gearwright.units import KWH
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
-from gearwright.render.words.forces import forces_text
+from gearwright.render.words.flights.forces import forces_text
 from gearwright.render.words.headline import energy_text, headline
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KWH
