@@ -14,6 +14,8 @@ ALLOWED = {
     "catalogue/": "columns and printed digits of data files",
     "store/": "files of runs and values",
     "cli/": "arguments of commands, and text on the screen",
+    "app/": "requests, names of files, titles of the schema, lines of a design file",
+    "formats.py": "versions in names of formats",
     "exchange/openmdao/": "paths of a design file, as names of variables",
     "exchange/rexs/reading/bodies.py": "names of components in files of other tools",
     "exchange/rexs/reading/parsing.py": "how files of other forms begin",

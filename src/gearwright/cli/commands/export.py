@@ -2,31 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
+from typing import Annotated, Literal
 
 import typer
 
 from gearwright.cli.ends import named_after
 from gearwright.cli.options import DesignArgument
 from gearwright.cli.terminal.output import show
+from gearwright.formats import FORMATS, Wanted, ending
 from gearwright.writing import write_bytes
-
-if TYPE_CHECKING:
-    from gearwright.sizing import Sizing
-
-
-class Wanted(NamedTuple):
-    """How a file is wanted, by those formats that have a choice."""
-
-    detail: Literal["fine", "coarse"]
-    case: str | None
-    step: float | None
-    mission: str | None
-    window: str | None
-    table: str | None
 
 
 def export(
@@ -62,7 +48,7 @@ def export(
     sizing = sized(design)
     with placed_in(design):
         content, words = FORMATS[to](sizing, Wanted(detail or "fine", case, step, mission, window, table))
-    path = file or named_after(design, f"gearbox.{_ENDINGS.get(to, to.partition('-')[0])}")
+    path = file or named_after(design, f"gearbox.{ending(to)}")
     write_bytes(path, content)
     show(f"wrote {path}: {words}")
 
@@ -86,129 +72,5 @@ def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
         refuse([Problem(", ".join(named), f"{fix}; give both, or --case, or neither")])
 
 
-def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    from gearwright.shape import glb, scene
-
-    built = scene(sizing, detail=wanted.detail)
-    content = glb(built)
-    triangles = sum(len(built.surfaces[node.surface].triangles) for node in built.nodes)
-    return content, f"{len(built.nodes)} bodies, {triangles} triangles, {len(content) / 1e6:.2f} MB"
-
-
-def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.pages.turning import turning
-
-    content = turning(sizing, detail=wanted.detail).encode()
-    return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
-
-
-def _step(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.step import to_step
-
-    file = to_step(sizing)
-    return file.content, f"STEP AP214, {file.bodies} bodies of {file.solids} solids, {len(file.content) / 1e6:.1f} MB"
-
-
-def _rexs(sizing: Sizing, _: Wanted, *, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
-    from gearwright.exchange import to_rexs
-
-    file = to_rexs(sizing, version=version)
-    words = f"REXS {version}, {file.components} components; not in it:"
-    return file.content, "\n  ".join((words, *file.left_out))
-
-
-def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.store import text_of_value
-
-    content = text_of_value(sizing).encode()
-    return content, "the sizing; gw.load reads it"
-
-
-def _fmu(sizing: Sizing, wanted: Wanted, *, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
-    from gearwright.exchange import fmu_of_window, to_fmu
-
-    if wanted.mission is None or wanted.window is None:
-        file = to_fmu(sizing, wanted.case, version=version, step=wanted.step)
-    else:
-        from gearwright.cli.commands.mission import mission_of
-        from gearwright.mission import fly
-        from gearwright.mission.windows import begun_window
-
-        mission, folder = mission_of(wanted.mission)
-        file = fmu_of_window(
-            begun_window(fly(sizing, mission, folder=folder), wanted.window), version=version, step=wanted.step
-        )
-    held = f"binary for {file.platform} and sources" if file.platform else f"sources only, as {file.missing}"
-    variables = f"{len(file.ports)} variables, steps of {file.step:.3g} s"
-    return file.content, f"FMI {file.version} co-simulation, {variables}, {len(file.content) / 1e3:.0f} kB: {held}"
-
-
-def _xlsx(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.tables import to_xlsx
-
-    content = to_xlsx(sizing)
-    return content, f"every table, a sheet each, with units and sources, {len(content) / 1e3:.0f} kB"
-
-
-def _csv(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.tables import table_csv, to_csv
-
-    if wanted.table is not None:
-        text = table_csv(sizing, wanted.table)
-        return text.encode("utf-8-sig"), f"the table {wanted.table}, {text.count(chr(10)) - 1} rows"
-
-    text = to_csv(sizing)
-    words = f"{text.count(chr(10)) - 1} values of every table, a line each with unit and source"
-    return text.encode("utf-8-sig"), words
-
-
-def _parquet(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.tables import to_parquet
-
-    content = to_parquet(sizing)
-    return content, f"every value of every table, a row each with unit and source, {len(content) / 1e3:.0f} kB"
-
-
-def _netcdf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.exchange.tables import to_netcdf
-
-    content = to_netcdf(sizing)
-    return content, f"every table, a group each with its rows as coordinate, {len(content) / 1e3:.0f} kB"
-
-
-def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.sheet.svg import sheet_svg
-
-    return sheet_svg(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
-
-
-def _dxf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.sheet.dxf import sheet_dxf
-
-    return sheet_dxf(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
-
-
-_ENDINGS = {"netcdf": "nc"}
-"""Format -> end of the name of its file, where that is another."""
 _TAKERS = {"--detail": ("glb", "html"), "--table": ("csv",)}
 """Option -> formats that have it; all others are of FMUs."""
-_DRAWN = "the general arrangement; gearwright draw writes every sheet"
-FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
-    "glb": _glb,
-    "html": _html,
-    "step": _step,
-    "json": _json,
-    "rexs": partial(_rexs, version="1.7"),
-    "rexs-1.6": partial(_rexs, version="1.6"),
-    "fmu": partial(_fmu, version="2.0"),
-    "fmu-3.0": partial(_fmu, version="3.0"),
-    "xlsx": _xlsx,
-    "csv": _csv,
-    "parquet": _parquet,
-    "netcdf": _netcdf,
-    "svg": _svg,
-    "dxf": _dxf,
-}
-"""Name -> what it holds, and in words what was written."""

@@ -15,7 +15,7 @@ from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.words.text import summary
-from gearwright.shape import glb, scene
+from gearwright.shape import Scene, glb, scene
 from gearwright.sizing import Sizing
 from gearwright.units import text
 from gearwright.verbs import verb
@@ -31,16 +31,7 @@ def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> st
         detail: Of its solids.
     """
     built = scene(sizing, detail=detail)
-    parts, labels = parts_of(sizing, built, sizing.checks), labels_of(built)
-    toothed = [(abs(node.spins[built.cases[0]]), label) for node in built.nodes
-               if (label := labels[node.name]) in parts and "teeth" in parts[label]]  # fmt: skip
-    facts = {
-        "parts": parts,
-        "labels": labels,
-        "first": max(toothed)[1],
-        "explode": parted(built),
-        "up": upright(sizing),
-    }
+    facts = solid_facts(sizing, built)
     three = solids.bundled()
     return environment().get_template("turning.html.j2").render(
         name=sizing.design.name,
@@ -50,11 +41,30 @@ def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> st
         facts=Markup(_json(facts)),
         model=Markup(b64encode(glb(built)).decode()),
         drawing=Markup(theme.to_svg(schematic_figure(sizing), "train")),
-        most=text(max((part["force"] or 0.0 for part in parts.values()), default=0.0), "force"),
+        most=text(max((part["force"] or 0.0 for part in facts["parts"].values()), default=0.0), "force"),
         approximations=built.approximations,
         three=three["version"],
         version=__version__,
     )  # fmt: skip
+
+
+def solid_facts(sizing: Sizing, built: Scene) -> dict[str, Any]:
+    """Return what a page says of solids: parts with numbers and margins, whose body is whose, ways apart, what is up.
+
+    Args:
+        sizing: As sized.
+        built: Scene of it.
+    """
+    parts, labels = parts_of(sizing, built, sizing.checks), labels_of(built)
+    toothed = [(abs(node.spins[built.cases[0]]), label) for node in built.nodes
+               if (label := labels[node.name]) in parts and "teeth" in parts[label]]  # fmt: skip
+    return {
+        "parts": parts,
+        "labels": labels,
+        "first": max(toothed)[1],
+        "explode": parted(built),
+        "up": upright(sizing),
+    }
 
 
 def upright(sizing: Sizing) -> list[float]:

@@ -1,0 +1,10 @@
+"""The workbench: a server on this machine alone, and the pages that it gives to a browser here.
+
+Every route is one public verb and adds no number; what commands print is `cli`'s, figures and pages are `render`'s.
+"""
+
+from __future__ import annotations
+
+from gearwright.app.serve import serve
+
+__all__ = ["serve"]

@@ -1,0 +1,232 @@
+"""The addresses of the workbench: its page and files, the designs of the folder, and the verbs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from secrets import token_urlsafe
+from typing import TYPE_CHECKING, Any
+
+from gearwright.app.folder import Changed, design_files, kept, save, tag_of
+from gearwright.app.guard import policy
+from gearwright.app.lane import Busy, Lane, Superseded
+from gearwright.app.pages import NONCE, files, index
+from gearwright.app.verbs import SLOW, VERBS, Question
+from gearwright.app.worker import Stopped, Worker
+from gearwright.errors import DesignError, GearwrightError
+from gearwright.formats import FORMATS
+from gearwright.version import __version__
+
+if TYPE_CHECKING:
+    from starlette.applications import Starlette
+    from starlette.requests import Request
+    from starlette.responses import Response
+
+QUICK_LIMIT, SLOW_LIMIT = 60.0, 900.0
+"""After which an answer is no longer waited for [s]."""
+LONGEST_PAGE = 64
+"""Of the name by which a window calls itself [characters]."""
+
+
+@dataclass(frozen=True)
+class Opened:
+    """What the workbench was started with."""
+
+    folder: Path
+    name: str
+    """File of the folder or shipped design."""
+    shipped: bool
+    end: Callable[[], None] = field(default=lambda: None)
+    """Ends the server."""
+
+
+def workbench(opened: Opened) -> Starlette:
+    """Return the workbench as an application, without its guard.
+
+    Args:
+        opened: What it was started with.
+    """
+    from starlette.applications import Starlette
+    from starlette.routing import Route
+
+    desk = Desk(opened)
+    routes = [
+        Route("/", desk.page),
+        Route("/static/{name:path}", desk.file),
+        Route("/api/start", desk.start),
+        Route("/api/designs/{name}", desk.shipped),
+        Route("/api/files/{name}", desk.read, methods=["GET"]),
+        Route("/api/files/{name}", desk.write, methods=["PUT"]),
+        Route("/api/quit", desk.quit, methods=["POST"]),
+        Route("/api/stop", desk.stop, methods=["POST"]),
+        *(Route(f"/api/{verb}", desk.answer, methods=["POST"]) for verb in VERBS),
+    ]
+    refusals: dict[Any, Any] = {DesignError: _problems, GearwrightError: _problems, NotUsable: _unusable}
+    return Starlette(routes=routes, lifespan=desk.open, exception_handlers=refusals)
+
+
+class NotUsable(Exception):
+    """A request that says nothing."""
+
+
+class Desk:
+    """Two lanes, the files of a folder, and what the page asks of them."""
+
+    def __init__(self, opened: Opened) -> None:
+        self.opened = opened
+        self.quick = Lane(Worker(), seconds=QUICK_LIMIT, impatient=lambda _: False)
+        self.slow = Lane(Worker(), seconds=SLOW_LIMIT, impatient=lambda _: True)
+
+    @asynccontextmanager
+    async def open(self, _: Starlette) -> AsyncIterator[None]:
+        """Start what answers quickly before it is asked; end both with the server."""
+        self.quick.worker.start()
+        try:
+            yield
+        finally:
+            self.quick.worker.stop()
+            self.slow.worker.stop()
+
+    async def page(self, _: Request) -> Response:
+        """The page, with the number under which its editor may write its style."""
+        from starlette.responses import HTMLResponse
+
+        nonce = token_urlsafe(16)
+        return HTMLResponse(index().replace(NONCE, nonce), headers={"content-security-policy": policy(nonce)})
+
+    async def file(self, request: Request) -> Response:
+        """A script, style or picture of the page."""
+        from starlette.responses import Response
+
+        found = files().get(request.path_params["name"])
+        if found is None:
+            return _error(404, "there is no such file")
+        return Response(found.read_bytes(), media_type=found.kind)
+
+    async def start(self, _: Request) -> Response:
+        """What the page shows first."""
+        from gearwright.shipped import shipped_designs
+
+        opened = self.opened
+        text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
+        return _as_json({
+            "version": __version__,
+            "name": opened.name,
+            "shipped": opened.shipped,
+            "text": text,
+            "tag": "" if opened.shipped else tag_of(text),
+            "designs": list(shipped_designs()),
+            "files": design_files(opened.folder),
+            "formats": list(FORMATS),
+        })  # fmt: skip
+
+    async def shipped(self, request: Request) -> Response:
+        """A shipped design."""
+        return _as_json({"text": self._shipped_text(request.path_params["name"]), "tag": ""})
+
+    def _shipped_text(self, name: str) -> str:
+        from gearwright.shipped import shipped_design
+
+        return shipped_design(name).read_text(encoding="utf-8")
+
+    async def read(self, request: Request) -> Response:
+        """A file of the folder, with its tag."""
+        found = kept(self.opened.folder, request.path_params["name"])
+        return _as_json({"text": found.text, "tag": found.tag}, etag=found.tag)
+
+    async def write(self, request: Request) -> Response:
+        """Save a file that is still what the page has read, or that is new."""
+        text = _text(await _body(request))
+        match = request.headers.get("if-match", "").strip('"')
+        if not match and request.headers.get("if-none-match") != "*":
+            return _error(428, "say which text is replaced (If-Match), or that there is none (If-None-Match: *)")
+        try:
+            tag = save(self.opened.folder, request.path_params["name"], text, match)
+        except Changed as reason:
+            return _error(412, str(reason))
+        return _as_json({"tag": tag}, etag=tag)
+
+    async def answer(self, request: Request) -> Response:
+        """The answer of a verb."""
+        from starlette.responses import Response
+
+        body = await _body(request)
+        verb = request.url.path.rpartition("/")[2]
+        question = Question(verb, _text(body), str(self.opened.folder), body)
+        lane = self.slow if verb in SLOW else self.quick
+        try:
+            answer = await lane.ask(question, str(body.get("page", ""))[:LONGEST_PAGE])
+        except Superseded:
+            return _error(409, "a newer question took the place of this one")
+        except Busy:
+            return _error(429, "too many questions wait")
+        except Stopped as reason:
+            return _error(409, str(reason))
+        return Response(answer.content, answer.status, media_type=answer.kind)
+
+    async def stop(self, request: Request) -> Response:
+        """End what takes long."""
+        import asyncio
+
+        await _body(request)
+        await asyncio.to_thread(self.slow.worker.stop)
+        return _as_json({"stopped": True})
+
+    async def quit(self, request: Request) -> Response:
+        """End the server."""
+        await _body(request)
+        self.opened.end()
+        return _as_json({"ended": True})
+
+
+async def _body(request: Request) -> dict[str, Any]:
+    try:
+        body = json.loads(await request.body())
+    except (ValueError, RecursionError):
+        raise NotUsable("the body is not JSON") from None
+    if not isinstance(body, dict):
+        raise NotUsable("the body is no JSON object")
+    return body
+
+
+def _text(body: dict[str, Any]) -> str:
+    text = body.pop("text", None)
+    if not isinstance(text, str) or not _is_unicode(text):
+        raise NotUsable("text: a string is needed")
+    return text
+
+
+def _is_unicode(text: str) -> bool:
+    """Tell whether a text can be written: JSON lets halves of characters through."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _as_json(value: object, etag: str = "") -> Response:
+    from starlette.responses import JSONResponse
+
+    return JSONResponse(value, headers={"etag": f'"{etag}"'} if etag else None)
+
+
+def _error(status: int, sentence: str) -> Response:
+    from starlette.responses import JSONResponse
+
+    return JSONResponse({"error": sentence}, status)
+
+
+async def _problems(_: Request, error: DesignError | GearwrightError) -> Response:
+    from starlette.responses import JSONResponse
+
+    listed = error.problems if isinstance(error, DesignError) else ()
+    told = [{"path": one.path, "message": one.message, "line": one.line} for one in listed]
+    return JSONResponse({"problems": told or [{"path": "", "message": str(error), "line": None}]}, 422)
+
+
+async def _unusable(_: Request, error: NotUsable) -> Response:
+    return _error(400, str(error))

@@ -1,0 +1,53 @@
+"""A workbench without a network: its guard and routes, asked as a browser would ask."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import asynccontextmanager
+
+PORT, TOKEN = 8808, "a-token-for-tests"
+BASE = f"http://127.0.0.1:{PORT}"
+
+
+class Asked:
+    """Asks in a loop of its own, with the cookie and Origin of the page."""
+
+    def __init__(self, folder, name="in-line-h2", *, shipped=True):
+        from gearwright.app.guard import Guard
+        from gearwright.app.routes import Opened, workbench
+
+        self.ended = []
+        self.app = workbench(Opened(folder, name, shipped, lambda: self.ended.append(True)))
+        self.guarded = Guard(self.app, port=PORT, token=TOKEN)
+        self.runner = asyncio.Runner()
+        self.life = self.app.router.lifespan_context(self.app)
+        self.runner.run(self.life.__aenter__())
+
+    def close(self):
+        """End its processes."""
+        self.runner.run(self.life.__aexit__(None, None, None))
+        self.runner.close()
+
+    @asynccontextmanager
+    async def client(self, headers=None):
+        """Yield a client that knows the cookie."""
+        import httpx
+
+        own = {"origin": BASE, "cookie": f"gearwright-{PORT}={TOKEN}"} | (headers or {})
+        own = {name: value for name, value in own.items() if value is not None}
+        transport = httpx.ASGITransport(app=self.guarded, raise_app_exceptions=False)
+        async with httpx.AsyncClient(transport=transport, base_url=BASE, headers=own, timeout=120) as client:
+            yield client
+
+    def ask(self, method, path, *, headers=None, **given):
+        """Return the response to one request."""
+
+        async def asking():
+            async with self.client(headers) as client:
+                return await client.request(method, path, **given)
+
+        return self.runner.run(asking())
+
+    def post(self, path, headers=None, /, **body):
+        """Return the response to a question."""
+        return self.ask("POST", path, json=body, headers=headers)
