@@ -2,13 +2,18 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import pytest
 
 import gearwright as gw
 from gearwright.checks import Status
+from gearwright.identity import Role
 from gearwright.reviews import review_of
+from gearwright.sizing.mounted import ShaftStep
 from gearwright.sizing.shafts import retention_checks, retentions
+from gearwright.sizing.shafts.retention import Seated, _retention, _seated
+from gearwright.spec.design import LOCATES
 from shipped_work import sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
@@ -66,3 +71,87 @@ def test_a_bearing_that_is_moved_by_eight_millimetres_into_a_wheel_fails():
 def test_a_bearing_that_is_moved_by_eight_millimetres_into_another_or_over_the_end_is_refused(bearing, by):
     with pytest.raises(gw.DesignError, match=r"stands .* mm into"):
         gw.size(gw.parse(moved(bearing, by)))
+
+
+STEPS = ((0.0, 20.0, 25.0), (20.0, 30.0, 30.0), (30.0, 40.0, 30.0), (40.0, 90.0, 45.0), (90.0, 120.0, 25.0))
+"""A shaft: start, end, diameter [mm]; its core is the fourth."""
+
+
+def shaft(steps):
+    return SimpleNamespace(
+        name="shaft", steps=[ShaftStep(start / 1e3, end / 1e3, width / 1e3) for start, end, width in steps]
+    )
+
+
+def mirrored(steps):
+    """Return a shaft turned end for end, 120 mm long."""
+    return [(120.0 - end, 120.0 - start, width) for start, end, width in reversed(steps)]
+
+
+@pytest.mark.parametrize(
+    ("seat", "machine", "room", "diameter"),
+    [
+        ((30.0, 40.0), None, 10.0, 30.0),  # as far as the shaft is 30 mm thick
+        ((30.0, 40.0), (22.0, 26.0), 4.0, 30.0),  # as far as the hub of a machine
+        ((30.0, 40.0), (5.0, 15.0), 10.0, 30.0),  # a hub beyond the shoulder takes nothing
+        ((20.0, 40.0), None, 0.0, 30.0),  # the shaft is thinner beyond
+        ((5.0, 20.0), None, 5.0, 25.0),  # as far as the end of the shaft
+    ],
+)
+def test_room_beside_a_seat_ends_where_the_shaft_changes_a_hub_begins_or_the_shaft_ends(seat, machine, room, diameter):
+    """Towards the first end, and towards the second of the same shaft turned end for end."""
+    part = Seated("bearing", seat[0] / 1e3, seat[1] / 1e3, (800.0, 0.0))
+    stack = [
+        part,
+        *([Seated("hub", machine[0] / 1e3, machine[1] / 1e3, (0.0, 0.0), is_machine=True)] if machine else []),
+    ]
+    turned = [part._replace(start=0.12 - part.end, end=0.12 - part.start) for part in stack]
+    for way, steps, parts in ((-1, STEPS, stack), (1, mirrored(STEPS), turned)):
+        held = _retention(shaft(steps), way, parts[0], parts, force=800.0)
+        assert (held.room, held.diameter) == (pytest.approx(room / 1e3, abs=1e-9), pytest.approx(diameter / 1e3))
+        assert (held.shaft, held.way, held.outermost, held.force) == ("shaft", way, "bearing", 800.0)
+        assert held.place == pytest.approx((0.0 if way < 0 else 0.12) - way * seat[0] / 1e3)
+        assert held.ring is not None and held.ring.shaft == pytest.approx(diameter / 1e3)
+
+
+def test_what_pulls_at_bearings_and_gears_by_hand():
+    """K_A 1.5 times 200 N at bearings, by the way that they locate; at a gear the larger of two thrusts."""
+    located = {"fixed": "both", "first": "first", "second": "second", "free": "none"}
+    assert set(located.values()) <= set(LOCATES)
+    bearings = [
+        SimpleNamespace(name=name, shaft="shaft", axial=-200.0, position=0.05, width=0.02) for name in located
+    ] + [SimpleNamespace(name="elsewhere", shaft="other", axial=900.0, position=0.0, width=0.01)]
+    gear = SimpleNamespace(
+        name="stage.wheel", stage="stage", role=Role.WHEEL, face_width=0.03, bodies=1, shafts=("shaft",)
+    )
+    joints = [
+        SimpleNamespace(shaft="shaft", kind="key", part=part, length=0.04, position=0.1)
+        for part in ("stage.wheel", "propeller")
+    ]
+    joints += [SimpleNamespace(shaft="shaft", kind="integral", part="stage.wheel", length=0.04, position=0.1)]
+    sizing = SimpleNamespace(
+        design=SimpleNamespace(
+            service=SimpleNamespace(application_factor=1.5), pairs={"stage": SimpleNamespace(kind="cylindrical")},
+            bearings={name: SimpleNamespace(locates=way) for name, way in located.items()},
+        ),
+        bearings=bearings, gears=[gear], joints=joints,
+        meshes=[
+            SimpleNamespace(gears=("stage.pinion", "stage.wheel"), axial_force=force, radial_force=2.0 * abs(force))
+            for force in (100.0, -400.0)
+        ],
+    )  # fmt: skip
+    seated = list(_seated(sizing, SimpleNamespace(name="shaft")))
+    assert [part.name for part in seated] == [*located, "stage.wheel", "propeller"]
+    by_name = {part.name: part for part in seated}
+    for name, way in located.items():
+        signs = LOCATES[way]
+        assert by_name[name].pulls == (300.0 if 1 in signs else 0.0, 300.0 if -1 in signs else 0.0)
+        assert (by_name[name].start, by_name[name].end) == (pytest.approx(0.04), pytest.approx(0.06))
+    assert (by_name["fixed"].pulls, by_name["free"].pulls) == ((300.0, 300.0), (0.0, 0.0))
+    assert by_name["stage.wheel"].pulls == (600.0, 600.0)
+    assert (by_name["stage.wheel"].start, by_name["stage.wheel"].end) == (pytest.approx(0.085), pytest.approx(0.115))
+    assert by_name["propeller"].is_machine and by_name["propeller"].pulls == (0.0, 0.0)
+    assert (by_name["propeller"].start, by_name["propeller"].end) == (pytest.approx(0.08), pytest.approx(0.12))
+    sizing.design.pairs["stage"].kind = "bevel"
+    crossed = {part.name: part for part in _seated(sizing, SimpleNamespace(name="shaft"))}
+    assert crossed["stage.wheel"].pulls == (1200.0, 1200.0)
