@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from gearwright.parts.gears import Blank
-from gearwright.shape.shafts import IN_LINE, Run
 from gearwright.shape.solids import Solid, arms, bearing, tube
 from gearwright.shape.stands import Axes, Stand
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.sizing.arranged import Body
+from gearwright.sizing.places import IN_LINE, Run
 
 CLEAR = 1.08
 """Hole of a plate over a shaft that goes through it without being tied to it, an assumption [-]."""

@@ -16,13 +16,14 @@ from gearwright.shape.contacts import contacts_of
 from gearwright.shape.gears import Leaning, gear_solid, leanings, tooth_of
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import Run, bearing_bodies, bearing_solid, runs, shaft_solid, tie_solid, ties
+from gearwright.shape.shafts import bearing_bodies, bearing_solid, shaft_solid, tie_solid
 from gearwright.shape.solids import Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import gear_blanks
+from gearwright.sizing.places import Run, runs, ties
 from gearwright.spec import GROUND
 from gearwright.verbs import verb
 

@@ -1,169 +1,17 @@
-"""The solids of shafts: where each begins and ends among others on its axis, its steps, bearings, ties of rings."""
+"""The solids of shafts: their steps, bearings, ties of rings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
-
-import numpy as np
+from collections.abc import Iterator
 
 from gearwright.identity import Kind, PartId
 from gearwright.shape.solids import Solid, bearing, bell, stepped
-from gearwright.shape.stands import set_frame
-from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body
-from gearwright.sizing.places import PLATE_GAP
-from gearwright.spec import GROUND
+from gearwright.sizing.places import Run, Tie
 
-IN_LINE = 1e-6
-"""How far two axes may be apart and count as one [m]."""
-END = 2e-4
-"""By which a shaft ends inside the face of what sits at its end, so that shafts in line do not touch [m]."""
-TIE = 0.15
-"""Thickness of the disc that ties a turning ring to its shaft over the ring's width, an assumption [-]."""
-LEAST_TIE = 3e-3
-"""Its least thickness [m]."""
 TIE_WALL = 0.5
 """Wall of the bell between ring and disc over the ring's own [-], an assumption."""
-
-Span = tuple[float, float]
-
-
-class Run(NamedTuple):
-    """A shaft as it is drawn."""
-
-    shaft: str
-    steps: tuple[tuple[float, float, float], ...]
-    """Start, end and radius of each, from the shaft's first end [m]."""
-    bore: float
-    """Radius [m]."""
-    piece: int = 1
-    """Of the shaft, from its first end: one that is the cage of a set in between has two."""
-
-    @property
-    def label(self) -> str:
-        """As the scene names it."""
-        return f"shaft {self.shaft}" if self.piece == 1 else f"shaft {self.shaft}, piece {self.piece}"
-
-
-def along(sizing: Sizing, shaft: str, body: Body) -> Span:
-    """Return where a body begins and ends along a shaft [m].
-
-    Args:
-        sizing: As sized.
-        shaft: In line with the body.
-        body: Its envelope.
-    """
-    frame = sizing.arrangement.frames[shaft]
-    ends = [float((np.asarray(body.origin) + far * np.asarray(body.direction) - np.asarray(frame.origin))
-                  @ np.asarray(frame.along)) for far in (0.0, body.length)]  # fmt: skip
-    return min(ends), max(ends)
-
-
-def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
-    """Return every shaft, and in sentences which are cut because another one stands in their place.
-
-    Args:
-        sizing: As sized.
-    """
-    built = {shaft.name: shaft for shaft in sizing.built_shafts}
-    spans = {shaft.name: _reach(sizing, shaft.name, shaft.length) for shaft in sizing.shafts}
-    cut = _cleared(sizing, spans)
-    found, words = [], []
-    for shaft in sizing.shafts:
-        low, high = cut[shaft.name]
-        if shaft.name not in built and any(shaft.name in pair for pair in sizing.arrangement.within):
-            found += [
-                Run(shaft.name, ((start, end, shaft.diameter / 2.0),), shaft.bore / 2.0, k + 1)
-                for k, (start, end) in enumerate(_pieces(sizing, shaft.name))
-            ]
-            continue
-        if shaft.name in built:
-            steps = tuple((step.start, step.end, step.diameter / 2.0) for step in built[shaft.name].steps)
-            found.append(Run(shaft.name, steps, built[shaft.name].bore / 2.0))
-            continue
-        found.append(Run(shaft.name, ((low, high, shaft.diameter / 2.0),), shaft.bore / 2.0))
-        less = spans[shaft.name][1] - spans[shaft.name][0] - (high - low)
-        if less > IN_LINE:
-            words.append(
-                f"shaft {shaft.name} is drawn {1e3 * less:.3g} mm shorter than sized: another one in line stands there"
-            )
-    return tuple(found), tuple(words)
-
-
-def _pieces(sizing: Sizing, shaft: str) -> list[Span]:
-    """Return the stretches of a shaft in or around another one, with the hubs of what sits on it.
-
-    Within a set, the shaft of its carrier or ring is the set's own cage or bell.
-    """
-    bodies = [body for body in sizing.arrangement.bodies if body.shaft == shaft]
-    rings = {gear.part for gear in sizing.gears if gear.rim}
-    spans = [along(sizing, shaft, body) for body in bodies if body.part.kind is Kind.SHAFT]
-    seated = [body for body in bodies if body.part.kind is not Kind.SHAFT and body.part not in rings]
-    hubs = [along(sizing, shaft, body) for body in seated]
-    hubs = [(low + END, high - END) for low, high in hubs]
-    hubs += [tie.disc for tie in ties(sizing) if tie.ring.shafts[0] == shaft]
-    merged: list[Span] = []
-    for low, high in sorted((min(span), max(span)) for span in (*spans, *hubs)):
-        if merged and low <= merged[-1][1] + 2.0 * END:
-            merged[-1] = (merged[-1][0], max(merged[-1][1], high))
-        else:
-            merged.append((low, high))
-    return merged
-
-
-def _own(sizing: Sizing, shaft: str) -> list[Span]:
-    """Return where a shaft's own gears, plates and bearings sit on it; rings are tied to it by a disc."""
-    rings = {gear.part for gear in sizing.gears if gear.rim}
-    seated = (body for body in sizing.arrangement.bodies if body.shaft == shaft and body.part.kind is not Kind.SHAFT)
-    bodies = (body for body in seated if body.part not in rings)
-    return [along(sizing, shaft, body) for body in bodies] + [
-        (min(tie.disc), max(tie.disc)) for tie in ties(sizing) if tie.ring.shafts[0] == shaft
-    ]
-
-
-def _reach(sizing: Sizing, shaft: str, length: float) -> Span:
-    """Return a shaft from its first end to its second one, and on through what sits at its ends."""
-    own = [(low + END, high - END) for low, high in _own(sizing, shaft) if high - low > 4.0 * END]
-    return min([0.0, *(low for low, _ in own)]), max([length, *(high for _, high in own)])
-
-
-def _cleared(sizing: Sizing, spans: Mapping[str, Span]) -> dict[str, Span]:
-    """Return the shafts without what hangs over their own parts into another one in line, which has parts there."""
-    cut, frames = dict(spans), sizing.arrangement.frames
-    built = {shaft.name for shaft in sizing.built_shafts}
-    names = [name for name in spans if name not in built]
-    for name in names:
-        core = _hull(_own(sizing, name))
-        if core is None:
-            continue
-        for other in spans:
-            offset = _in_line(sizing, name, other)
-            if other == name or offset is None:
-                continue
-            sign = 1.0 if np.dot(frames[name].along, frames[other].along) > 0.0 else -1.0
-            taken = sorted(offset + sign * end for end in cut[other])
-            low, high = cut[name]
-            if low < taken[1] and taken[0] < core[0] and taken[1] <= core[0] + IN_LINE:
-                low = max(low, taken[1]) if taken[0] <= low else core[0]
-            if high > taken[0] and taken[1] > core[1] and taken[0] >= core[1] - IN_LINE:
-                high = min(high, taken[0]) if taken[1] >= high else core[1]
-            cut[name] = (min(low, core[0]), max(high, core[1]))
-    return cut
-
-
-def _hull(spans: Sequence[Span]) -> Span | None:
-    return (min(low for low, _ in spans), max(high for _, high in spans)) if spans else None
-
-
-def _in_line(sizing: Sizing, shaft: str, other: str) -> float | None:
-    """Return where the first end of another shaft lies along a shaft on one axis with it; None of other axes [m]."""
-    one, two = (sizing.arrangement.frames[name] for name in (shaft, other))
-    between = np.asarray(two.origin) - np.asarray(one.origin)
-    far = float(between @ np.asarray(one.along))
-    beside = float(np.linalg.norm(between - far * np.asarray(one.along)))
-    tilt = float(np.linalg.norm(np.cross(one.along, two.along)))
-    return far if beside < IN_LINE and tilt < IN_LINE else None
 
 
 def shaft_solid(run: Run, middle: float) -> Solid:
@@ -174,44 +22,6 @@ def shaft_solid(run: Run, middle: float) -> Solid:
         middle: Place that becomes z = 0, from its first end [m].
     """
     return stepped([(low - middle, high - middle, radius) for low, high, radius in run.steps], run.bore)
-
-
-class Tie(NamedTuple):
-    """What ties a turning ring to its shaft, along that shaft from its first end."""
-
-    ring: GearSizing
-    start: float
-    """Where the ring ends [m]."""
-    disc: Span
-    """Where the disc begins and ends, away from the ring [m]."""
-    middle: float
-    """Of the ring [m]."""
-
-
-def ties(sizing: Sizing) -> Iterator[Tie]:
-    """Yield what ties every turning ring of a set to its shaft, on the side of the set to which the shaft leads.
-
-    Args:
-        sizing: As sized.
-    """
-    frames, plans = sizing.arrangement.frames, sizing.arrangement.plans
-    for ring in sizing.gears:
-        if not ring.rim or ring.stage not in sizing.design.sets or ring.shafts[0] == GROUND:
-            continue
-        shaft = ring.shafts[0]
-        body = next(body for body in sizing.arrangement.bodies if body.part == ring.part)
-        span = along(sizing, shaft, body)
-        middle = (span[0] + span[1]) / 2.0
-        side = 1.0 if plans[shaft].length / 2.0 >= middle else -1.0
-        beyond = span[1] if side > 0.0 else span[0]
-        for other in sizing.arrangement.bodies:  # past the carrier's plate and the other gears of the set
-            if other.part.name == ring.stage and other.part.kind in (Kind.CARRIER, Kind.GEAR):
-                ends = along(sizing, shaft, other)
-                beyond = max(beyond, ends[1]) if side > 0.0 else min(beyond, ends[0])
-        thick = max(TIE * ring.face_width, LEAST_TIE)
-        first = beyond + side * PLATE_GAP
-        assert set_frame(sizing, ring.stage).along == frames[shaft].along
-        yield Tie(ring, span[1] if side > 0.0 else span[0], (first, first + side * thick), middle)
 
 
 def tie_solid(tie: Tie, root: float, hub: float) -> Solid:

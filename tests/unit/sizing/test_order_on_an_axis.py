@@ -6,9 +6,9 @@ from itertools import combinations
 import pytest
 
 import gearwright as gw
-from gearwright.shape.shafts import runs, ties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
+from gearwright.sizing.places import runs, ties
 
 PLANETARY = """schema = 1
 name = "A machine between two sets"

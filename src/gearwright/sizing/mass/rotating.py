@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from gearwright.identity import Role
 from gearwright.sizing.carrying import CarrierSizing
 from gearwright.sizing.mass.record import MassItem
+from gearwright.sizing.places import runs
 from gearwright.sizing.result import GearSizing, Sizing
 
 SURE_SHAFT = 0.25
@@ -22,23 +23,21 @@ BRIDGE = 0.5
 
 
 def shaft_items(sizing: Sizing) -> Iterator[MassItem]:
-    """Yield every shaft; one with steps runs through its gears, whose bodies are bored here.
+    """Yield every shaft from end to end, through its gears, whose bodies are bored here, as far as its place asks.
 
     Args:
         sizing: As sized.
     """
-    built = {shaft.name: shaft for shaft in sizing.built_shafts}
-    density = sizing.design.shaft_material.density
+    built = {shaft.name for shaft in sizing.built_shafts}
+    density, (reaches, _) = sizing.design.shaft_material.density, runs(sizing)
     for shaft in sizing.shafts:
         given = sizing.given.get(f"{shaft.name}.mass")
         if given is not None:
             yield MassItem(shaft.name, "shafts", 1, given.value, 0.02, "given", given.origin or "the design")
-        elif shaft.name in built:
-            steps, bore = built[shaft.name].steps, built[shaft.name].bore
-            volume = sum(math.pi / 4.0 * (step.diameter**2 - bore**2) * (step.end - step.start) for step in steps)
-            yield MassItem(shaft.name, "shafts", 1, density * volume, 0.08, "Σ π/4 (d² − d_i²) l ρ", "its steps")
-        else:
-            yield MassItem(shaft.name, "shafts", 1, shaft.mass, SURE_SHAFT, "π/4 (d² − d_i²) l ρ", "first sizing")
+            continue
+        volume = sum(run.volume for run in reaches if run.shaft == shaft.name)
+        sure, source = (0.08, "its steps") if shaft.name in built else (SURE_SHAFT, "its place on its axis")
+        yield MassItem(shaft.name, "shafts", 1, density * volume, sure, "Σ π/4 (d² − d_i²) l ρ", source)
 
 
 def carrier_items(sizing: Sizing) -> Iterator[MassItem]:

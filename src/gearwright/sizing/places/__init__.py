@@ -9,6 +9,7 @@ from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks,
 from gearwright.sizing.places.keep_out import keep_out_checks
 from gearwright.sizing.places.orders import hollow_checks, order_checks
 from gearwright.sizing.places.pins import pin_checks
+from gearwright.sizing.places.reaches import IN_LINE, Run, Tie, runs, ties
 from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
 from gearwright.sizing.places.settle import Settled, settle
 from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
@@ -17,13 +18,16 @@ __all__ = [
     "BACKUP",
     "BOSS",
     "CLAUSE",
+    "IN_LINE",
     "PLATE_GAP",
     "Meeting",
     "Parts",
     "Room",
     "Rules",
+    "Run",
     "Settled",
     "Solid",
+    "Tie",
     "axes_among",
     "beside_checks",
     "bodies_of",
@@ -39,7 +43,9 @@ __all__ = [
     "room_between",
     "room_checks",
     "rules_of",
+    "runs",
     "settle",
     "solid_of",
     "solid_room",
+    "ties",
 ]
