@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from gearwright.catalogue import propeller, propeller_loads, read_blades
+    from gearwright.catalogue import propeller, propeller_loads, read_blades, rotor
     from gearwright.closure import Wishes, close, nearest_variant
     from gearwright.dynamics import (
         Model,
@@ -131,6 +131,7 @@ _VERBS = {
     "report": "render.pages.report",
     "response": "dynamics.vibration",
     "review": "reviews",
+    "rotor": "catalogue",
     "runup": "dynamics.vibration",
     "save": "store",
     "scene": "shape",
@@ -225,6 +226,7 @@ __all__ = [
     "report",
     "response",
     "review",
+    "rotor",
     "runup",
     "save",
     "scene",

@@ -58,6 +58,7 @@ COMMANDS = (
     Command("duty bench.csv --classes 5"),
     Command("duty bench.csv --cycles half-cycles"),
     Command("propeller --ratios 0:2:0.5 --angles-deg 0:40:10"),
+    Command("rotor --mass-kg 1600 --diameter-m 10 --rpm 406 --solidity 0.057", narrow=True),
     Command("fly in-line-h2"),
     Command("window in-line-h2"),
     Command("compare in-line star"),

@@ -28,6 +28,7 @@ from gearwright.cli.commands.mission import fly
 from gearwright.cli.commands.propeller import propeller
 from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.review import review
+from gearwright.cli.commands.rotor import rotor
 from gearwright.cli.commands.run import run
 from gearwright.cli.commands.runs import cluster, resume, status
 from gearwright.cli.commands.sharing import sharing
@@ -45,7 +46,7 @@ YOUNG = 100_000
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
-    "Flights": (fly, window, mix, duty, propeller),
+    "Flights": (fly, window, mix, duty, propeller, rotor),
     "Studies": (compare, study, status, resume, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),

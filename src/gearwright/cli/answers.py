@@ -33,6 +33,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "mix": (f"{_ROOM}mix:MixAnswer", ""),
     "duty": (f"{_ROOM}duty:DutyAnswer", ""),
     "propeller": (f"{_ROOM}propeller:PropellerAnswer", f"{_ROOM}propeller:MapPoint"),
+    "rotor": ("gearwright.catalogue:RotorTrim", ""),
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),

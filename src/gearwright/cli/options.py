@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -31,3 +32,26 @@ JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object 
 LinesOption = Annotated[
     bool, typer.Option("--jsonl", help="Print JSON Lines: the answer without its rows, then a line for every row")
 ]
+
+
+def steps(text: str, option: str) -> list[float]:
+    """Return first, first + step … last.
+
+    Args:
+        text: ``first:last:step``.
+        option: That gives it, without dashes.
+
+    Raises:
+        DesignError: The text is not of that form, or the steps never reach the end.
+    """
+    from gearwright.errors import DesignError, Problem
+
+    try:
+        first, last, step = (float(part) for part in text.split(":"))
+        count = (last - first) / step
+        if not 0.0 < count < 1e6:
+            raise ValueError(text)
+    except (ValueError, ZeroDivisionError):
+        message = f"{text!r} is not first:last:step with a step towards the last, such as 0:4:0.1"
+        raise DesignError([Problem(f"--{option}", message)]) from None
+    return [round(first + k * step, 9) for k in range(math.floor(count + 1e-9) + 1)]

@@ -95,8 +95,21 @@ def rotor_power(disc: Disc, stream: Stream, thrust: float) -> float:
 
     Valid for: μ up to about 0.35, and blades that do not stall.
     """
+    return disc.induced_factor * thrust * induced_velocity(disc, stream, thrust) + profile_power(disc, stream)
+
+
+def profile_power(disc: Disc, stream: Stream) -> float:
+    """Return what the drag of a rotor's blades takes [W].
+
+    Args:
+        disc: The rotor.
+        stream: How it moves.
+
+    Source: ρ A V_t³ σ c_d0/8 (1 + 4.65 μ²); Leishman, chapter 5.
+
+    Valid for: μ up to about 0.35, and blades that do not stall.
+    """
     tip = 0.5 * stream.speed * disc.diameter
     profile = stream.density * disc.area * tip**3 * disc.solidity * disc.profile_drag / 8.0
     advance = stream.forward / tip
-    induced = disc.induced_factor * thrust * induced_velocity(disc, stream, thrust)
-    return induced + profile * (1.0 + ADVANCE_DRAG * advance**2)
+    return profile * (1.0 + ADVANCE_DRAG * advance**2)

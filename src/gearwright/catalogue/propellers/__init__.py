@@ -1,4 +1,4 @@
-"""Propellers: the Hamilton Standard charts, shipped maps, maps and blades from files, maps and loads that are made.
+"""Propellers: the Hamilton Standard charts, maps that are shipped, read or made, blades from files, loads, rotors.
 
 The methods themselves are machines' and are not here; flights read maps and do not make them.
 """
@@ -8,6 +8,7 @@ from gearwright.catalogue.propellers.charts import charted_point, hamilton_stand
 from gearwright.catalogue.propellers.in_flight import FlightPoint, PropellerLoads, propeller_loads
 from gearwright.catalogue.propellers.made import ANGLES, RATIOS, MadePropeller, RatioRow, carried_on, propeller
 from gearwright.catalogue.propellers.maps import map_of, map_text, read_propeller_map
+from gearwright.catalogue.propellers.rotor_flight import Helicopter, RotorRow, RotorTrim, TailRotor, rotor
 from gearwright.catalogue.propellers.shipped import ALL_STATES, MAPS, compressed, propeller_map
 
 __all__ = [
@@ -16,9 +17,13 @@ __all__ = [
     "MAPS",
     "RATIOS",
     "FlightPoint",
+    "Helicopter",
     "MadePropeller",
     "PropellerLoads",
     "RatioRow",
+    "RotorRow",
+    "RotorTrim",
+    "TailRotor",
     "blade_angle_of",
     "carried_on",
     "charted_point",
@@ -31,4 +36,5 @@ __all__ = [
     "propeller_map",
     "read_blades",
     "read_propeller_map",
+    "rotor",
 ]

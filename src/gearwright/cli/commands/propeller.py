@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.options import FigureOption, JsonOption, LinesOption
+from gearwright.cli.options import FigureOption, JsonOption, LinesOption, steps
 from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
@@ -67,9 +67,9 @@ def propeller(
     from gearwright.render.words.propeller import loads_text, made_text
 
     given = _blades(file, blades, activity_factor, design_lift)
-    radians = [math.radians(angle) for angle in _steps(angles_deg, "angles-deg")]
+    radians = [math.radians(angle) for angle in steps(angles_deg, "angles-deg")]
     made = made_of(
-        given, advance_ratios=_steps(ratios, "ratios"), blade_angles=radians, tip_machs=tip_mach or [], by=by.value
+        given, advance_ratios=steps(ratios, "ratios"), blade_angles=radians, tip_machs=tip_mach or [], by=by.value
     )
     flight = None
     if rpm is not None:
@@ -101,22 +101,3 @@ def _blades(file: Path | None, number: int, activity_factor: float, design_lift:
     from gearwright.machines import Blades
 
     return Blades(number, activity_factor, design_lift) if file is None else read_blades(file, number)
-
-
-def _steps(text: str, option: str) -> list[float]:
-    """Return first, first + step … last.
-
-    Raises:
-        DesignError: The text is not of that form, or the steps never reach the end.
-    """
-    from gearwright.errors import DesignError, Problem
-
-    try:
-        first, last, step = (float(part) for part in text.split(":"))
-        count = (last - first) / step
-        if not 0.0 < count < 1e6:
-            raise ValueError(text)
-    except (ValueError, ZeroDivisionError):
-        message = f"{text!r} is not first:last:step with a step towards the last, such as 0:4:0.1"
-        raise DesignError([Problem(f"--{option}", message)]) from None
-    return [round(first + k * step, 9) for k in range(math.floor(count + 1e-9) + 1)]

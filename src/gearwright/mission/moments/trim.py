@@ -6,13 +6,10 @@ import math
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
-from gearwright.machines.rotor_power import Disc, Stream, rotor_power
+from gearwright.machines.rotor_power import Disc, Stream
+from gearwright.machines.rotor_trim import Airframe, antitorque, lift
 from gearwright.mission.moments.course import Moment
 from gearwright.spec import Mission, Rotorcraft
-from gearwright.units import GRAVITY
-
-_STILL = 1.0
-"""Forward speed over the induced velocity in hover beyond which the wake misses the fuselage [-]."""
 
 
 class Trim(NamedTuple):
@@ -36,24 +33,24 @@ def trimmed(craft: Rotorcraft, mission: Mission, moment: Moment, *, diameter: fl
         diameter: Of the main rotor [m].
         burnt: Fuel so far [kg].
 
-    Source: momentum and blade elements (`rotor_power`); m g V_c of height, ρ V³ f/2 of the fuselage; the tail rotor's
-        thrust times its arm is the torque of the mast.
+    Source: `lift` and `antitorque`.
 
     Raises:
         DesignError: Blades that stall, or a descent into the rotor's own wake.
     """
     disc = Disc(diameter, craft.solidity, craft.profile_drag, craft.induced_factor)
-    density, speed, climb = moment.air.density, moment.propeller_speed, moment.climb
+    speed, climb, mass = moment.propeller_speed, moment.climb, craft.mass - burnt
     forward = math.sqrt(max(moment.true_airspeed**2 - climb**2, 0.0)) if moment.true_airspeed > abs(climb) else 0.0
-    weight = (craft.mass - burnt) * GRAVITY
-    hover = math.sqrt(weight / (2.0 * density * disc.area))
-    lifted = weight * (1.0 + craft.download * max(1.0 - forward / (_STILL * hover), 0.0))
-    drag = 0.5 * density * craft.flat_plate_area * forward**2
-    thrust = math.hypot(lifted, drag)
-    _refuse_stall(craft, disc, moment, thrust)
-    power = rotor_power(disc, Stream(density, forward, climb, speed), thrust)
-    power += weight * climb + drag * forward + (craft.mass - burnt) * moment.acceleration * moment.true_airspeed
-    return Trim(power, _tail(craft, mission, moment, (power, forward)), thrust)
+    carried = Airframe(mass, craft.flat_plate_area, craft.download)
+    stream = Stream(moment.air.density, forward, climb, speed)
+    found = lift(disc, carried, stream, mass * moment.acceleration * moment.true_airspeed)
+    if found.loading > craft.highest_loading:
+        message = (
+            f"blades bear C_T/σ {found.loading:.3g} at {moment.altitude:.0f} m, and stall beyond"
+            f" {craft.highest_loading:.3g}; be lighter, fly lower, or turn the rotor faster"
+        )
+        raise DesignError([Problem("rotorcraft", message)])
+    return Trim(found.power, _tail(craft, mission, moment, (found.power, forward)), found.thrust)
 
 
 def _tail(craft: Rotorcraft, mission: Mission, moment: Moment, main: tuple[float, float]) -> float | None:
@@ -64,15 +61,4 @@ def _tail(craft: Rotorcraft, mission: Mission, moment: Moment, main: tuple[float
     first = next(iter(mission.phases.values())).propeller_speed
     disc = Disc(tail.diameter, tail.solidity, tail.profile_drag, tail.induced_factor)
     stream = Stream(moment.air.density, forward, 0.0, tail.speed * moment.propeller_speed / first)
-    return rotor_power(disc, stream, abs(power) / moment.propeller_speed / tail.arm)
-
-
-def _refuse_stall(craft: Rotorcraft, disc: Disc, moment: Moment, thrust: float) -> None:
-    tip = 0.5 * moment.propeller_speed * disc.diameter
-    loading = thrust / (moment.air.density * disc.area * tip**2 * disc.solidity)
-    if loading > craft.highest_loading:
-        message = (
-            f"blades bear C_T/σ {loading:.3g} at {moment.altitude:.0f} m, and stall beyond {craft.highest_loading:.3g};"
-            " be lighter, fly lower, or turn the rotor faster"
-        )
-        raise DesignError([Problem("rotorcraft", message)])
+    return antitorque(disc, stream, power / moment.propeller_speed, tail.arm).power
