@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.bounds import STEP, _branch, _of_variant, branches_of, rest_of
+from gearwright.sizing.teeth.bounds import STEP, Branch, _branch, _of_variant, branches_of, rest_of
+from gearwright.sizing.teeth.candidates import admissible, planet_counts
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import weigh
+from gearwright.sizing.teeth.stage import tooth_ratio
 from gearwright.spec import parse
 from gearwright.train import targets
 from gearwright.train.kinematics import edge_of
@@ -124,3 +126,88 @@ def test_of_free_teeth_every_ratio_weighs_what_it_does_alone():
         if math.isfinite(mass) and round(ratio, 12) in by_ratio
     ]
     assert len(compared) > 20 and all(compared)
+
+
+RULES = "[teeth]\npinion_maximum = 40\nstage_tolerance = 0.01\n"
+FREE = CHAIN + TABLES.replace("pinion_teeth = 30\nwheel_teeth = 60\n", "") + RULES
+
+
+def brute_force(task, design, asked, part):
+    """Return the ratios of teeth within 1 % of z_2/z_1 + part between two, and their masses at the nominal speed."""
+    low, high = (part + asked[0]) * 0.99 - part, (part + asked[1]) * 1.01 - part
+    shaft, found = task.edge.fast[0], []
+    for small in range(12, 41):
+        for large in range(math.ceil(low * small), math.floor(high * small) + 1):
+            numbers = np.array([small]), np.array([large])
+            for planets in planet_counts(task.name, design):
+                if admissible(task, design, *numbers, planets=planets).item():
+                    front = Front({}, {shaft: np.array([task.speed])}, {}, {})
+                    found.append(
+                        (tooth_ratio(task, *numbers).item(), weigh(front, task, *numbers, planets=planets).mass.item())
+                    )
+    return found
+
+
+@pytest.mark.parametrize("known", ["third", "slow"])
+def test_a_free_pair_weighs_at_the_least_what_its_lightest_teeth_near_any_ratio_of_a_step_do(known):
+    """Step by step: all teeth within the tolerance of what both ends of a step ask, at the faster end."""
+    design = parse(FREE)
+    task, nominal = task_of("third", design), targets(design)
+    branch, teeth = _branch(task, known, design, nominal, []), 0
+    for step in (0, 40, 279, 280, 559):
+        ends = [nominal.speeds[known] * math.exp(STEP * (place - 280)) for place in (step, step + 1)]
+        asked = sorted(
+            end / nominal.speeds["slow"] if known == "third" else nominal.speeds["third"] / end for end in ends
+        )
+        choices = brute_force(task, design, asked, 0.0)
+        fast = [ends[1] if known == "third" else ends[1] * ratio for ratio, _ in choices]
+        least = min(mass * task.speed / speed for (_, mass), speed in zip(choices, fast, strict=True))
+        assert branch.least[step] == pytest.approx(least, rel=1e-9)
+        teeth += len(choices)
+    assert len(branch.least) == 560 and teeth > 100
+
+
+def test_behind_a_free_pair_the_next_turns_by_whichever_teeth_are_lightest_together():
+    """The second pair is free and drives the third, of given teeth, whose table is read at both ends of a step."""
+    text = CHAIN + TABLES.replace("pinion_teeth = 25\nwheel_teeth = 50\n", "")
+    design = parse(text + RULES)
+    task, nominal = task_of("second", design), targets(design)
+    beyond = _branch(task_of("third", design), "third", design, nominal, [])
+    beyond = Branch("third", beyond.nominal, np.linspace(3.0, 1.0, 560))  # falls with speed, by more than gears do
+    branch = _branch(task, "second", design, nominal, [beyond])
+    for step in (100, 280, 300):
+        ends = [nominal.speeds["second"] * math.exp(STEP * (place - 280)) for place in (step, step + 1)]
+        choices = brute_force(task, design, [end / nominal.speeds["third"] for end in ends], 0.0)
+        weights = [
+            mass * task.speed / ends[1] + min(beyond.at(np.array([end / ratio])).item() for end in ends)
+            for ratio, mass in choices
+        ]
+        assert branch.least[step] == pytest.approx(min(weights), rel=1e-9)
+
+
+@pytest.mark.parametrize("planets", ["planets = 3\n", ""])
+def test_a_free_set_weighs_at_the_least_what_its_lightest_teeth_and_planets_do(planets):
+    """z_r/z_s within 1 % of 1 + z_r/z_s; of a free number of planets whichever is lightest."""
+    text = CHAIN.split("[turbines")[0].replace("three pairs in a row", "a set") + (
+        '[turbines.turbine]\nshaft = "fast"\npower_kw = 100\nspeed_rpm = 6000\n'
+        '[propellers.propeller]\nshaft = "slow"\nspeed_rpm = 1500\ndiameter_m = 2\n'
+        f'[planetaries.only]\nsun = "fast"\nring = "ground"\ncarrier = "slow"\n{planets}'
+        "[teeth]\npinion_maximum = 40\nsun_maximum = 60\nstage_tolerance = 0.01\nplanets_maximum = 4\n"
+    )
+    design = parse(text.replace('shafts = ["fast", "second", "third", "slow"]', 'shafts = ["fast", "slow"]'))
+    edge, nominal = edge_of("only", design), targets(design)
+    speed = nominal.speeds["fast"]
+    task = Task("only", design.planetaries["only"], edge, "only", rating_of(design, "only"), 100.0, speed, speed)
+    branch = _branch(task, "fast", design, nominal, [])
+    for step in (200, 280):
+        ends = [speed * math.exp(STEP * (place - 280)) for place in (step, step + 1)]
+        asked = [end / nominal.speeds["slow"] - 1.0 for end in ends]
+        low, high = (1.0 + asked[0]) * 0.99 - 1.0, (1.0 + asked[1]) * 1.01 - 1.0
+        sun, planet = (numbers.ravel() for numbers in np.meshgrid(np.arange(12, 61), np.arange(12, 121)))
+        near_enough = (low * sun <= sun + 2 * planet) & (sun + 2 * planet <= high * sun)
+        sun, planet, least = sun[near_enough], planet[near_enough], math.inf
+        for count in planet_counts("only", design):
+            fits = admissible(task, design, sun, planet, planets=count)
+            front = Front({}, {"fast": np.full(int(fits.sum()), speed)}, {}, {})
+            least = min(least, weigh(front, task, sun[fits], planet[fits], planets=count).mass.min() * speed / ends[1])
+        assert branch.least[step] == pytest.approx(least, rel=1e-9)
