@@ -1,0 +1,163 @@
+"""Pieces of shafts, plates, shells and shells' rooms, each against what is reckoned by hand."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from designs import PAIR
+from gearwright.errors import DesignError
+from gearwright.identity import Kind, PartId, Role
+from gearwright.sizing import Body, Direction, Point, Station, size
+from gearwright.sizing.arrangement.layout import _moved
+from gearwright.sizing.bearings.planet_bodies import Fitting
+from gearwright.sizing.losses.bodies import seal_losses
+from gearwright.sizing.mass.gears import _internal
+from gearwright.sizing.mass.rolling_mass import bored_mass
+from gearwright.sizing.mass.rotating import PIN_BORE, _bored, _plate
+from gearwright.sizing.mass.shell import CLEARANCE, _Round
+from gearwright.sizing.places.bodies import _free
+from gearwright.sizing.places.coaxial import _coaxial
+from gearwright.sizing.shafts.checks import _stiffness
+from gearwright.spec import parse
+from gearwright.train.flow.torques.statics import _inverse, _prepared
+
+near = pytest.approx
+INTERNAL = PAIR + "internal = true\n"
+
+
+def body(origin, direction, stations, kind=Kind.GEAR):
+    return Body(PartId(kind, "a"), "a", "", Point(*origin), Direction(*direction), tuple(Station(*s) for s in stations))
+
+
+def test_what_is_left_of_a_stretch_lies_beside_what_sits_on_it():
+    """From 0 to 10: beside 2 to 3, 5 to 7 and what reaches over the end; nothing that is thinner than a hair."""
+    assert list(_free(0.0, 10.0, [(2.0, 3.0), (5.0, 7.0), (9.0, 12.0)])) == [(0.0, 2.0), (3.0, 5.0), (7.0, 9.0)]
+    assert list(_free(0.0, 10.0, [])) == [(0.0, 10.0)] and list(_free(0.0, 10.0, [(-1.0, 11.0)])) == []
+    assert list(_free(0.0, 10.0, [(12.0, 13.0)])) == [(0.0, 10.0)]
+    assert list(_free(0.0, 10.0, [(1.0, 6.0), (2.0, 3.0)])) == [(0.0, 1.0), (6.0, 10.0)]
+    assert list(_free(0.0, 10.0, [(0.0, 10.0 - 1e-12)])) == []
+
+
+@pytest.mark.parametrize("off", [(0.0, 0.01, 0.0), (0.0, 0.0, 0.01), (0.5, 0.01, 0.01), (0.5, 0.01, -0.01)])
+def test_bodies_beside_each_other_share_no_axis_and_bodies_in_line_do(off):
+    one = body((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), [(0.0, 0.1), (0.2, 0.1)])
+    assert not _coaxial(one, body(off, (1.0, 0.0, 0.0), [(0.0, 0.1)]))
+    assert _coaxial(one, body((off[0], 0.0, 0.0), (-1.0, 0.0, 0.0), [(0.0, 0.1)]))
+    assert not _coaxial(one, body((0.5, 0.0, 0.0), (0.8, 0.6, 0.0), [(0.0, 0.1)]))
+
+
+def test_a_shell_reaches_around_tilted_discs_as_far_as_their_rims():
+    """A disc of 100 mm, 30° from the first axis: its rim reaches r sin 30° before and behind its middle."""
+    tilted = (math.cos(math.radians(30.0)), math.sin(math.radians(30.0)), 0.0)
+    found = _Round.of(body((0.3, 0.0, 0.0), tilted, [(0.0, 0.1), (0.04, 0.1)]))
+    rim = CLEARANCE * 0.1 * 0.5
+    assert (found.low, found.high) == (near(0.3 - rim), near(0.3 + 0.04 * tilted[0] + rim))
+    straight = _Round.of(body((0.3, 0.0, 0.0), (1.0, 0.0, 0.0), [(0.0, 0.1), (0.04, 0.2)]))
+    assert (straight.low, straight.high) == (near(0.3), near(0.34))
+    assert straight.reach == near(np.full(len(straight.reach), CLEARANCE * 0.2))
+
+
+@pytest.mark.parametrize(("given", "spacing", "width"), [(None, 0.02, 0.04), (0.05, 0.05, 0.07)])
+def test_bearings_side_by_side_are_a_width_apart_unless_the_design_says_how_far(given, spacing, width):
+    step = SimpleNamespace(runs_on=SimpleNamespace(width=0.04, side_by_side=2))
+    fitting = Fitting(step, SimpleNamespace(spacing=given, side_by_side=2), "")
+    assert (fitting.spacing, fitting.width) == (near(spacing), near(width))
+
+
+def test_plates_and_bored_pins_of_a_carrier_by_hand():
+    """π (120 mm)² · 0.3 · 50 mm · 0.6 ρ; and the bores of three pins of 40 mm, of the widest planet's width."""
+    design = SimpleNamespace(
+        carriers=SimpleNamespace(plate_ratio=0.3, fill=0.6), shaft_material=SimpleNamespace(density=7800.0)
+    )
+    planets = [
+        SimpleNamespace(stage="set", role=Role.PLANET, face_width=width, bodies=3) for width in (0.05, 0.03)
+    ]  # fmt: skip
+    others = [SimpleNamespace(stage=stage, role=role, face_width=0.2, bodies=9)
+              for stage, role in (("set", Role.SUN), ("next", Role.PLANET))]  # fmt: skip
+    sizing = SimpleNamespace(design=design, gears=[*planets, *others])
+    carrier = SimpleNamespace(stage="set", radius=0.1, pin_diameter=0.04, pin_bore=None)
+    assert _plate(sizing, carrier) == near(math.pi * 0.12**2 * 0.3 * 0.05 * 0.6 * 7800.0)
+    assert _bored(sizing, carrier, planets) == near(math.pi / 4.0 * (PIN_BORE * 0.04) ** 2 * 3 * 0.05 * 7800.0)
+    assert _bored(sizing, SimpleNamespace(pin_diameter=0.04, pin_bore=0.01), planets) == 0.0
+
+
+def test_bearings_of_one_series_weigh_as_the_cube_of_their_bore():
+    assert bored_mass(0.08) == near(8.0 * bored_mass(0.04), rel=1e-12) and bored_mass(0.04) > 0.0
+
+
+def test_every_machine_has_one_seal_on_its_shaft():
+    sizing = size(parse(PAIR))
+    oil = SimpleNamespace(seals="iso-tr-14179-1")
+    speeds = {"fast": 600.0, "slow": 200.0}
+    losses = list(seal_losses(sizing, speeds, oil))
+    assert [(loss.part, loss.origin, loss.count) for loss in losses] == [
+        ("seal at turbine", "seals", 1), ("seal at propeller", "seals", 1),
+    ]  # fmt: skip
+    assert all(loss.power > 0.0 for loss in losses)
+    twice = list(seal_losses(sizing, {shaft: 2.0 * speed for shaft, speed in speeds.items()}, oil))
+    assert [loss.power for loss in twice] == near([2.0 * loss.power for loss in losses])
+    assert list(seal_losses(sizing, speeds, SimpleNamespace(seals="none"))) == []
+
+
+def test_slopes_are_judged_where_the_bearing_has_a_limit_and_critical_speeds_where_there_is_one():
+    """Shigley, table 7-2, upper values: 0.003 rad in balls, 0.0012 in cylindrical rollers; a four-point one has none."""
+    kinds = {"ball": "deep-groove", "roller": "cylindrical", "thrust": "four-point"}
+    design = SimpleNamespace(bearings={name: SimpleNamespace(kind=kind) for name, kind in kinds.items()})
+    shaft = SimpleNamespace(
+        name="a", slopes=(("ball", 1e-4), ("roller", 2e-4), ("gear", 3e-4), ("still", 0.0), ("thrust", 1e-4)), critical_speed=900.0,
+        highest_speed=300.0,
+    )  # fmt: skip
+    checks = {check.place: check for check in _stiffness(shaft, design)}
+    assert [checks[place].value for place in ("ball", "roller", "gear")] == [1e-4, 2e-4, 3e-4]
+    assert (checks["ball"].limit, checks["roller"].limit) == (3e-3, 1.2e-3) and checks["gear"].limit <= 1.2e-3
+    assert not {"still", "thrust"} & checks.keys()
+    shaft.critical_speed = None
+    assert {check.mode for check in _stiffness(shaft, design)} == {"slope"}
+
+
+def test_the_tooth_form_of_a_ring_has_its_teeth_inwards():
+    """d_f = d + 2 · 1.25 m (less what is shifted): roots outside of the pitch circle, tips inside."""
+    sizing = size(parse(INTERNAL))
+    ring = next(gear for gear in sizing.gears if gear.name == "stage.wheel")
+    teeth = _internal(sizing, ring)
+    pitch = ring.pitch_diameter / 2.0
+    assert teeth.teeth == -ring.teeth and teeth.tip_radius < pitch < teeth.root_radius
+    assert teeth.root_radius - teeth.tip_radius == near((1.25 + 1.0 - ring.tip_alteration) * ring.module, rel=1e-6)
+
+
+def test_the_body_of_a_ring_of_a_pair_is_its_rim_about_its_roots():
+    sizing = size(parse(INTERNAL))
+    ring = next(gear for gear in sizing.gears if gear.name == "stage.wheel")
+    (solid,) = (solid for solid in sizing.arrangement.bodies if str(solid.part) == "stage.wheel")
+    assert solid.radius == near(ring.pitch_diameter / 2.0 + ring.rim)
+    assert solid.bore == near(ring.pitch_diameter / 2.0 - 1.25 * ring.module)
+    assert solid.length == near(ring.face_width)
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.02, -0.02, 0.15, -0.15])
+def test_gears_that_move_along_a_shaft_take_its_ends_along_where_they_would_reach_beyond(shift):
+    """Two gears of 40 mm on 300 mm: gaps of 73.3 mm; the ends stay a gap away from what moved past them."""
+    places, widths = {"first": 0.0, "a": 0.1, "b": 0.2, "last": 0.3}, {"a": 0.04, "b": 0.04}
+    gap = (0.3 - 0.08) / 3.0
+    length, moved = _moved("shaft", places, widths, 0.3, {"a": shift, "b": shift})
+    start = min(0.1 + shift - 0.02 - gap, 0.0)
+    end = max(0.2 + shift + 0.02 + gap, 0.3)
+    assert length == near(end - start)
+    assert moved == {"first": near(0.0, abs=1e-12), "a": near(0.1 + shift - start), "b": near(0.2 + shift - start),
+                     "last": near(end - start)}  # fmt: skip
+    with pytest.raises(DesignError, match=r"beside its mate it stands in 'a'"):
+        _moved("shaft", places, widths, 0.3, {"a": 0.07})
+
+
+def test_matrices_far_from_singular_have_an_inverse_and_others_a_pseudo_inverse():
+    matrix = np.array([[2.0, 1.0], [0.0, 4.0]])
+    assert _inverse(matrix) == near(np.array([[0.5, -0.125], [0.0, 0.25]]))
+    assert _inverse(np.ones((2, 3))) is None and _inverse(np.ones((2, 2))) is None
+    assert _inverse(np.diag([1.0, 1e-300])) is None
+    tall = np.array([[1.0, 0.0], [0.0, 2.0], [1.0, 0.0]])
+    for system in (matrix, tall, np.array([[1.0, 1.0], [1.0, 1.0], [2.0, 2.0]])):
+        scaled, scale, inverse = _prepared(system)
+        assert np.linalg.norm(scaled, axis=0) == near(np.ones(2)) and scaled * scale == near(system)
+        assert inverse == near(np.linalg.pinv(scaled), abs=1e-12)
