@@ -102,13 +102,11 @@ def test_every_machine_has_one_seal_on_its_shaft():
 
 
 def test_slopes_are_judged_where_the_bearing_has_a_limit_and_critical_speeds_where_there_is_one():
-    """Shigley, table 7-2, upper values: 0.003 rad in balls, 0.0012 in cylindrical rollers; a four-point one has none."""
+    """Shigley, table 7-2, upper values: 0.003 rad in balls, 0.0012 in cylindrical rollers; others have none."""
     kinds = {"ball": "deep-groove", "roller": "cylindrical", "thrust": "four-point"}
     design = SimpleNamespace(bearings={name: SimpleNamespace(kind=kind) for name, kind in kinds.items()})
-    shaft = SimpleNamespace(
-        name="a", slopes=(("ball", 1e-4), ("roller", 2e-4), ("gear", 3e-4), ("still", 0.0), ("thrust", 1e-4)), critical_speed=900.0,
-        highest_speed=300.0,
-    )  # fmt: skip
+    slopes = (("ball", 1e-4), ("roller", 2e-4), ("gear", 3e-4), ("still", 0.0), ("thrust", 1e-4))
+    shaft = SimpleNamespace(name="a", slopes=slopes, critical_speed=900.0, highest_speed=300.0)
     checks = {check.place: check for check in _stiffness(shaft, design)}
     assert [checks[place].value for place in ("ball", "roller", "gear")] == [1e-4, 2e-4, 3e-4]
     assert (checks["ball"].limit, checks["roller"].limit) == (3e-3, 1.2e-3) and checks["gear"].limit <= 1.2e-3
