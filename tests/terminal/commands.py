@@ -25,6 +25,8 @@ class Command:
         return self.line.split()
 
 
+SERVING = {"app"}
+"""Commands that run until they are ended; `tests/browser` has them."""
 COMMANDS = (
     Command("new"),
     Command("new star --force"),

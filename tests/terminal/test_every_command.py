@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from commands import COMMANDS, Command
+from commands import COMMANDS, SERVING, Command
 
 from gearwright.cli import app
 
@@ -30,7 +30,7 @@ def test_the_table_has_every_command_of_the_readme_and_of_the_tool():
     table = "".join(line for line in README.splitlines() if line.startswith("| `gearwright"))
     named = {word for code in re.findall(r"`([^`]+)`", table) if (word := code.removeprefix("gearwright ").split()[0])}
     registered = {entry.name or entry.callback.__name__ for entry in app.registered_commands if not entry.hidden}
-    assert registered <= tried
+    assert registered <= tried | SERVING
     assert {name for name in named if name in registered} == registered
 
 

@@ -15,8 +15,8 @@ import gearwright as gw
 
 ROOT = Path(__file__).parents[2]
 API = (ROOT / "docs" / "reference" / "api.md").read_text(encoding="utf-8")
-ERRANDS = {"check", "export", "import", "new", "run", "status", "resume", "cluster"}
-"""Commands that read or write files for people, and are no verb of their own."""
+ERRANDS = {"app", "check", "export", "import", "new", "run", "status", "resume", "cluster"}
+"""Commands that serve people or read and write their files, and are no verb of their own."""
 
 
 def typed_names() -> dict[str, tuple[str | None, str]]:

@@ -5,6 +5,6 @@ Every route is one public verb and adds no number; what commands print is `cli`'
 
 from __future__ import annotations
 
-from gearwright.app.serve import serve
+from gearwright.app.serving import serve
 
 __all__ = ["serve"]

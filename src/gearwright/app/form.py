@@ -5,6 +5,8 @@ All of it stands in the JSON Schema of the file; here it is laid beside what the
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -52,6 +54,18 @@ class Group:
     written: tuple[Field, ...]
     possible: tuple[Field, ...]
     """What could be written too."""
+
+
+def form_json(text: str) -> bytes:
+    """Return the form of a design's text as JSON.
+
+    Args:
+        text: In TOML.
+
+    Raises:
+        DesignError: If it is not TOML.
+    """
+    return json.dumps(form(text), ensure_ascii=False, allow_nan=False, default=vars).encode()
 
 
 def form(text: str) -> tuple[Group, ...]:
@@ -106,7 +120,11 @@ def _field(key: str, name: str, keys: list[str], *, entry: Table, value: Any, li
     words = found.get("description", "").removesuffix(f" [{unit}]") if unit else found.get("description", "")
     least, most = (found.get(word, found.get(strict)) for word, strict in _BOUNDS)
     choices = tuple(map(str, found.get("enum", ())))
-    plain = kind if kind in PLAIN and not isinstance(value, dict | list) else "other"
+    if value is not None and not (
+        isinstance(value, bool | int | str) or (isinstance(value, float) and math.isfinite(value))
+    ):
+        kind, value = "other", str(value)
+    plain = kind if kind in PLAIN else "other"
     return Field(
         key, name, unit, tuple(keys), plain, words, least, most, found.get("default"), choices, value, line
     )  # fmt: skip

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from secrets import token_urlsafe
@@ -14,7 +15,7 @@ from gearwright.app.folder import Changed, design_files, kept, save, tag_of
 from gearwright.app.guard import policy
 from gearwright.app.lane import Busy, Lane, Superseded
 from gearwright.app.pages import NONCE, files, index
-from gearwright.app.verbs import SLOW, VERBS, Question
+from gearwright.app.verbs import ENDED, SLOW, VERBS, Question
 from gearwright.app.worker import Stopped, Worker
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.formats import FORMATS
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 QUICK_LIMIT, SLOW_LIMIT = 60.0, 900.0
 """After which an answer is no longer waited for [s]."""
+WARM = "\0"
+"""How the server calls itself where a window has its name."""
 LONGEST_PAGE = 64
 """Of the name by which a window calls itself [characters]."""
 
@@ -78,17 +81,27 @@ class Desk:
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
         self.quick = Lane(Worker(), seconds=QUICK_LIMIT, impatient=lambda _: False)
-        self.slow = Lane(Worker(), seconds=SLOW_LIMIT, impatient=lambda _: True)
+        self.slow = Lane(Worker(), seconds=SLOW_LIMIT, impatient=lambda question: question.verb in ENDED)
 
     @asynccontextmanager
     async def open(self, _: Starlette) -> AsyncIterator[None]:
         """Start what answers quickly before it is asked; end both with the server."""
         self.quick.worker.start()
+        warm = asyncio.create_task(self._warm())
         try:
             yield
         finally:
+            warm.cancel()
             self.quick.worker.stop()
             self.slow.worker.stop()
+
+    async def _warm(self) -> None:
+        """Size what was opened before a page asks for it."""
+        opened = self.opened
+        with suppress(GearwrightError, Superseded, Stopped, asyncio.CancelledError):
+            text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
+            for verb in ("size", "form", "flow"):
+                await self.quick.ask(Question(verb, text, str(opened.folder)), WARM)
 
     async def page(self, _: Request) -> Response:
         """The page, with the number under which its editor may write its style."""
@@ -169,8 +182,6 @@ class Desk:
 
     async def stop(self, request: Request) -> Response:
         """End what takes long."""
-        import asyncio
-
         await _body(request)
         await asyncio.to_thread(self.slow.worker.stop)
         return _as_json({"stopped": True})

@@ -111,10 +111,9 @@ def _size(question: Question) -> Answer:
 
 
 def _form(question: Question) -> Answer:
-    from gearwright.app.form import form
-    from gearwright.render.answers.plain import plain
+    from gearwright.app.form import form_json
 
-    return Answer(_json(plain(form(question.text))))
+    return Answer(form_json(question.text))
 
 
 def _edit(question: Question) -> Answer:
@@ -172,6 +171,16 @@ def _influences(question: Question) -> Answer:
     return Answer(_json(plain(told)))
 
 
+def _meaning(_: Question) -> Answer:
+    """Return what every number of a sizing means: words, unit, equation and source, as its schema has them."""
+    from gearwright.render.answers.described import described
+    from gearwright.render.answers.design import SizeAnswer
+
+    definitions: dict[str, Any] = {}
+    described(SizeAnswer, definitions)
+    return Answer(_json(definitions))
+
+
 def _export(question: Question) -> Answer:
     from gearwright.formats import AS_USUAL, FORMATS
 
@@ -193,11 +202,14 @@ VERBS: Mapping[str, Callable[[Question], Answer]] = {
     "flow": _flow,
     "form": _form,
     "influences": _influences,
+    "meaning": _meaning,
     "model": _model,
     "report": _report,
     "review": _review,
     "size": _size,
 }
 """Name in the address -> what answers."""
-SLOW = frozenset({"export", "report", "review"})
-"""Verbs that take seconds: they have a process of their own, in which a newer question ends an older one."""
+SLOW = frozenset({"export", "influences", "report", "review"})
+"""Verbs that take seconds: they have a process of their own."""
+ENDED = frozenset({"export", "report", "review"})
+"""Those of them that a newer question ends; the others come to their end."""

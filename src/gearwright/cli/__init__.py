@@ -16,6 +16,7 @@ from typing import Annotated, TextIO
 
 import typer
 
+from gearwright.cli.commands.app import app as app_
 from gearwright.cli.commands.closure import close
 from gearwright.cli.commands.design import check, modes, report, simulate, size
 from gearwright.cli.commands.draw import draw
@@ -44,7 +45,7 @@ from gearwright.version import __version__
 YOUNG = 100_000
 """Objects after which Python looks for cycles among them: modules that load make few, and each look takes a while."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
-    "Designs": (new, run, check, size, close, review, report, draw, export, import_, schema),
+    "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty, propeller, rotor),
     "Studies": (compare, study, status, resume, cluster),

@@ -63,13 +63,18 @@ def _is_record(kind: Any) -> bool:
 def _entries(record: Any) -> Iterator[tuple[str, Any]]:
     own = getattr(record, OWN_UNIT, "")
     kind: type = type(record)
-    for name, hint in entries_of(kind).items():
+    for name, written, marked in _keys(kind):
         value = getattr(record, name)
         if name == OWN_UNIT:
             yield "unit", unit(value)
         else:
-            marked = dimension_of(hint)
-            yield key(name, hint), plain(value, marked or (own if isinstance(value, float) else ""))
+            yield written, plain(value, marked or (own if isinstance(value, float) else ""))
+
+
+@cache
+def _keys(kind: type) -> tuple[tuple[str, str, str], ...]:
+    """Return name, key and dimension of every entry."""
+    return tuple((name, key(name, hint), dimension_of(hint)) for name, hint in entries_of(kind).items())
 
 
 @cache

@@ -33,11 +33,8 @@ def serve(
     Raises:
         DesignError: If there is no such design, the port is taken, or the extra ``app`` is not here.
     """
-    lacking = [module for module in NEEDED if find_spec(module) is None]
-    refuse(
-        [Problem("", f"the workbench needs {' and '.join(lacking)}, which is not here; {install('app')}")]
-        * bool(lacking)
-    )
+    if lacking := [module for module in NEEDED if find_spec(module) is None]:
+        refuse([Problem("", f"the workbench needs {' and '.join(lacking)}, not here yet; {install('app')}")])
     import uvicorn
 
     from gearwright.app.guard import Guard
@@ -53,7 +50,7 @@ def serve(
     server.append(
         uvicorn.Server(
             uvicorn.Config(
-                guarded, log_level="warning", access_log=False, server_header=False, ws="none", lifespan="on",
+                guarded, log_level="critical", access_log=False, server_header=False, ws="none", lifespan="on",
                 limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=1, proxy_headers=False,
             )
         )
@@ -84,6 +81,7 @@ def _bound(port: int) -> socket.socket:
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     try:
         bound.bind((HOST, port))
+        bound.listen(MOST_CONNECTIONS)  # who opens the address at once waits, and is not turned away
     except (OSError, OverflowError):
         bound.close()
         refuse([Problem("--port", f"{port} is taken or not allowed; give another one, or leave it out")])

@@ -1,0 +1,56 @@
+/* The power flow of a load case, drawn by the server, and the tabs of the cases. */
+import {ask, Dropped, Problems} from "/static/api.js";
+import {at, made} from "/static/made.js";
+import {on, set, state} from "/static/state.js";
+
+const sheet = new CSSStyleSheet();
+document.adoptedStyleSheets.push(sheet);
+
+function tabs() {
+  if (!state.answer) return;
+  const names = Object.keys(state.answer.result.cases);
+  if (!names.includes(state.case)) set({case: names[0]});
+  at("cases").replaceChildren(...names.map(name => {
+    const tab = made("button", {type: "button", role: "tab", textContent: name, tabIndex: name === state.case ? 0 : -1});
+    tab.setAttribute("aria-selected", String(name === state.case));
+    tab.setAttribute("aria-controls", "flow");
+    tab.addEventListener("click", () => set({case: name}));
+    tab.addEventListener("keydown", event => step(event, names, name));
+    return tab;
+  }));
+}
+
+function step(event, names, name) {
+  const way = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+  if (!way) return;
+  set({case: names[(names.indexOf(name) + way + names.length) % names.length]});
+  at("cases").querySelector("[aria-selected=true]").focus();
+}
+
+async function draw() {
+  if (!state.answer || !state.case || state.view !== "design-view") return;
+  try {
+    const text = await (await ask("flow", state.answer.text, {case: state.case})).text();
+    const rules = /<style>(.*?)<\/style>/s.exec(text); // the page's policy allows no style inside it, but this sheet
+    sheet.replaceSync(rules ? rules[1] : "");
+    const plain = rules ? text.replace(rules[0], "") : text;
+    const drawn = document.adoptNode(new DOMParser().parseFromString(plain, "image/svg+xml").documentElement);
+    drawn.removeAttribute("width");
+    drawn.removeAttribute("height");
+    at("flow").replaceChildren(drawn);
+  } catch (reason) {
+    if (!(reason instanceof Dropped || reason instanceof Problems)) at("status").textContent = reason.message;
+  }
+}
+
+/* A name in the drawing selects its part: a stage its first gear, a shaft itself. */
+at("flow").addEventListener("click", event => {
+  const word = event.target.closest?.("text")?.textContent.trim(), result = state.answer?.result;
+  if (!word || !result) return;
+  const gear = result.gears.find(one => one.stage === word), shaft = result.shafts.find(one => one.name === word);
+  if (gear || shaft) set({selected: gear ? gear.part : shaft.name});
+});
+
+on("answer", tabs);
+on("case", tabs);
+on("answer case view", draw);

@@ -1,0 +1,162 @@
+/* The form: the same text, table by table. A change here is a change of the text, at the line of its key. */
+import {Dropped, Problems, ask} from "/static/api.js";
+import {replace, goTo} from "/static/editor.js";
+import {at, made, number} from "/static/made.js";
+import {on, set, state} from "/static/state.js";
+
+let shape = "", busy = false;
+const waiting = new Map(), inputs = new Map();
+
+const idOf = (path, key) => [...path, key].join("/");
+
+/* Changes wait while one is on its way; of each entry the last value is taken. */
+async function change(path, key, options) {
+  waiting.set(idOf(path, key), {path: [...path, key], ...options});
+  if (busy) return;
+  busy = true;
+  try {
+    while (waiting.size) {
+      const [id, asked] = waiting.entries().next().value;
+      waiting.delete(id);
+      const {text} = await (await ask("edit", state.text, asked)).json();
+      state.entered = true;
+      replace(text);
+      state.entered = false;
+    }
+  } catch (reason) {
+    if (reason instanceof Problems) at("help").textContent = reason.message;
+    else if (!(reason instanceof Dropped)) at("status").textContent = reason.message;
+  } finally {
+    busy = false;
+  }
+}
+
+function valueOf(field, text) {
+  if (text.trim() === "") return null;
+  if (field.kind === "number" || field.kind === "integer") return Number(text.replace(",", "."));
+  return text;
+}
+
+function tell(group, field) {
+  const bounds = [field.least === null ? "" : `at least ${number(field.least)}`, field.most === null ? "" : `at most ${number(field.most)}`];
+  const parts = [field.help, bounds.filter(Boolean).join(", "), field.default === null ? "" : `left out: ${field.default}`];
+  at("help").textContent = `${[...group.path, field.key].join(".")}: ${parts.filter(Boolean).join("; ")}`;
+}
+
+function entry(group, field) {
+  const id = idOf(group.path, field.key), numeric = field.kind === "number" || field.kind === "integer";
+  const label = made("label", {textContent: field.name, title: field.help});
+  const asked = text => {
+    const value = valueOf(field, text);
+    if (numeric && value !== null && !Number.isFinite(value)) return;
+    if (value === null && field.value === null) return;
+    change(group.path, field.key, {value});
+  };
+  let input;
+  if (field.choices.length) {
+    input = made("select", {}, made("option", {value: "", textContent: field.default === null ? "–" : `(${field.default})`}), ...field.choices.map(choice => made("option", {value: choice, textContent: choice})));
+    input.addEventListener("change", () => asked(input.value));
+  } else if (field.kind === "boolean") {
+    input = made("input", {type: "checkbox"});
+    input.addEventListener("change", () => change(group.path, field.key, {value: input.checked}));
+  } else if (field.kind === "other") {
+    input = made("button", {type: "button", textContent: "in the text"});
+    input.addEventListener("click", () => goTo(field.line || group.line || 1));
+  } else {
+    input = made("input", {type: "text", inputMode: numeric ? "decimal" : "text", autocomplete: "off", spellcheck: false});
+    if (field.default !== null) input.placeholder = String(field.default);
+    input.addEventListener(numeric ? "input" : "change", () => asked(input.value));
+    if (numeric) input.addEventListener("keydown", event => nudge(event, input, field, asked));
+  }
+  input.id = `entry:${id}`;
+  label.htmlFor = input.id;
+  input.addEventListener("focus", () => tell(group, field));
+  const row = made("div", {className: numeric ? "entry" : "entry words"}, label, input);
+  if (numeric) row.append(unit(group, field));
+  const slider = numeric && field.value !== null && field.key !== "schema" ? made("input", {type: "range", step: "any"}) : made("span");
+  if (slider.type === "range") {
+    slider.setAttribute("aria-label", `${group.path.join(" ")} ${field.name}`);
+    slider.addEventListener("input", () => {
+      const value = field.kind === "integer" ? Math.round(slider.value) : Number(Number(slider.value).toPrecision(4));
+      input.value = value;
+      asked(String(value));
+    });
+    slider.addEventListener("change", () => range(slider, inputs.get(id).field));
+    slider.addEventListener("focus", () => tell(group, field));
+  }
+  row.append(slider);
+  inputs.set(id, {input, slider, field});
+  return row;
+}
+
+/* Up and down change a number by a hundredth, with Shift by a tenth, as wheels of instruments do. */
+function nudge(event, input, field, asked) {
+  const way = {ArrowUp: 1, ArrowDown: -1}[event.key], value = Number(input.value);
+  if (!way || !Number.isFinite(value) || input.value === "") return;
+  event.preventDefault();
+  const step = field.kind === "integer" ? 1 : Math.abs(value) * (event.shiftKey ? 0.1 : 0.01) || 0.01;
+  input.value = Number((value + way * step).toPrecision(6));
+  asked(input.value);
+}
+
+function unit(group, field) {
+  if (field.units.length < 2 || field.value === null) return made("span", {className: "unit", textContent: field.unit});
+  const select = made("select", {className: "unit", title: "Write it in another unit"}, ...field.units.map(key => made("option", {value: key, textContent: key === field.key ? field.unit : key.slice(field.key.length - ending(field).length)})));
+  select.setAttribute("aria-label", `Unit of ${group.path.join(" ")} ${field.name}`);
+  select.value = field.key;
+  select.addEventListener("change", () => change(group.path, field.key, {key: select.value}));
+  return select;
+}
+
+/* What of a key is its unit: behind what all keys of the quantity share. */
+function ending(field) {
+  let shared = 0;
+  while (field.units.every(key => key[shared] !== undefined && key[shared] === field.units[0][shared])) shared++;
+  return field.key.slice(field.key.lastIndexOf("_", shared) + 1);
+}
+
+function range(slider, field) {
+  const value = field.value, whole = field.kind === "integer";
+  const low = value > 0 ? value / 2 : value < 0 ? value * 2 : -1, high = value > 0 ? value * 2 : value < 0 ? value / 2 : 1;
+  slider.min = Math.max(whole ? Math.floor(low) : low, field.least ?? -Infinity);
+  slider.max = Math.min(whole ? Math.ceil(high) : high, field.most ?? Infinity);
+  slider.step = whole ? 1 : "any";
+  slider.value = value;
+}
+
+function build() {
+  const open = new Set([...document.querySelectorAll("#form details[open]")].map(one => one.dataset.path));
+  inputs.clear();
+  at("form").replaceChildren(...state.form.map((group, k) => {
+    const title = group.path.join(" ") || "design", more = made("details", {className: "more"}, made("summary", {textContent: `${group.possible.length} more`, title: "Entries that are left out"}));
+    more.dataset.path = `${title}/more`;
+    more.open = open.has(more.dataset.path);
+    const fill = () => { if (more.open && more.children.length === 1) more.append(...group.possible.map(field => entry(group, field))); };
+    more.addEventListener("toggle", fill);
+    fill();
+    const box = made("details", {open: shape === "" ? k < 8 : open.has(title)}, made("summary", {textContent: title, title: group.help}), ...group.written.map(field => entry(group, field)));
+    if (group.possible.length) box.append(more);
+    box.dataset.path = title;
+    return box;
+  }));
+}
+
+function show() {
+  const now = state.form.map(group => [group.path.join("."), ...group.written.map(field => `${field.key}:${field.kind}`)].join(",")).join(";");
+  const focused = document.activeElement?.id;
+  if (now !== shape) {
+    build();
+    shape = now;
+    if (focused?.startsWith("entry:")) document.getElementById(focused)?.focus();
+  }
+  for (const group of state.form) for (const field of [...group.written, ...group.possible]) {
+    const held = inputs.get(idOf(group.path, field.key));
+    if (!held) continue;
+    held.field = field;
+    if (held.slider.type === "range" && held.slider !== document.activeElement) range(held.slider, field);
+    if (field.kind === "boolean") held.input.checked = field.value === true;
+    else if (field.kind !== "other" && held.input !== document.activeElement) held.input.value = field.value ?? "";
+  }
+}
+
+on("form", show);

@@ -1,0 +1,80 @@
+/* What the design amounts to: verdict, key numbers with their change, margins worst first. */
+import {ask, Dropped, Problems, sent} from "/static/api.js";
+import {at, change, made, named, number, percent, ratio} from "/static/made.js";
+import {on, set, state} from "/static/state.js";
+
+const KEYS = [
+  ["mass_kg", "Gears, shafts, carriers", false], ["complete_total_kg", "Complete, without machines", false], ["worst_margin", "Worst margin", true],
+  ["power_density_kw_kg", "Power density", true], ["envelope.length_mm", "Length", false], ["envelope.width_mm", "Width", false],
+];
+const read = (result, key) => key.split(".").reduce((part, name) => part?.[name], result);
+
+function keys() {
+  const {answer, pinned} = state;
+  if (!answer) return;
+  at("keys").replaceChildren(...KEYS.map(([key, title, more]) => {
+    const value = read(answer.result, key), share = pinned ? change(value, read(pinned.answer.result, key)) : null;
+    const better = share === null || share === 0 ? "" : (share > 0) === more ? "better" : "worse";
+    const delta = made("span", {className: `change ${better}`, textContent: percent(share), title: better ? `${better} than the pinned one` : "against the pinned one"});
+    delta.dataset.key = key;
+    const unit = named(key.split(".").at(-1))[1];
+    const shown = made("dd", {}, made("b", {textContent: key === "worst_margin" ? ratio(value) : number(value)}), made("span", {className: "unit", textContent: ` ${unit} `}), delta);
+    shown.dataset.key = key;
+    return made("div", {}, made("dt", {textContent: title}), shown);
+  }));
+}
+
+function verdict() {
+  const box = at("verdict"), {answer, stale, problems} = state;
+  if (stale) box.textContent = `${problems.length === 1 ? "One problem" : `${problems.length} problems`} in the text. What stands below is of the last valid text.`;
+  else box.textContent = answer ? answer.headline : "";
+  box.className = `verdict ${stale ? "stale" : !answer ? "" : answer.holds ? "holds" : "fails"}`;
+  document.body.classList.toggle("stale", stale);
+}
+
+const MARK = 3; // margins from here on fill the bar
+
+function margins() {
+  if (!state.answer) return;
+  const rows = state.answer.result.margins;
+  at("margins").replaceChildren(...rows.map(row => {
+    const share = row.margin === null ? 0 : Math.max(0, Math.min(1, row.margin / MARK)), fails = row.status === "fails";
+    const bar = made("span", {className: "bar", ariaHidden: "true"}, made("span", {className: fails ? "fails" : "room"}));
+    bar.firstChild.style.width = `${100 * share}%`;
+    const said = row.margin === null ? row.status : ratio(row.margin);
+    const button = made("button", {type: "button", title: `${row.source}${row.case ? `, case ${row.case}` : ""}: ${number(row.value)} ${row.unit}, limit ${number(row.limit)} ${row.unit}`},
+      made("span", {className: "part", textContent: row.part}), made("span", {className: "check", textContent: row.check}), made("span", {className: "value", textContent: said}), bar);
+    button.setAttribute("aria-pressed", String(row.part === state.selected));
+    button.dataset.part = row.part;
+    button.addEventListener("click", () => set({selected: state.selected === row.part ? "" : row.part}));
+    return made("li", {className: row.status.replace(" ", "-")}, button);
+  }));
+}
+
+function chosen() {
+  for (const button of at("margins").querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.dataset.part === state.selected));
+}
+
+async function review() {
+  at("stop").hidden = false;
+  at("reviewed").textContent = "reviewing…";
+  try {
+    const answer = await (await ask("review", state.text)).json(), text = state.text;
+    at("reviewed").textContent = answer.headline;
+    at("reviewed").dataset.text = text;
+    at("reviewed").title = "gearwright review";
+  } catch (reason) {
+    if (reason instanceof Dropped) at("reviewed").textContent = reason.message || "stopped";
+    else at("reviewed").textContent = reason.message;
+  } finally {
+    at("stop").hidden = true;
+  }
+}
+
+on("answer pinned", keys);
+on("answer stale problems", verdict);
+on("answer", margins);
+on("selected", chosen);
+on("text", () => { if (at("reviewed").dataset.text && at("reviewed").dataset.text !== state.text) at("reviewed").textContent = "the text has changed since the review"; });
+at("review").addEventListener("click", review);
+at("stop").addEventListener("click", () => sent("/api/stop", "POST", {}));

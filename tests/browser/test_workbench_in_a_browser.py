@@ -1,0 +1,278 @@
+"""The workbench as its users have it: a server on this machine, a browser, every shipped design."""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+import gearwright as gw
+from shipped_work import sized
+
+pytestmark = pytest.mark.extra("playwright", "axe_playwright_python", "starlette", "uvicorn", "tomlkit")
+START = "from gearwright.cli import main; main()"
+MASS = "#keys dd[data-key=mass_kg]"
+SPEED = "[id='entry:turbines/gas-turbine/speed_rpm']"
+PATIENT = 60_000
+"""For answers on a busy machine [ms]."""
+MOVED = """() => {
+  const {gearbox, view, motion} = window.gearbox, found = {}, seconds = 1e-3 / motion.fastest();
+  gearbox.pose(seconds, motion.name);
+  for (const body of gearbox.bodies) {
+    const turn = body.rest.clone().invert().multiply(body.frame.quaternion);
+    found[body.name] = 2 * Math.atan2(turn.z, turn.w) / seconds;
+  }
+  view.renderer.render(view.scene, view.camera);
+  const copy = document.createElement("canvas"), from = view.canvas;
+  [copy.width, copy.height] = [from.width, from.height];
+  const pen = copy.getContext("2d");
+  pen.drawImage(from, 0, 0);
+  const dots = new Uint32Array(pen.getImageData(0, 0, copy.width, copy.height).data.buffer), counts = new Map();
+  for (const dot of dots) counts.set(dot, (counts.get(dot) || 0) + 1);
+  const {calls, triangles} = view.renderer.info.render;
+  const empty = Math.max(...counts.values()) / dots.length;
+  return {found, case: motion.name, colours: counts.size, empty, calls, triangles};
+}"""
+
+
+def started(folder, port=0):
+    """Return a server and the address that it prints."""
+    line = [
+        sys.executable,
+        "-c",
+        START,
+        "app",
+        "in-line-h2",
+        "--no-browser",
+        "--folder",
+        str(folder),
+        "--port",
+        str(port),
+    ]
+    server = subprocess.Popen(line, stdout=subprocess.PIPE, text=True)
+    return server, re.findall(r"http\S+", server.stdout.readline())[0]
+
+
+def ended(server):
+    server.terminate()
+    server.wait()
+    server.stdout.close()
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory):
+    server, found = started(tmp_path_factory.mktemp("designs"))
+    yield found
+    ended(server)
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """Yield a browser; skip with the reason where none is installed, and fail where one is demanded."""
+    from playwright.sync_api import Error, sync_playwright
+
+    path = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    software = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with sync_playwright() as playwright:
+        try:
+            browser = playwright.chromium.launch(executable_path=path, args=software)
+        except Error as reason:
+            if os.environ.get("GEARWRIGHT_BROWSER") == "1":
+                raise
+            pytest.skip(f"no browser starts: {str(reason).splitlines()[0]}")
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def opened(chromium, address):
+    """Return a function that opens the workbench, and what its browser complained of or asked of others."""
+    contexts = []
+
+    def opening(at=address, **given):
+        context = chromium.new_context(viewport={"width": 1280, "height": 720}, reduced_motion="reduce", **given)
+        context.set_default_timeout(PATIENT)
+        contexts.append(context)
+        page, told = context.new_page(), []
+        host = at.partition("?")[0]
+        page.on("console", lambda message: told.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: told.append(str(error)))
+        page.on(
+            "request",
+            lambda request: None if request.url.startswith((host, "blob:", "data:")) else told.append(request.url),
+        )
+        page.on("dialog", lambda dialog: dialog.accept())
+        page.goto(at)
+        page.wait_for_selector(f"{MASS} b")
+        return page, told
+
+    yield opening
+    for context in contexts:
+        context.close()
+
+
+def mass_of(text):
+    return f"{float(f'{gw.size(gw.parse(text)).mass:.4g}'):g}"
+
+
+def choose(page, name):
+    page.select_option("#design", f"shipped:{name}")
+    wait_for(page, MASS + " b", f"{float(f'{sized(name).mass:.4g}'):g}")
+
+
+def wait_for(page, selector, text):
+    from playwright.sync_api import expect
+
+    expect(page.locator(selector).first).to_have_text(text, timeout=PATIENT)
+
+
+def test_every_shipped_design_opens_with_its_numbers_and_asks_nobody_else(opened):
+    page, told = opened()
+    for name in gw.shipped_designs():
+        choose(page, name)
+        page.wait_for_selector("#flow svg")
+        assert page.locator("#margins li").count() == len(sized(name).checks), name
+    assert told == []
+
+
+@pytest.mark.parametrize("name", ["in-line-h2", "off-set", "ec120b", "face-gear-split-torque"])
+def test_the_gearbox_is_drawn_and_turns_as_its_train_does(opened, name):
+    """Angles of the pose after a moment, over that moment, against the speeds of the flow."""
+    page, told = opened()
+    choose(page, name)
+    page.click("nav a >> text=Gearbox")
+    page.wait_for_selector("body[data-model]")
+    seen = page.evaluate(MOVED)
+    assert seen["colours"] > 50 and seen["empty"] < 0.98
+    assert seen["triangles"] <= 150_000
+    flow = sized(name).flows[seen["case"]]
+    fastest = max(abs(speed) for speed in flow.speeds.values())
+    for shaft in sized(name).shafts:  # angles of 1e-3 rad in double precision, kept in numbers of 1e-16
+        spin = seen["found"][f"shaft {shaft.name}"]
+        assert math.isclose(abs(spin), abs(flow.speeds[shaft.name]), rel_tol=1e-6, abs_tol=1e-9 * fastest)
+    assert told == []
+
+
+def test_a_speed_changed_in_the_form_changes_the_text_and_the_numbers_and_back(opened):
+    page, told = opened()
+    text = gw.shipped_design("in-line-h2").read_text(encoding="utf-8")
+    page.locator(SPEED).fill("21500")
+    wait_for(page, MASS + " b", mass_of(text.replace("20000", "21500")))
+    assert "speed_rpm = 21500" in page.inner_text(".cm-content")
+    assert "+" in page.inner_text(f"{MASS} .change")
+    page.click("#undo")
+    wait_for(page, MASS + " b", mass_of(text))
+    assert "speed_rpm = 20000" in page.inner_text(".cm-content")
+    wait_for(page, f"{MASS} .change", "=")
+    page.locator(".cm-line", has_text="planets = 5").click()
+    page.keyboard.press("End")
+    page.keyboard.press("Backspace")
+    page.keyboard.type("4")
+    wait_for(page, MASS + " b", mass_of(text.replace("planets = 5", "planets = 4")))
+    assert page.locator("[id='entry:planetaries/second/planets']").input_value() == "4"
+    assert told == []
+
+
+def test_a_wrong_key_marks_its_line_and_the_last_valid_result_stays_greyed(opened):
+    page, _ = opened()
+    before = page.inner_text(MASS + " b")
+    page.locator(".cm-line", has_text="speed_rpm = 20000").click()
+    page.keyboard.press("Home")
+    page.keyboard.type("x")
+    page.wait_for_selector("body.stale")
+    assert "last valid text" in page.inner_text("#verdict")
+    assert "line 11" in page.inner_text("#problems")
+    page.wait_for_selector(".cm-lint-marker-error")
+    assert page.inner_text(MASS + " b") == before
+    page.keyboard.press("Backspace")
+    page.wait_for_selector("body:not(.stale)")
+    assert page.locator("#problems li").count() == 0
+
+
+def test_a_number_is_told_with_its_source_and_a_part_is_selected_everywhere(opened):
+    page, _ = opened()
+    page.locator("#margins button", has_text="second.planet").filter(has_text="undercut").click()
+    page.wait_for_selector("#why tbody tr")
+    row = page.locator("#why tr", has_text="face width").first
+    row.locator("summary").click()
+    assert row.locator("p").count() >= 2
+    page.wait_for_selector("#why h3 >> text=What would change")
+    page.click("nav a >> text=Gearbox")
+    page.wait_for_selector("body[data-model]")
+    page.locator("#parts button", has_text="first.sun").first.click()
+    page.click("nav a >> text=Design")
+    assert page.inner_text("#why h3 >> nth=0") == "first.sun"
+
+
+def test_comparing_shows_lines_and_the_sign_of_a_change(opened):
+    page, _ = opened()
+    page.locator(SPEED).fill("19000")
+    page.wait_for_selector(f"{MASS} .change.better, {MASS} .change.worse")
+    page.click("nav a >> text=Compare")
+    assert page.locator("#difference .less").inner_text() == "− speed_rpm = 20000"
+    assert page.locator("#difference .more").inner_text() == "+ speed_rpm = 19000"
+    cells = page.locator("#beside tr", has_text="gear mass").locator("td").all_inner_texts()
+    then, now = (float(cell.removesuffix(" kg")) for cell in cells[:2])
+    assert cells[2][0] == ("+" if now > then else "−")
+
+
+def test_everything_is_reached_from_the_keyboard(opened):
+    page, _ = opened()
+    before = page.inner_text(MASS + " b")
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.id") == "entry:turbines/gas-turbine/power_kw":
+            break
+    page.keyboard.press("Shift+ArrowUp")
+    text = gw.shipped_design("in-line-h2").read_text(encoding="utf-8")
+    wait_for(page, MASS + " b", mass_of(text.replace("power_kw = 1046\nspeed", "power_kw = 1150.6\nspeed")))
+    assert page.inner_text(MASS + " b") != before
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_serious_keeps_anyone_from_using_it(opened, scheme):
+    """axe-core: no violation that it calls serious or critical, in any view; what is inside figures is theirs."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    page, _ = opened(color_scheme=scheme, bypass_csp=True)
+    page.wait_for_selector("#flow svg")
+    page.locator("#margins button").nth(1).click()
+    page.wait_for_selector("#why tbody tr")
+    for view in ("Design", "Gearbox", "Compare"):
+        page.click(f"nav a >> text={view}")
+        answer = Axe().run(page, context={"exclude": [["#flow svg"]]}, options={"resultTypes": ["violations"]})
+        found = answer.response["violations"]
+        worst = [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in ("serious", "critical")]
+        assert worst == [], view
+        assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+
+
+def test_two_windows_do_not_disturb_each_other(opened):
+    first, second = opened()[0], opened()[0]
+    text = gw.shipped_design("in-line-h2").read_text(encoding="utf-8")
+    first.locator(SPEED).fill("21000")
+    second.locator(SPEED).fill("22000")
+    wait_for(first, MASS + " b", mass_of(text.replace("20000", "21000")))
+    wait_for(second, MASS + " b", mass_of(text.replace("20000", "22000")))
+
+
+def test_a_design_is_saved_and_a_server_that_was_killed_is_told_of(opened, tmp_path):
+    server, at = started(tmp_path)
+    try:
+        page, _ = opened(at)
+        page.locator(SPEED).fill("21000")
+        page.wait_for_selector(f"{MASS} .change.better, {MASS} .change.worse")
+        page.keyboard.press("Control+s")
+        page.fill("#name", "mine.toml")
+        page.click("#naming button >> nth=0")
+        wait_for(page, "#status", "saved mine.toml")
+        assert "speed_rpm = 21000" in (tmp_path / "mine.toml").read_text(encoding="utf-8")
+    finally:
+        server.kill()
+        ended(server)
+    page.locator(SPEED).fill("22000")
+    wait_for(page, "#status", "the server does not answer: start gearwright app again and reload")
+    assert "speed_rpm = 21000" in page.inner_text(".cm-content")
