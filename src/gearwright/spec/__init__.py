@@ -47,7 +47,7 @@ from gearwright.spec.missions import (
     WindowRules,
     engine_out,
 )
-from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
+from gearwright.spec.power import CellRules, OilNetworkRules, SpoolRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, brief, build
 from gearwright.spec.schema import records, schema
@@ -117,6 +117,7 @@ __all__ = [
     "Record",
     "Rotorcraft",
     "Simulated",
+    "SpoolRules",
     "StrategyRules",
     "Study",
     "Turbine",

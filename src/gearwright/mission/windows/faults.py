@@ -15,8 +15,9 @@ from gearwright.dynamics import System
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Winding, short_circuit_torque
 from gearwright.mission.supply import Supply
-from gearwright.mission.windows.background import Background, flown_phase, staged, turning_at
+from gearwright.mission.windows.background import Background, Curve, flown_phase, staged, turning_at
 from gearwright.mission.windows.curves import LAGS, blended, lagged, until, value_at
+from gearwright.mission.windows.spools import spooled
 from gearwright.spec import WindowRules
 
 POINTS_PER_CYCLE = 32
@@ -139,7 +140,7 @@ def slammed(back: Background, rules: WindowRules) -> Background:
     return replace(
         back,
         torques={
-            name: lagged(curve, after.torques[name], rules)
+            name: _sped_up(back, rules, name, (powers[name], after.torques[name]))
             if name in back.supply.engines
             else blended(curve, [(0.0, after.torques[name])], rules)
             for name, curve in back.torques.items()
@@ -148,6 +149,13 @@ def slammed(back: Background, rules: WindowRules) -> Background:
             shaft: blended(curve, [(0.0, after.resistances[shaft])], rules) for shaft, curve in back.resistances.items()
         },
     )
+
+
+def _sped_up(back: Background, rules: WindowRules, name: str, end: tuple[float, float]) -> Curve:
+    """Return a turbine's torque until a power [W] and a torque [N m], by its lag or by its gas generator."""
+    if rules.lag is None and back.flight.mission.engine.spool is not None:
+        return spooled(back, rules, name, power=end[0], torque=end[1])
+    return lagged(back.torques[name], end[1], rules)
 
 
 def struck(back: Background, rules: WindowRules) -> Background:

@@ -50,7 +50,7 @@ def mission_problems(mission: Mission) -> list[Problem]:
     ]
     if not problems:
         problems += _intervals(mission)
-    return [*problems, *window_problems(mission.windows, mission.phases)]
+    return [*problems, *window_problems(mission.windows, mission.phases, spools=mission.engine.spool is not None)]
 
 
 def _battery(rules: BatteryRules | None) -> Iterator[Problem]:

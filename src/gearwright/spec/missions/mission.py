@@ -11,7 +11,7 @@ from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageNa
 from gearwright.spec.missions.aircraft import Aircraft, PhaseKind, Setting
 from gearwright.spec.missions.rotorcraft import Rotorcraft
 from gearwright.spec.missions.windows import GovernorRules, WindowRules
-from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
+from gearwright.spec.power import CellRules, OilNetworkRules, SpoolRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Distance, Energy, Length, Power, Ratio, Speed, Time, Velocity
 
@@ -89,6 +89,9 @@ class EngineRules(Record):
     idle_air: Ratio = Field(0.5, gt=0, le=1, description="Part of that air flow that flows without power")
     casing_loss: Ratio = Field(
         0.01, ge=0, lt=0.3, description="Part of the fuel's heat that leaves through casing and oil"
+    )
+    spool: SpoolRules | None = Field(
+        None, description="Gas generator, for power slams in windows; left out: they follow a lag"
     )
 
 

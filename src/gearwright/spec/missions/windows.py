@@ -41,7 +41,7 @@ EVENTS: Mapping[str, tuple[str, ...]] = {
     "motor-short-circuit": ("back_emf_v", "inductance_mh", "pole_pairs"),
     "engine-out": ("lag",),
     "pitch-runaway": ("overspeed",),
-    "power-slam": ("power", "lag"),
+    "power-slam": ("power",),
     "propeller-strike": ("lasts",),
     "sudden-stop": (),
 }
@@ -97,7 +97,8 @@ class WindowRules(Record):
         None,
         gt=0,
         le=100,
-        description="Time constant of a turbine that fails or speeds up; in a sudden stop of all, left out: they go on",
+        description="Time constant of a turbine that fails or speeds up; left out in a slam: by engine.spool;"
+        " in a sudden stop of all, left out: they go on",
     )
     overspeed: Ratio | None = Field(
         None, gt=1, le=2, description="Speed that the overspeed governor holds, over the set speed"
@@ -118,12 +119,13 @@ class WindowRules(Record):
     governor: GovernorRules | None = Field(None, description="In place of the mission's governor")
 
 
-def window_problems(windows: Mapping[str, WindowRules], phases: Collection[str]) -> Iterator[Problem]:
+def window_problems(windows: Mapping[str, WindowRules], phases: Collection[str], *, spools: bool) -> Iterator[Problem]:
     """Yield what does not fit together in the windows of a mission.
 
     Args:
         windows: By name.
         phases: Names of the mission's phases.
+        spools: Whether its turbines have a gas generator.
     """
     for name, window in windows.items():
         at = f"windows.{name}"
@@ -132,6 +134,8 @@ def window_problems(windows: Mapping[str, WindowRules], phases: Collection[str])
         for field in EVENTS[window.event]:
             if getattr(window, field) is None:
                 yield Problem(at, f"{window.event} without {field}; give one")
+        if window.event == "power-slam" and window.lag is None and not spools:
+            yield Problem(at, "power-slam without lag; give one, or [engine.spool]")
         if window.mode == "hybrid" and window.electric_share is None:
             yield Problem(at, "hybrid without electric_share; give the motors' part of the power, such as 0.3")
         if window.event == "propeller-strike":

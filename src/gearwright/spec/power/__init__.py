@@ -4,7 +4,8 @@ Records alone; `spec/flying` checks what does not fit together, `mission` flies 
 """
 
 from gearwright.spec.power.oil import OilNetworkRules
+from gearwright.spec.power.spool import SpoolRules
 from gearwright.spec.power.strategies import KEYS_OF, NEEDED, StrategyRules
 from gearwright.spec.power.warmth import CellRules, WindingRules
 
-__all__ = ["KEYS_OF", "NEEDED", "CellRules", "OilNetworkRules", "StrategyRules", "WindingRules"]
+__all__ = ["KEYS_OF", "NEEDED", "CellRules", "OilNetworkRules", "SpoolRules", "StrategyRules", "WindingRules"]
