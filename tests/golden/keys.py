@@ -35,18 +35,22 @@ LONGEST = 0.1
 NUDGE = 1.13
 """What a number is multiplied by: small enough to be allowed, large enough to change a choice."""
 
+SHAKEN = 4
+"""Of every so many changes one has its critical speeds in the number: they take as long as all else."""
+
 Change = Mapping[str, Any]
 
 
-def fingerprint(design: Design) -> float:
+def fingerprint(design: Design, place: int = 0) -> float:
     """Return one number that every number of a sizing and of its assembled system moves.
 
     asinh weighs small and large numbers alike and takes a zero with rounding for zero.
 
     Args:
         design: What is sized.
+        place: Of the change among all; each `SHAKEN`-th has critical speeds, too.
     """
-    values = recorded(size(design))
+    values = recorded(size(design), shaken=place % SHAKEN == 0)
     weights = np.cos([crc32(path.encode()) for path in values])
     return float(weights @ np.arcsinh(list(values.values())))
 
@@ -136,10 +140,12 @@ def searched() -> Iterator[dict[str, Any]]:
 def numbered() -> Iterator[dict[str, Any]]:
     """Yield the stored changes with the numbers that they have now."""
     known = designs()
-    for row in json.loads(FILE.read_text(encoding="utf-8")):
-        yield row | {"number": fingerprint(edited(known[row["design"]], row["change"]))}
+    for place, row in enumerate(json.loads(FILE.read_text(encoding="utf-8"))):
+        yield row | {"number": fingerprint(edited(known[row["design"]], row["change"]), place)}
 
 
 if __name__ == "__main__":
-    lines = ",\n".join(json.dumps(row) for row in (searched() if "--search" in sys.argv else numbered()))
+    if "--search" in sys.argv:
+        FILE.write_text(json.dumps(list(searched())), encoding="utf-8")
+    lines = ",\n".join(map(json.dumps, numbered()))
     FILE.write_text(f"[\n{lines}\n]\n", encoding="utf-8")

@@ -47,8 +47,13 @@ def numbers(value: Any, path: str = "") -> dict[str, float]:
     return found
 
 
-def recorded(sizing: Sizing) -> dict[str, float]:
-    """Return what is remembered of a sizing: teeth, every part and check, and the powers and speeds of every case."""
+def recorded(sizing: Sizing, *, shaken: bool = True) -> dict[str, float]:
+    """Return what is remembered of a sizing: teeth, every part and check, the powers and speeds of every case.
+
+    Args:
+        sizing: As sized.
+        shaken: Whether its critical speeds are, too, which take as long as all else.
+    """
     parts: dict[str, Any] = {"teeth": dict(sizing.teeth), **{name: getattr(sizing, name) for name in PARTS}}
     parts["checks"] = {
         f"{check.part} {check.what}, {check.clause}": {"value": check.value, "limit": check.limit}
@@ -57,12 +62,12 @@ def recorded(sizing: Sizing) -> dict[str, float]:
     parts["cases"] = {
         case: {"powers": dict(flow.machine_powers), "speeds": dict(flow.speeds)} for case, flow in sizing.flows.items()
     }
-    return {**numbers(parts), **_assembled(assemble(sizing)), **_answered(sizing)}
+    return {**numbers(parts), **_assembled(assemble(sizing)), **_answered(sizing, shaken=shaken)}
 
 
-def _answered(sizing: Sizing) -> dict[str, float]:
+def _answered(sizing: Sizing, *, shaken: bool) -> dict[str, float]:
     """Return the numbers of answers that have too many of them to be kept: how many, and two sums of each kind."""
-    speeds = critical_speeds(sizing)
+    speeds = critical_speeds(sizing) if shaken else ()
     answers = {
         "critical speeds": [(case.critical, case.assumed) for case in speeds],
         "passing": passing(sizing),

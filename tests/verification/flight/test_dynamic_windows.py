@@ -1,6 +1,7 @@
 """Dynamic windows against the quasi-steady flight, against the rigid governed propeller, and against themselves."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -23,13 +24,19 @@ def interval(flight, time):
     return int(np.argmin(np.abs(flight.history.time - time)))
 
 
+@cache
+def quiet(phase, at, stiffness):
+    """Return a second of a flight without an event, flown once for all tests that look at it."""
+    return fly_window(flown(), "quiet", WindowRules(phase=phase, at=at, duration=1.0, stiffness=stiffness))
+
+
 @pytest.mark.parametrize("stiffness", STIFFNESSES)
 @pytest.mark.parametrize(("phase", "at"), [("cruise", 605.0), ("climb", 305.0), ("taxi-out", 105.0)])
 def test_a_quiet_window_has_the_means_of_the_quasi_steady_flight(phase, at, stiffness):
     """Propeller torque: the same balance, 1e-4. Shafts and teeth: losses are lumped at the first shaft of each stage
     instead of at each mesh, half a per cent of the torque."""
     flight = flown()
-    window = fly_window(flight, "quiet", WindowRules(phase=phase, at=at, duration=1.0, stiffness=stiffness))
+    window = quiet(phase, at, stiffness)
     k, trace = interval(flight, window.start), window.trace
     expected = flight.history.propeller_power[k] / flight.history.propeller_speed[k]
     assert trace.drive.of("propeller torque")["mean"][-1] == pytest.approx(expected, rel=1e-3)
@@ -46,8 +53,7 @@ def test_a_quiet_window_has_the_means_of_the_quasi_steady_flight(phase, at, stif
 @pytest.mark.parametrize("stiffness", STIFFNESSES)
 def test_in_green_taxi_the_teeth_of_stage_one_carry_nothing_on_average(stiffness):
     """Pulvirenti 2023, §4.2.1: stage-1 forces zero (constant) or of zero mean (varying), here over stage 2's."""
-    rules = WindowRules(phase="taxi-out", at=105.0, duration=1.0, stiffness=stiffness)
-    trace = fly_window(flown(), "taxi", rules).trace
+    trace = quiet("taxi-out", 105.0, stiffness).trace
     second = np.mean(trace.force.of("second.sun-planet-1")["mean"])
     for line in trace.labels.lines:
         if line.startswith("first."):
@@ -58,7 +64,7 @@ def test_peaks_of_a_quiet_window_are_those_of_its_end():
     """What varying stiffness shakes at the start, here 1.5 times the peaks that last, is no load of the flight; what is
     left of it when statistics begin is below 1e-3. Planets of a row have one peak, whatever tooth they start on: their
     places in the cycle are turned by whole steps."""
-    trace = fly_window(flown(), "quiet", WindowRules(phase="cruise", at=605.0, duration=1.0, stiffness="varying")).trace
+    trace = quiet("cruise", 605.0, "varying").trace
     for row in ("first.sun-planet", "first.planet-ring", "second.sun-planet", "second.planet-ring"):
         peaks = np.array([trace.force.of(f"{row}-{n}")["maximum"] for n in (1, 2, 3)])
         assert np.max(peaks) == pytest.approx(np.max(peaks[:, -100:]), rel=2e-3)

@@ -72,8 +72,8 @@ def test_intervals_at_once_are_those_one_by_one(design, mission, monkeypatch):
     assert together.balance.battery == pytest.approx(alone.balance.battery, rel=CLOSE)
 
 
-def test_the_energies_close(monkeypatch):
-    together, _, _ = both("in-line-h2", "thesis", monkeypatch)
+def test_the_energies_close():
+    together = gw.fly(sized("in-line-h2"), gw.read_mission("thesis"))
     assert together.balance.residual < 1e-12  # sums of 533 intervals
 
 

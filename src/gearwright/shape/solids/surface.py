@@ -83,15 +83,24 @@ def edges_of(surface: Surface) -> Edges:
 
     Source: a closed oriented surface passes every edge once each way; χ = V − E + F.
     """
-    _, same = np.unique(surface.points, axis=0, return_inverse=True)
-    faces = same.reshape(-1)[surface.triangles]
+    same, corners = _places(surface.points)
+    faces = same[surface.triangles].astype(np.int64)
     faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
-    ways = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    keys, counts = np.unique(np.sort(ways, axis=1), axis=0, return_counts=True)
-    ordered, times = np.unique(ways, axis=0, return_counts=True)
-    backwards = {tuple(way) for way in ordered[:, ::-1].tolist()}
-    wrong = int(np.sum(times != 1)) + sum(tuple(way) not in backwards for way in ordered.tolist())
-    return Edges(wrong + int(np.sum(counts != 2)), len(np.unique(faces)) - len(keys) + len(faces))
+    start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    counts = np.unique(np.minimum(start, end) * corners + np.maximum(start, end), return_counts=True)[1]
+    ways, times = np.unique(start * corners + end, return_counts=True)
+    backwards = ways % corners * corners + ways // corners
+    wrong = int(np.sum(times != 1)) + int(np.sum(~np.isin(backwards, ways)))
+    return Edges(wrong + int(np.sum(counts != 2)), len(np.unique(faces)) - len(counts) + len(faces))
+
+
+def _places(points: Floats) -> tuple[Ints, int]:
+    """Return a number for every point, one for all at one place, and how many places there are."""
+    order = np.lexsort(points.T)
+    starts = np.r_[True, np.any(np.diff(points[order], axis=0) != 0.0, axis=1)]
+    numbers = np.empty(len(points), dtype=np.int64)
+    numbers[order] = np.cumsum(starts) - 1
+    return numbers, int(np.sum(starts))
 
 
 def circle(segments: int) -> Floats:
