@@ -15,6 +15,7 @@ from gearwright.machines.power.cells import (
 )
 from gearwright.machines.power.equilibrium import engine_state, state_for, steady_state
 from gearwright.machines.power.exhaust import Breathing, Exhaust, air_flow, exhaust_heat, exhaust_of, mixed
+from gearwright.machines.power.free_turbine import Held, RotorGovernor, held_rotor, turbine_torque
 from gearwright.machines.power.gases import (
     AIR,
     GAS_CONSTANT,
@@ -58,9 +59,11 @@ __all__ = [
     "Exhaust",
     "FuelControl",
     "Gas",
+    "Held",
     "Inlet",
     "Network",
     "Rated",
+    "RotorGovernor",
     "SpoolStep",
     "Spooled",
     "Turboshaft",
@@ -78,6 +81,7 @@ __all__ = [
     "fuelled",
     "heat_capacity",
     "held_energy",
+    "held_rotor",
     "isentropic",
     "leaving",
     "limited_fuel",
@@ -92,5 +96,6 @@ __all__ = [
     "straight",
     "temperature_of",
     "time_constant",
+    "turbine_torque",
     "warmed",
 ]

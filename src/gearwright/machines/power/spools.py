@@ -139,7 +139,7 @@ def spool(
     count, now = round(duration / step), start
     rows = [_row(0.0, inlet, now)]
     for k in range(count):
-        now = _stepped(engine, control, inlet, (now, demand((k + 0.5) * step)), step)
+        now = stepped(engine, control, inlet, (now, demand((k + 0.5) * step)), step)
         rows.append(_row((k + 1) * step, inlet, now))
     return Spooled(*np.array(rows).T)
 
@@ -150,9 +150,20 @@ def _row(time: float, inlet: Inlet, now: SpoolStep) -> tuple[float, ...]:
     return (time, now.speed, now.fuel, state.power, state.between, now.fuel / pressure)
 
 
-def _stepped(
+def stepped(
     engine: Turboshaft, control: FuelControl, inlet: Inlet, at: tuple[SpoolStep, float], step: float
 ) -> SpoolStep:
+    """Return a gas generator after a step of time.
+
+    Args:
+        engine: The engine.
+        control: Its fuel control.
+        inlet: The air before it.
+        at: As it is, and the N1 that is demanded [rad/s].
+        step: [s].
+
+    Source: midpoint rule; valve of first order, exact over a step; the integral rests at a limit.
+    """
     (now, wanted), inertia = at, engine.rated.inertia
     error = min(wanted, control.highest_speed) - now.speed
     asked = control.gain * error + control.integral * (now.integral + error * step)

@@ -1,0 +1,108 @@
+"""A rotor on a free turbine, whose speed N2 a governor holds by asking the gas generator for speed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.machines.power.spools import FuelControl, SpoolStep, stepped
+from gearwright.machines.power.turboshaft import Inlet, Turboshaft
+
+
+class RotorGovernor(NamedTuple):
+    """A rotor with all that turns with it, at the power turbine's shaft, and its governor."""
+
+    inertia: float
+    """[kg m²]"""
+    speed: float
+    """N2 that is held, at which the engine's power is told [rad/s]."""
+    gain: float
+    """N1 asked for an error of N2 [-]."""
+    integral: float
+    """N1 asked for the error's integral [1/s]; 0: a governor with droop."""
+
+
+class Held(NamedTuple):
+    """Histories of a rotor and its gas generator, shape (steps + 1,)."""
+
+    time: Floats
+    """[s]"""
+    rotor: Floats
+    """N2 [rad/s]."""
+    speed: Floats
+    """N1 [rad/s]."""
+    fuel: Floats
+    """[kg/s]"""
+    torque: Floats
+    """Of the power turbine [N m]."""
+    load: Floats
+    """That the rotor takes [N m]."""
+    between: Floats
+    """T_45 [K]."""
+
+
+def turbine_torque(power: float, rotor: float, speed: float) -> float:
+    """Return the torque of a free turbine off the speed at which its power is told [N m].
+
+    Args:
+        power: At that speed [W].
+        rotor: Its speed [rad/s].
+        speed: At which the power is told [rad/s].
+
+    Source: torque falls linearly, T = P/ω_0 (2 - ω/ω_0), so that the power is greatest at ω_0; as the slope 1 of
+        turbines in windows.
+    """
+    return power / speed * (2.0 - rotor / speed)
+
+
+def held_rotor(
+    engine: Turboshaft,
+    controls: tuple[FuelControl, RotorGovernor],
+    inlet: Inlet,
+    *,
+    start: SpoolStep,
+    load: Callable[[float, float], float],
+    times: tuple[float, float],
+) -> Held:
+    """Return how a governor on N2 holds a rotor whose load changes.
+
+    Args:
+        engine: The engine.
+        controls: Fuel control of the gas generator, and the rotor with its governor.
+        inlet: The air before the engine.
+        start: The gas generator to begin with; the rotor turns at the speed that is held.
+        load: Time [s], N2 [rad/s] -> torque that the rotor takes [N m].
+        times: Duration and step [s].
+
+    Source: J dω/dt = T(P, ω) - Q(t, ω) by Heun's rule; the governor asks for N1 = N1_0 + K_p e + K_i ∫e dt with
+        e = ω_0 - ω, which the fuel control follows within its limits (`spool`); the integral rests while it is beyond
+        the highest N1.
+    """
+    (control, governor), (duration, step) = controls, times
+    now, rotor, summed, base = start, governor.speed, 0.0, start.speed
+    rows = [_row(0.0, (rotor, now), load(0.0, rotor), governor)]
+    for k in range(round(duration / step)):
+        time, error = k * step, governor.speed - rotor
+        wanted = base + governor.gain * error + governor.integral * (summed + error * step)
+        if wanted < control.highest_speed:
+            summed += error * step
+        then = stepped(engine, control, inlet, (now, wanted), step)
+        first = _gain(now, rotor, load(time, rotor), governor)
+        second = _gain(then, rotor + first * step, load(time + step, rotor + first * step), governor)
+        now, rotor = then, rotor + 0.5 * step * (first + second)
+        rows.append(_row(time + step, (rotor, now), load(time + step, rotor), governor))
+    return Held(*np.array(rows).T)
+
+
+def _gain(at: SpoolStep, rotor: float, load: float, governor: RotorGovernor) -> float:
+    """Return dω/dt [rad/s²]."""
+    return (turbine_torque(at.state.power, rotor, governor.speed) - load) / governor.inertia
+
+
+def _row(time: float, at: tuple[float, SpoolStep], load: float, governor: RotorGovernor) -> tuple[float, ...]:
+    rotor, now = at
+    torque = turbine_torque(now.state.power, rotor, governor.speed)
+    return (time, rotor, now.speed, now.fuel, torque, load, now.state.between)
