@@ -33,7 +33,7 @@ FACTORS_OF_ONE = """
     deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
     PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
     PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure TransverseTooth.side
-    TeethSearch.sized Proportions.share
+    TeethSearch.sized Proportions.share Run.piece
 """
 """Factors, counts and senses that leave a formula as it is."""
 
