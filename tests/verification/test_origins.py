@@ -6,6 +6,7 @@ here, or whose value the text does not give, fails.
 
 import math
 from dataclasses import fields
+from functools import cache
 
 import pytest
 
@@ -32,6 +33,7 @@ SUMMARY = (
 )  # fmt: skip
 
 
+@cache
 def sized(name):
     return size(edited(read(shipped_design(name.partition(",")[0])), DESIGNS[name]))
 
