@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from gearwright.render import solids
+from gearwright.render import solids, uplot
 from gearwright.render.pages.turning import turning, upright
 from shipped_work import sized
 
@@ -76,3 +76,13 @@ def test_a_name_cannot_end_the_script_that_holds_it():
 def test_a_rotor_stands_upright():
     assert upright(sized("ec120b")) == pytest.approx([0.0, 0.0, -1.0])
     assert upright(sized("in-line-h2")) == [0.0, 0.0, 1.0]
+
+
+def test_the_copy_of_uplot_is_the_one_that_is_named_and_goes_nowhere():
+    known, room = uplot.bundled(), Path(uplot.__file__).parent
+    script, style = ((room / name).read_bytes() for name in ("uplot.min.js", "uplot.min.css"))
+    assert hashlib.sha512(script).hexdigest() == known["sha512"]
+    assert hashlib.sha512(style).hexdigest() == known["style_sha512"]
+    assert known["licence"] == "MIT" and "MIT" in (room / "LICENSE.txt").read_text(encoding="utf-8")
+    assert set(re.findall(rb"https?://[\w./-]+", script + style)) == {b"https://github.com/leeoniya/uPlot"}  # a comment
+    assert b"</script" not in script and b"@import" not in style
