@@ -15,7 +15,15 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from gearwright.catalogue import propeller, propeller_loads, read_blades, rotor
+    from gearwright.catalogue import (
+        engine_slam,
+        engine_start,
+        propeller,
+        propeller_loads,
+        read_blades,
+        rotor,
+        turboshaft,
+    )
     from gearwright.closure import Wishes, close, nearest_variant
     from gearwright.dynamics import (
         Model,
@@ -99,6 +107,8 @@ _VERBS = {
     "duty": "mission",
     "edited": "spec",
     "edited_mission": "spec",
+    "engine_slam": "catalogue",
+    "engine_start": "catalogue",
     "engines": "weights",
     "equal_life": "study",
     "figure": "render.pages.notebook",
@@ -156,6 +166,7 @@ _VERBS = {
     "study": "study",
     "to_fmu": "exchange",
     "to_rexs": "exchange",
+    "turboshaft": "catalogue",
     "validate": "validate",
     "waterfall": "dynamics",
     "window": "mission.windows",
@@ -194,6 +205,8 @@ __all__ = [
     "duty",
     "edited",
     "edited_mission",
+    "engine_slam",
+    "engine_start",
     "engines",
     "equal_life",
     "figure",
@@ -251,6 +264,7 @@ __all__ = [
     "study",
     "to_fmu",
     "to_rexs",
+    "turboshaft",
     "validate",
     "waterfall",
     "window",

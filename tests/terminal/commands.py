@@ -60,6 +60,10 @@ COMMANDS = (
     Command("duty bench.csv --classes 5"),
     Command("duty bench.csv --cycles half-cycles"),
     Command("propeller --ratios 0:2:0.5 --angles-deg 0:40:10"),
+    Command(
+        "turboshaft --power-kw 835 --fuel-kg-kwh 0.35 --air-flow-kg-s 3.6 --pressure-ratio 9 --n1-rpm 43000"
+        " --altitudes-m 0:3000:3000 --machs 0:0.3:0.3",
+    ),
     Command("rotor --mass-kg 1600 --diameter-m 10 --rpm 406 --solidity 0.057", narrow=True),
     Command("fly in-line-h2"),
     Command("window in-line-h2"),

@@ -62,6 +62,19 @@ from gearwright.catalogue.propellers import (
 )
 from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
 from gearwright.catalogue.retaining_rings import RetainingRing, retaining_ring, retaining_rings
+from gearwright.catalogue.turboshafts import (
+    DesignPoint,
+    EngineTransient,
+    MadeEngine,
+    Rotor,
+    Slam,
+    StartRules,
+    deck_text,
+    engine_slam,
+    engine_start,
+    read_engine_deck,
+    turboshaft,
+)
 
 __all__ = [
     "ALL_STATES",
@@ -82,10 +95,13 @@ __all__ = [
     "BearingDuty",
     "BearingOil",
     "BearingSpectrum",
+    "DesignPoint",
     "Engine",
+    "EngineTransient",
     "FlightPoint",
     "Helicopter",
     "HousingMaterial",
+    "MadeEngine",
     "MadePropeller",
     "ModifiedLife",
     "Printed",
@@ -93,10 +109,13 @@ __all__ = [
     "PublishedGearbox",
     "RatioRow",
     "RetainingRing",
+    "Rotor",
     "RotorRow",
     "RotorTrim",
     "Series",
+    "Slam",
     "StandardKey",
+    "StartRules",
     "TailRotor",
     "all_series",
     "bearing",
@@ -107,6 +126,9 @@ __all__ = [
     "charted_point",
     "check_bearing",
     "compressed",
+    "deck_text",
+    "engine_slam",
+    "engine_start",
     "engines",
     "equivalent_loads",
     "fitting_bearings",
@@ -134,6 +156,7 @@ __all__ = [
     "published_gearboxes",
     "rated_steel",
     "read_blades",
+    "read_engine_deck",
     "read_propeller_map",
     "retaining_ring",
     "retaining_rings",
@@ -144,6 +167,7 @@ __all__ = [
     "standard_keys",
     "standard_tolerance",
     "thickness_allowances",
+    "turboshaft",
     "weighed_gearboxes",
     "with_ratings",
 ]

@@ -34,6 +34,7 @@ from gearwright.cli.commands.run import run
 from gearwright.cli.commands.runs import cluster, resume, status
 from gearwright.cli.commands.sharing import sharing
 from gearwright.cli.commands.study import compare, study
+from gearwright.cli.commands.turboshaft import turboshaft
 from gearwright.cli.commands.weights import engines, mass
 from gearwright.cli.commands.windows import window
 from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
@@ -47,7 +48,7 @@ YOUNG = 100_000
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
-    "Flights": (fly, window, mix, duty, propeller, rotor),
+    "Flights": (fly, window, mix, duty, propeller, rotor, turboshaft),
     "Studies": (compare, study, status, resume, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),

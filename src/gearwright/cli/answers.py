@@ -34,6 +34,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "duty": (f"{_ROOM}duty:DutyAnswer", ""),
     "propeller": (f"{_ROOM}propeller:PropellerAnswer", f"{_ROOM}propeller:MapPoint"),
     "rotor": ("gearwright.catalogue:RotorTrim", ""),
+    "turboshaft": (f"{_ROOM}turboshaft:TurboshaftAnswer", "gearwright.catalogue.turboshafts:DeckRow"),
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),

@@ -11,6 +11,7 @@ from gearwright.machines.battery import (
     stored_energy,
 )
 from gearwright.machines.chart_reading import SMALL_THRUST, Blades, Charts, ideal_power
+from gearwright.machines.engine_deck import Day, DeckLine, EngineDeck, deck_fuel, deck_limit
 from gearwright.machines.gas_turbine import HEATING_VALUE, Engine, PowerLimits, fuel_flow, power_limits
 from gearwright.machines.governor import (
     Governor,
@@ -60,7 +61,10 @@ __all__ = [
     "BatteryStep",
     "Blades",
     "Charts",
+    "Day",
+    "DeckLine",
     "Engine",
+    "EngineDeck",
     "Governor",
     "GovernorState",
     "LimitCycle",
@@ -78,6 +82,8 @@ __all__ = [
     "coefficients",
     "compressibility",
     "current_of",
+    "deck_fuel",
+    "deck_limit",
     "fuel_flow",
     "governor_rates",
     "governs",

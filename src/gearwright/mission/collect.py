@@ -198,6 +198,7 @@ def collect(flown: Flown, log: Log) -> Flight:
         dry=_dry(mission, gearbox, log),
         inertia=gearbox.inertia,
         propeller_map=blades.chart,
+        engine_deck=flown.supply.deck,
         paths=paths,
     )
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.machines import HEATING_VALUE, MachMap, PropellerMap
+from gearwright.machines import HEATING_VALUE, EngineDeck, MachMap, PropellerMap
 from gearwright.mission.history import (
     BATTERY_LOSS,
     BEARING_LOSS,
@@ -136,6 +136,8 @@ class Flight(Shown):
     """Of everything that turns, at the propeller [kg m²]."""
     propeller_map: PropellerMap | MachMap | None
     """As read; None where powers are schedules."""
+    engine_deck: EngineDeck | None
+    """Of its turbines, at their size; None: a Willans line."""
     paths: Paths
     """Phase -> path, where an aircraft flies it."""
 

@@ -8,9 +8,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from gearwright.catalogue import propeller_map, read_propeller_map
+from gearwright.catalogue import propeller_map, read_engine_deck, read_propeller_map
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.machines import MachMap, PropellerMap
+from gearwright.machines import EngineDeck, MachMap, PropellerMap
 from gearwright.mission.aircraft import paths_of
 from gearwright.mission.collect import Flown, Interval, Log, Lost, collect, logged, recorded
 from gearwright.mission.consumers import flown_airscrew
@@ -58,7 +58,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     Args:
         sizing: The sized transmission; it has one propeller.
         mission: What is flown, with one such gearbox for each of its engines.
-        folder: Where a propeller map is looked for that is a file; left out: where the program runs.
+        folder: Where files that it names are looked for, map and deck; left out: where the program runs.
 
     Raises:
         DesignError: A power that the machines cannot give, a battery that is empty or overloaded, a point outside the
@@ -133,7 +133,7 @@ def _prepared(sizing: Sizing, mission: Mission, folder: Path | None, known: Gear
     oil = flown_oil(sizing, mission)
     gearbox = known if known and known.oil == oil else gearbox_of(sizing, flown_airscrew(sizing), oil)
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
-    flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
+    flown = Flown(gearbox, blades, mission, supply_of(sizing, mission, _deck(mission, folder)))
     return flown._replace(paths=paths_of(flown))
 
 
@@ -183,6 +183,11 @@ def _chart(mission: Mission, folder: Path | None) -> PropellerMap | MachMap | No
     if name == NO_MAP:
         return None
     return read_propeller_map((folder or Path()) / name) if is_map_file(name) else propeller_map(name)
+
+
+def _deck(mission: Mission, folder: Path | None) -> EngineDeck | None:
+    name = mission.engine.deck
+    return None if name is None else read_engine_deck((folder or Path()) / name)
 
 
 def _placed(error: DesignError, moment: Moment) -> DesignError:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from gearwright.machines import Engine, MotorLosses, rated_losses, shared_losses
+from gearwright.machines import Engine, EngineDeck, MotorLosses, rated_losses, shared_losses
 from gearwright.machines.power import Breathing
 from gearwright.mission.plant import pack_of
 from gearwright.mission.supply import Supply
 from gearwright.sizing import Sizing
-from gearwright.spec import Machine, Mission, Motor, MotorRules
+from gearwright.spec import EngineRules, Machine, Mission, Motor, MotorRules
 from gearwright.spec.design import allowed_for
 from gearwright.units import KWH
 
@@ -15,20 +15,22 @@ SPECIFIC_POWER = 250e3
 """Power over air flow where a mission does not say it [J/kg]; an assumption."""
 
 
-def supply_of(sizing: Sizing, mission: Mission) -> Supply:
+def supply_of(sizing: Sizing, mission: Mission, deck: EngineDeck | None) -> Supply:
     """Return the machines of a design as the mission's rules make them fly.
 
     Args:
         sizing: With its design.
         mission: With the rules of engine, motor and battery.
+        deck: Of the turbines, as its file has it; None: a Willans line.
     """
-    rules, motor = mission.engine, mission.motor
+    rules, motor, deck = mission.engine, mission.motor, _scaled(deck, mission.engine)
+    core, burnt = (None, rules.fuel_kg_kwh / KWH) if deck is None else _of_deck(deck)
     engines = {
         name: Engine(
             (most := allowed_for(turbine, None)).power or turbine.power,
-            rules.thermal_power or most.power or turbine.power,
+            core or rules.thermal_power or most.power or turbine.power,
             max(most.torque or 0.0, (most.power or turbine.power) / turbine.speed * (1.0 + _TOLERANCE)),
-            rules.fuel_kg_kwh / KWH,
+            burnt,
             rules.idle_fuel,
             rules.temperature_exponent,
         )
@@ -42,7 +44,20 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
         for name, engine in engines.items()
     }
     pack = pack_of(mission.battery) if mission.battery and motors else None
-    return Supply(engines, motors, pack, ratings, breathing, mission.motor.heat)
+    return Supply(engines, motors, pack, ratings, breathing, mission.motor.heat, deck)
+
+
+def _scaled(deck: EngineDeck | None, rules: EngineRules) -> EngineDeck | None:
+    """Return a deck of the thermal power that a mission asks for."""
+    if deck is None or rules.thermal_power is None:
+        return deck
+    return deck.scaled(rules.thermal_power / deck.reference[0])
+
+
+def _of_deck(deck: EngineDeck) -> tuple[float, float]:
+    """Return the thermal power of a deck [W], and the specific fuel consumption there [kg/J]."""
+    power, fuel = deck.reference
+    return power, fuel / power
 
 
 def _losses(machine: Motor, rules: MotorRules) -> MotorLosses:

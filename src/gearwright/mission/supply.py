@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from gearwright.air import stagnation_ratios
+from gearwright.air import air_at, stagnation_ratios
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import (
     Battery,
     BatteryStep,
+    Day,
     Engine,
+    EngineDeck,
     MotorLosses,
     PowerLimits,
+    deck_fuel,
+    deck_limit,
     fuel_flow,
     motor_loss,
     power_limits,
@@ -114,6 +119,8 @@ class Supply:
     """Turbine -> the air it breathes."""
     windings: WindingRules | None
     """How motors warm up; None: whatever their temperature."""
+    deck: EngineDeck | None = None
+    """Of each turbine; None: a Willans line and a law of what air leaves of its power."""
 
     @property
     def battery(self) -> Battery | None:
@@ -199,21 +206,40 @@ class Supply:
             speed: Of its shaft [rad/s].
             rating: Over the usual one [-].
         """
-        return power_limits(self.engines[name].rated(rating), *stagnation_ratios(moment.air, moment.mach), speed)
+        engine, ratios = self.engines[name].rated(rating), stagnation_ratios(moment.air, moment.mach)
+        found = power_limits(engine, *ratios, speed)
+        if self.deck is None:
+            return found
+        with _decked():
+            core = deck_limit(self.deck, _day(moment), engine.temperature_exponent)
+        return found._replace(core=rating * core)
+
+    def fuel(self, name: str, moment: Moment, power: float) -> float:
+        """Return what a turbine that runs burns at a power, at any rating [kg/s].
+
+        Args:
+            name: Of the turbine.
+            moment: Where it is flown.
+            power: At its shaft [W].
+        """
+        if self.deck is None:
+            return fuel_flow(self.engines[name], *stagnation_ratios(moment.air, moment.mach), power)
+        with _decked():
+            return deck_fuel(self.deck, _day(moment), power)
 
     def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float) -> Burnt:
         """Return what all turbines burn; one that idles in electric mode is off."""
         fuel = available = 0.0
         exhausts = list[Exhaust]()
         ratios = stagnation_ratios(moment.air, moment.mach)
-        for name, usual in self.engines.items():
+        for name in self.engines:
             limits = self.limits(name, moment, speeds[name], rating)
             available += min(limits)
             if powers[name] > min(limits) * (1.0 + _SLACK):
                 raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
             if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
-            burnt = fuel_flow(usual, *ratios, powers[name]) if powers[name] > 0.0 else 0.0  # at any rating
+            burnt = self.fuel(name, moment, powers[name]) if powers[name] > 0.0 else 0.0
             exhausts.append(self._left(name, ratios, powers[name], (burnt, limits.core)))
             fuel += burnt
         gas = mixed(exhausts) if exhausts else Exhaust(temperature=ratios[0] * SEA_LEVEL_TEMPERATURE)
@@ -281,6 +307,22 @@ class Supply:
             message = faulty(self.pack.battery, terms.pack.charge, power, step=step, mode=terms.mode)
             raise DesignError([Problem("battery", message)])
         return step, after
+
+
+@contextmanager
+def _decked() -> Iterator[None]:
+    """Say what is outside an engine's deck as a fault of the mission."""
+    try:
+        yield
+    except ValueError as error:
+        raise DesignError([Problem("engine.deck", f"{error}; give a deck that goes there, or fly elsewhere")]) from None
+
+
+def _day(moment: Moment) -> Day:
+    """Return where a deck is read."""
+    theta, delta = stagnation_ratios(moment.air, moment.mach)
+    standard, _ = stagnation_ratios(air_at(moment.altitude), moment.mach)
+    return Day(moment.altitude, moment.mach, theta, delta, theta / standard)
 
 
 def _braked(power: float) -> str:

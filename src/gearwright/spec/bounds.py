@@ -57,7 +57,7 @@ _FILE = 4096
 _LONGEST = {
     "description": 10_000, "name": 200, "origins": 500, "source": 500, "sources": 500,
     "estimated": 500, "waivers": 500,
-    "file": _FILE, "propeller_map": _FILE, "mission": _FILE, "changes": _FILE, "values": _FILE,
+    "file": _FILE, "propeller_map": _FILE, "mission": _FILE, "changes": _FILE, "values": _FILE, "deck": _FILE,
 }  # fmt: skip
 """Characters of other texts, by their field [-]."""
 NAME_RULE = (

@@ -56,6 +56,8 @@ LINES = {
     "fly": "fly in-line-h2 thesis --life-h 2000",
     "mix": "mix in-line-h2 regional-life",
     "propeller": "propeller --ratios 0:2:0.5 --angles-deg 0:40:10 --rpm 1212 --blade-angle-deg 30",
+    "turboshaft": "turboshaft --power-kw 835 --fuel-kg-kwh 0.35 --air-flow-kg-s 3.6 --pressure-ratio 9 --n1-rpm 43000"
+    " --altitudes-m 0:3000:3000 --machs 0:0.3:0.3 --slam-kw 300:400 --slam-s 0.5",
     "rotor": "rotor --mass-kg 1600 --diameter-m 10 --rpm 406 --solidity 0.057 --speeds-m-s 0:60:20",
     "duty": "duty duty.csv",
     "window": "window in-line-h2 short.toml cut",

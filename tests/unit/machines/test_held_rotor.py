@@ -75,7 +75,7 @@ def test_the_limits_hold_and_a_load_beyond_the_engine_slows_the_rotor():
     held = rotor(2.0, lambda time, speed: (1500.0 * HORSEPOWER if time > 0.5 else LOW) / N2, times=(2.0, 0.02))
     assert held.speed.max() <= CONTROL.highest_speed
     assert held.between.max() <= CONTROL.hottest + 15.0
-    assert held.rotor[-1] < 0.9 * N2
+    assert held.rotor[-1] < 0.92 * N2
 
 
 def test_the_power_of_a_free_turbine_is_greatest_at_its_speed():

@@ -74,6 +74,8 @@ class Turboshaft(NamedTuple):
     """(T_3 - T_2)/T_2 at the design point [-]."""
     expansion: float
     """p_4/p_45 of the first turbine [-]."""
+    drop: float
+    """Δh_0 of the ideal power turbine at its design point [J/kg]."""
 
 
 class Inlet(NamedTuple):
@@ -162,14 +164,15 @@ def engine_of(rated: Rated) -> Turboshaft:
     expansion = math.exp((entropy(gas, t4) - entropy(gas, ideal)) / GAS_CONSTANT)
     p45 = p4 / expansion
     last = isentropic(gas, t45, rated.exit_ratio * inlet.ambient / p45)
-    efficiency = rated.power / flow / (enthalpy(gas, t45) - enthalpy(gas, last))
+    drop = enthalpy(gas, t45) - enthalpy(gas, last)
     return Turboshaft(
         rated,
         flow * math.sqrt(t4) / p4,
         flow * math.sqrt(t45) / p45 / math.sqrt(1.0 - (rated.exit_ratio * inlet.ambient / p45) ** 2),
-        efficiency,
+        rated.power / flow / drop,
         (t3 - inlet.temperature) / inlet.temperature,
         expansion,
+        drop,
     )
 
 
@@ -186,16 +189,28 @@ def state_at(engine: Turboshaft, inlet: Inlet, speed: float, hot: float) -> Engi
         power turbine by Stodola's ellipse, m √T/p ∝ √(1 - (p_5/p_45)²), which sets the expansion before it; burner by
         enthalpy (Saravanamuttoo et al., Gas Turbine Theory, ch. 9).
 
-    Valid for: a first nozzle that chokes, p_4 above about twice p_45; efficiencies are constant.
+    Valid for: a first nozzle that chokes, p_4 above about twice p_45; a power turbine at its rated speed.
     """
     rated = engine.rated
-    part = speed / rated.speed * math.sqrt(STANDARD_TEMPERATURE / inlet.temperature)
-    t3 = inlet.temperature * (1.0 + engine.rise * part**rated.work_exponent)
-    ratio = _ratio(rated, part, inlet.temperature, t3)
+    t3, ratio = compressed_to(engine, inlet, speed)
     p4 = inlet.pressure * ratio * (1.0 - rated.burner_loss)
     fuel_ratio = _fuel_ratio(rated, t3, hot)
     air = engine.gas_nozzle * p4 / math.sqrt(hot) / (1.0 + fuel_ratio)
     return _expanded(engine, inlet, (air, fuel_ratio, t3, hot), ratio=ratio, pressure=p4)
+
+
+def compressed_to(engine: Turboshaft, inlet: Inlet, speed: float) -> tuple[float, float]:
+    """Return T_3 [K] and p_3/p_2 [-] of a compressor.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+    """
+    rated = engine.rated
+    part = speed / rated.speed * math.sqrt(STANDARD_TEMPERATURE / inlet.temperature)
+    t3 = inlet.temperature * (1.0 + engine.rise * part**rated.work_exponent)
+    return t3, _ratio(rated, part, inlet.temperature, t3)
 
 
 def _fuel_ratio(rated: Rated, cold: float, hot: float) -> float:
@@ -218,9 +233,9 @@ def _expanded(
     gas, fuel = Gas(rated.combustion * fuel_ratio), air * fuel_ratio
     flow, behind = air + fuel, rated.exit_ratio * inlet.ambient
     p45 = _between(engine, gas, (t4, pressure, flow), behind)
-    t45 = _first_exit(engine, gas, t4, pressure / p45)
+    t45 = first_exit(engine, gas, t4, pressure / p45)
     last = isentropic(gas, t45, min(behind / p45, 1.0))
-    drop = engine.power_efficiency * (enthalpy(gas, t45) - enthalpy(gas, last))
+    drop = _turbine_work(engine, enthalpy(gas, t45) - enthalpy(gas, last))
     first = flow * (enthalpy(gas, t4) - enthalpy(gas, t45))
     rubbed = (1.0 - rated.mechanical) * first
     return EngineState(
@@ -239,26 +254,51 @@ def _expanded(
     )
 
 
-def _first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> float:
-    """Return T_45 behind the first turbine [K]."""
+def _turbine_work(engine: Turboshaft, ideal: float) -> float:
+    """Return what the power turbine takes from its gas at its rated speed [J/kg].
+
+    Source: torque falls linearly with speed, so that η = η_0 x (2 - x) over x = (u/c)/(u/c)_0 with c = √(2 Δh); at one
+        speed x = √(Δh_0/Δh), and the work η_0 (2 √(Δh_0 Δh) - Δh_0). Gas that is too slow for its blades is stirred.
+    """
+    return engine.power_efficiency * (2.0 * math.sqrt(engine.drop * max(ideal, 0.0)) - engine.drop)
+
+
+def first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> float:
+    """Return T_45 behind the first turbine [K].
+
+    Args:
+        engine: The engine.
+        gas: That expands.
+        hot: T_4 [K].
+        expansion: p_4/p_45 [-].
+    """
     ideal = enthalpy(gas, hot) - enthalpy(gas, isentropic(gas, hot, 1.0 / expansion))
     return temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal)
 
 
 def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
-    """Return p_45 at which the power turbine passes the flow of the first nozzle [Pa]."""
-    from scipy.optimize import brentq  # loaded where an engine flies
+    """Return p_45 at which the power turbine passes the flow of the first nozzle [Pa].
 
+    Source: p_45² = p_5² + m² T_45/k² from Stodola's ellipse, with T_45 behind an expansion to p_45; secants.
+    """
     hot, pressure, flow = nozzle
+    if pressure <= behind:
+        return max(pressure, 1.0001 * behind)
 
-    def lacking(between: float) -> float:
-        passed = engine.power_nozzle * between * math.sqrt(max(1.0 - (behind / between) ** 2, 0.0))
-        return passed / math.sqrt(_first_exit(engine, gas, hot, pressure / between)) - flow
+    def after(between: float) -> float:
+        cold = first_exit(engine, gas, hot, max(pressure / between, 1.0))
+        return min(math.sqrt(behind**2 + flow**2 * cold / engine.power_nozzle**2), pressure)
 
-    low, high = behind, max(pressure, 1.0001 * behind)
-    if pressure <= behind or lacking(high) < 0.0:
-        return high
-    return float(brentq(lacking, low, high, xtol=1e-9 * behind, rtol=1e-14))
+    last = min(max(pressure / engine.expansion, behind), pressure)
+    now = after(last)
+    wrong = now - last
+    for _ in range(_MOST_ROUNDS):
+        if abs(wrong) <= _SETTLED * now:
+            break
+        then = after(now) - now
+        slope = (then - wrong) / (now - last)
+        last, wrong, now = now, then, now - then / slope
+    return now
 
 
 def leaving(state: EngineState) -> float:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from gearwright.air import air_at, height, stagnation_ratios, true_of_calibrated
+from gearwright.air import air_at, height, true_of_calibrated
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import fuel_flow
 from gearwright.mission.aircraft.given import Powered, Push, path_by_power
 from gearwright.mission.aircraft.march import State
 from gearwright.mission.aircraft.stated import stated_path
@@ -194,10 +193,10 @@ def _pusher(flown: Flown, phase: Phase, before: _Before) -> _Pusher:
 
 def _fuel(flown: Flown, phase: Phase, moment: Moment, power: float) -> float:
     """Return the fuel flow of one gearbox's turbines at a power of all its machines [kg/s]."""
-    ratios, supply = stagnation_ratios(moment.air, moment.mach), flown.supply
+    supply = flown.supply
     parts = supply.parts(phase) if phase.strategy is None else dict.fromkeys(supply.engines, 1.0 / len(supply.engines))
     given = {name: part * power for name, part in parts.items() if name in supply.engines}
-    return sum(fuel_flow(supply.engines[name], *ratios, max(share, 0.0)) for name, share in given.items())
+    return sum(supply.fuel(name, moment, max(share, 0.0)) for name, share in given.items())
 
 
 def _burnt(flown: Flown, name: str, phase: Phase, paths: Paths, before: _Before) -> float:

@@ -7,10 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.air import stagnation_ratios
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import Battery, current_of, fuel_flow, highest_current, motor_loss
+from gearwright.machines import Battery, current_of, highest_current, motor_loss
 from gearwright.mission.collect import Flown
 from gearwright.mission.gearbox import Point
 from gearwright.mission.loading import Asked, loaded
@@ -130,12 +129,12 @@ def _parts(flown: Flown, need: Need, share: float) -> Mapping[str, float]:
 
 def _fuel(flown: Flown, need: Need, shares: Floats) -> Floats:
     """Return what all turbines burn in an interval at some shares, without limits [kg]."""
-    supply, ratios = flown.supply, stagnation_ratios(need.moment.air, need.moment.mach)
+    supply = flown.supply
     burnt = np.zeros(len(shares))
     for place, share in enumerate(shares.tolist()):
         for name, part in _parts(flown, need, share).items():
             if name in supply.engines and part * need.power > 0.0:
-                burnt[place] += fuel_flow(supply.engines[name], *ratios, part * need.power)
+                burnt[place] += supply.fuel(name, need.moment, part * need.power)
     return burnt * need.moment.duration
 
 

@@ -82,7 +82,7 @@ def is_free(mission: Mission) -> bool:
     warm = mission.oil.network is not None or mission.motor.heat is not None
     given = all(phase.power is not None or phase.pitch is not None for phase in mission.phases.values())
     flown = mission.aircraft is not None and mission.rotorcraft is None
-    return (given or flown) and not warm and not has_plan(mission)
+    return (given or flown) and not warm and not has_plan(mission) and mission.engine.deck is None
 
 
 def deck_of(all_flown: Sequence[Flown]) -> Deck:

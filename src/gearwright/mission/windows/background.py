@@ -106,7 +106,7 @@ def background(flight: Flight, rules: WindowRules) -> Background:
     phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
     oil = flown_oil(flight.sizing, flight.mission)
     gearbox = gearbox_of(flight.sizing, flown_airscrew(flight.sizing), oil)
-    supply = supply_of(flight.sizing, flight.mission)
+    supply = supply_of(flight.sizing, flight.mission, flight.engine_deck)
     history, in_phase = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
     first = history.time - 0.5 * history.duration
     start = float(first[in_phase[0]]) + at

@@ -166,7 +166,7 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
     if rules.event == "sudden-stop":
         seized(rules, flown_airscrew(flight.sizing), flight.machines)
     if rules.event in MACHINE_EVENTS:
-        failing(supply_of(flight.sizing, flight.mission), rules, at)
+        failing(supply_of(flight.sizing, flight.mission, flight.engine_deck), rules, at)
     joints = {joint.name for joint in flight.sizing.train.joints}
     if rules.clutch is not None and rules.clutch not in joints:
         raise DesignError([Problem(f"{at}.clutch", f"no such clutch: {rules.clutch}; {near(rules.clutch, joints)}")])

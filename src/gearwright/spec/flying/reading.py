@@ -1,4 +1,4 @@
-"""Reading a mission: the file, its problems all at once, and the propeller map that it names."""
+"""Reading a mission: the file, its problems all at once, and the propeller map and engine deck that it names."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def parse_mission(text: str, *, source: str = "", folder: Path | None = None) ->
     Args:
         text: The file's content.
         source: Name of the file, for messages.
-        folder: Where a propeller map is looked for; left out: where the program runs.
+        folder: Where propeller map and engine deck are looked for; left out: where the program runs.
 
     Raises:
         DesignError: With every problem of the text.
@@ -48,6 +48,7 @@ def parse_mission(text: str, *, source: str = "", folder: Path | None = None) ->
     if record is not None and not problems:
         problems += mission_problems(cast(Mission, record))
         problems += map_problems(cast(Mission, record).propeller_map, folder or Path())
+        problems += deck_problems(cast(Mission, record).engine.deck, folder or Path())
     if problems:
         raise DesignError(placed(problems, text), source)
     return cast(Mission, record)
@@ -72,6 +73,21 @@ def map_problems(name: str, folder: Path) -> tuple[Problem, ...]:
     try:
         if is_map_file(name):
             beside(name, folder, "propeller_map")
+    except DesignError as error:
+        return error.problems
+    return ()
+
+
+def deck_problems(name: str | None, folder: Path) -> tuple[Problem, ...]:
+    """Return why an engine deck cannot be had from where it is said to be.
+
+    Args:
+        name: Of the file; None: there is none.
+        folder: Of the mission, in which the file must stand.
+    """
+    try:
+        if name is not None:
+            beside(name, folder, "engine.deck")
     except DesignError as error:
         return error.problems
     return ()

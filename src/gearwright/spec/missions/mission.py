@@ -90,6 +90,9 @@ class EngineRules(Record):
     casing_loss: Ratio = Field(
         0.01, ge=0, lt=0.3, description="Part of the fuel's heat that leaves through casing and oil"
     )
+    deck: str | None = Field(
+        None, description="CSV file of power and fuel over altitude and Mach number; thermal_power then scales it"
+    )
     spool: SpoolRules | None = Field(
         None, description="Gas generator, for power slams in windows; left out: they follow a lag"
     )

@@ -151,7 +151,7 @@ def _problems(file: MixFile) -> Iterator[Problem]:
 
 
 def _mission(file: MixFile, entry: MixedMission, folder: Path) -> Mission:
-    """Return a mission as the mix flies it, whose propeller map is found from anywhere on this machine."""
+    """Return a mission as the mix flies it, whose map and deck are found from anywhere on this machine."""
     if entry.mission in shipped_mixes() and entry.mission not in shipped_missions():
         raise _mix_in_mix(entry.mission)
     path = find_mission(entry.mission, folder, key="")
@@ -162,6 +162,9 @@ def _mission(file: MixFile, entry: MixedMission, folder: Path) -> Mission:
     update: dict[str, object] = {} if file.bearings is None else {"bearings": file.bearings}
     if is_map_file(mission.propeller_map):
         update["propeller_map"] = str(beside(mission.propeller_map, path.parent, "propeller_map").resolve())
+    if mission.engine.deck is not None:
+        found = str(beside(mission.engine.deck, path.parent, "engine.deck").resolve())
+        update["engine"] = mission.engine.model_copy(update={"deck": found})
     return mission.model_copy(update=update)
 
 

@@ -261,9 +261,12 @@ def _mission_of(name: str, folder: Path) -> Mission:
 
 
 def _with_map(mission: Mission, folder: Path) -> Mission:
-    """Return a mission whose propeller map, where it is a file, is found from anywhere on this machine."""
-    chart = _map_from(mission.propeller_map, folder, "mission.propeller_map")
-    return mission.model_copy(update={"propeller_map": chart})
+    """Return a mission whose propeller map and engine deck, where files, are found from anywhere on this machine."""
+    update: dict[str, object] = {"propeller_map": _map_from(mission.propeller_map, folder, "mission.propeller_map")}
+    if mission.engine.deck is not None:
+        deck = str(beside(mission.engine.deck, folder, "mission.engine.deck").resolve())
+        update["engine"] = mission.engine.model_copy(update={"deck": deck})
+    return mission.model_copy(update=update)
 
 
 def _with_maps(study: Study, folder: Path) -> Study:
