@@ -13,6 +13,8 @@ from gearwright.writing import write_text
 
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}\.toml")
 """Names of files that are read and written."""
+JOURNAL = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}\.journal")
+"""Names of journals of studies."""
 MOST_LISTED = 200
 """Files of the folder that the page offers [-]."""
 
@@ -46,6 +48,35 @@ def design_files(folder: Path) -> list[str]:
     """
     names = sorted(path.name for path in folder.glob("*.toml") if NAME.fullmatch(path.name) and path.is_file())
     return names[:MOST_LISTED]
+
+
+def journals(folder: Path) -> list[str]:
+    """Return the names of the journals of studies in a folder.
+
+    Args:
+        folder: Where designs lie.
+    """
+    names = sorted(path.name for path in folder.glob("*.journal") if JOURNAL.fullmatch(path.name) and path.is_file())
+    return names[:MOST_LISTED]
+
+
+def journal_path(folder: Path, name: str) -> Path:
+    """Return the path of a journal in the folder.
+
+    Args:
+        folder: Where designs lie.
+        name: Without a path.
+
+    Raises:
+        DesignError: If it has no such name, or a link leads out.
+    """
+    if not JOURNAL.fullmatch(name):
+        rule = "a name of letters, digits, points, - and _ that ends in .journal, without a path"
+        raise DesignError([Problem("journal", f"this names no journal; give {rule}")])
+    path = beside(name, folder, "journal")
+    if path.exists() and not path.is_file():
+        raise DesignError([Problem("journal", f"{name} is no regular file; name another one")])
+    return path
 
 
 def kept(folder: Path, name: str) -> Kept:

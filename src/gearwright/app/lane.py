@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
 from itertools import count
 
-from gearwright.app.verbs import Answer, Question
+from gearwright.app.asked import Answer, Question
 from gearwright.app.worker import Stopped, Worker
 
 MOST_WAITING = 64
@@ -24,14 +23,12 @@ class Busy(Exception):
 class Lane:
     """A worker and those who wait for it."""
 
-    def __init__(self, worker: Worker, *, seconds: float, impatient: Callable[[Question], bool]) -> None:
+    def __init__(self, worker: Worker, *, seconds: float) -> None:
         self.worker = worker
         self._seconds = seconds
-        self._impatient = impatient
         self._turn = asyncio.Lock()
         self._numbers = count()
         self._newest: dict[tuple[str, str], int] = {}
-        self._running: tuple[str, str] | None = None
         self._waiting = 0
 
     async def ask(self, question: Question, page: str) -> Answer:
@@ -49,8 +46,6 @@ class Lane:
             raise Busy
         key, mine = (page, question.verb), next(self._numbers)
         self._newest[key] = mine
-        if self._running == key and self._impatient(question):
-            await asyncio.to_thread(self.worker.stop)
         self._waiting += 1
         try:
             async with self._turn:
@@ -61,7 +56,6 @@ class Lane:
             self._waiting -= 1
 
     async def _answer(self, question: Question, key: tuple[str, str], mine: int) -> Answer:
-        self._running = key
         try:
             return await asyncio.to_thread(self.worker.ask, question, self._seconds)
         except Stopped:
@@ -69,6 +63,5 @@ class Lane:
                 raise Superseded from None
             raise
         finally:
-            self._running = None
             if self._newest.get(key) == mine:
                 del self._newest[key]

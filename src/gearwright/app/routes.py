@@ -11,11 +11,13 @@ from pathlib import Path
 from secrets import token_urlsafe
 from typing import TYPE_CHECKING, Any
 
-from gearwright.app.folder import Changed, design_files, kept, save, tag_of
+from gearwright.app.asked import Question
+from gearwright.app.folder import Changed, design_files, journals, kept, save, tag_of
 from gearwright.app.guard import policy
+from gearwright.app.jobs import Job, Jobs
 from gearwright.app.lane import Busy, Lane, Superseded
 from gearwright.app.pages import NONCE, files, index
-from gearwright.app.verbs import ENDED, SLOW, VERBS, Question
+from gearwright.app.verbs import ASIDE, LONG, QUICK
 from gearwright.app.worker import Stopped, Worker
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.formats import FORMATS
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     from starlette.requests import Request
     from starlette.responses import Response
 
-QUICK_LIMIT, SLOW_LIMIT = 60.0, 900.0
+QUICK_LIMIT, ASIDE_LIMIT = 60.0, 900.0
 """After which an answer is no longer waited for [s]."""
 WARM = "\0"
 """How the server calls itself where a window has its name."""
@@ -64,8 +66,11 @@ def workbench(opened: Opened) -> Starlette:
         Route("/api/files/{name}", desk.read, methods=["GET"]),
         Route("/api/files/{name}", desk.write, methods=["PUT"]),
         Route("/api/quit", desk.quit, methods=["POST"]),
-        Route("/api/stop", desk.stop, methods=["POST"]),
-        *(Route(f"/api/{verb}", desk.answer, methods=["POST"]) for verb in VERBS),
+        *(Route(f"/api/{verb}", desk.answer, methods=["POST"]) for verb in QUICK),
+        *(Route(f"/api/jobs/{verb}", desk.begin, methods=["POST"]) for verb in LONG),
+        Route("/api/jobs/{name}/events", desk.events),
+        Route("/api/jobs/{name}/result", desk.result),
+        Route("/api/jobs/{name}/stop", desk.stop, methods=["POST"]),
     ]
     refusals: dict[Any, Any] = {DesignError: _problems, GearwrightError: _problems, NotUsable: _unusable}
     return Starlette(routes=routes, lifespan=desk.open, exception_handlers=refusals)
@@ -76,12 +81,13 @@ class NotUsable(Exception):
 
 
 class Desk:
-    """Two lanes, the files of a folder, and what the page asks of them."""
+    """What answers, the files of a folder, and what the page asks of them."""
 
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
-        self.quick = Lane(Worker(), seconds=QUICK_LIMIT, impatient=lambda _: False)
-        self.slow = Lane(Worker(), seconds=SLOW_LIMIT, impatient=lambda question: question.verb in ENDED)
+        self.quick = Lane(Worker(), seconds=QUICK_LIMIT)
+        self.aside = Lane(Worker(), seconds=ASIDE_LIMIT)
+        self.jobs = Jobs()
 
     @asynccontextmanager
     async def open(self, _: Starlette) -> AsyncIterator[None]:
@@ -93,7 +99,8 @@ class Desk:
         finally:
             warm.cancel()
             self.quick.worker.stop()
-            self.slow.worker.stop()
+            self.aside.worker.stop()
+            self.jobs.close()
 
     async def _warm(self) -> None:
         """Size what was opened before a page asks for it."""
@@ -121,7 +128,7 @@ class Desk:
 
     async def start(self, _: Request) -> Response:
         """What the page shows first."""
-        from gearwright.shipped import shipped_designs
+        from gearwright.shipped import shipped_designs, shipped_missions, shipped_studies
 
         opened = self.opened
         text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
@@ -133,17 +140,20 @@ class Desk:
             "tag": "" if opened.shipped else tag_of(text),
             "designs": list(shipped_designs()),
             "files": design_files(opened.folder),
+            "missions": list(shipped_missions()),
+            "studies": list(shipped_studies()),
+            "journals": journals(opened.folder),
             "formats": list(FORMATS),
         })  # fmt: skip
 
     async def shipped(self, request: Request) -> Response:
-        """A shipped design."""
+        """A shipped design, mission or study."""
         return _as_json({"text": self._shipped_text(request.path_params["name"]), "tag": ""})
 
     def _shipped_text(self, name: str) -> str:
-        from gearwright.shipped import shipped_design
+        from gearwright.shipped import shipped_file
 
-        return shipped_design(name).read_text(encoding="utf-8")
+        return shipped_file(name).read_text(encoding="utf-8")
 
     async def read(self, request: Request) -> Response:
         """A file of the folder, with its tag."""
@@ -169,7 +179,7 @@ class Desk:
         body = await _body(request)
         verb = request.url.path.rpartition("/")[2]
         question = Question(verb, _text(body), str(self.opened.folder), body)
-        lane = self.slow if verb in SLOW else self.quick
+        lane = self.aside if verb in ASIDE else self.quick
         try:
             answer = await lane.ask(question, str(body.get("page", ""))[:LONGEST_PAGE])
         except Superseded:
@@ -180,10 +190,47 @@ class Desk:
             return _error(409, str(reason))
         return Response(answer.content, answer.status, media_type=answer.kind)
 
+    async def begin(self, request: Request) -> Response:
+        """Begin a computation that takes long; its name is told at once."""
+        body = await _body(request)
+        verb = request.url.path.rpartition("/")[2]
+        question = Question(verb, _text(body), str(self.opened.folder), body)
+        try:
+            job = self.jobs.begin(question, str(body.get("page", ""))[:LONGEST_PAGE])
+        except Busy:
+            return _error(429, "too many computations wait; stop one")
+        return _as_json({"job": job.name})
+
+    async def events(self, request: Request) -> Response:
+        """What happens to a computation, as events; a page that lost its line goes on after the last one it knows."""
+        from starlette.responses import StreamingResponse
+
+        last = request.headers.get("last-event-id", "0")
+        job = self.jobs.of(request.path_params["name"])
+        if job is None or not (last.isascii() and last.isdigit() and len(last) < 12):
+            return _error(404, "there is no such computation")
+        return StreamingResponse(self._lines(job, int(last)), media_type="text/event-stream")
+
+    async def _lines(self, job: Job, after: int) -> AsyncIterator[str]:
+        async for event in self.jobs.events(job, after):
+            yield f"id: {event['number']}\ndata: {json.dumps(event)}\n\n"
+
+    async def result(self, request: Request) -> Response:
+        """What a computation has found."""
+        from starlette.responses import Response
+
+        job = self.jobs.of(request.path_params["name"])
+        if job is None or job.answer is None:
+            return _error(404, "there is no such result")
+        return Response(job.answer.content, job.answer.status, media_type=job.answer.kind)
+
     async def stop(self, request: Request) -> Response:
-        """End what takes long."""
+        """End a computation."""
         await _body(request)
-        await asyncio.to_thread(self.slow.worker.stop)
+        job = self.jobs.of(request.path_params["name"])
+        if job is None:
+            return _error(404, "there is no such computation")
+        await self.jobs.stop(job)
         return _as_json({"stopped": True})
 
     async def quit(self, request: Request) -> Response:

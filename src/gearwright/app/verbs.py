@@ -6,51 +6,25 @@ for the same one.
 
 from __future__ import annotations
 
-import json
-from collections import OrderedDict
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
+from gearwright.app import flights, motions, trials
+from gearwright.app.asked import Answer, Question, Tell, as_json, case_of, sized
 from gearwright.errors import DesignError, GearwrightError, Problem, by_name, refuse
 
-if TYPE_CHECKING:
-    from gearwright.sizing import Sizing
 
-MOST_KEPT = 32
-"""Sizings that are kept [-]."""
-_kept: OrderedDict[tuple[str, str], Sizing] = OrderedDict()
-
-
-@dataclass(frozen=True)
-class Question:
-    """What a page asks."""
-
-    verb: str
-    text: str
-    """Of the design."""
-    folder: str
-    """Where the files that it names are looked for."""
-    options: Mapping[str, Any] = field(default_factory=dict)
-
-
-class Answer(NamedTuple):
-    """What it is told."""
-
-    content: bytes
-    kind: str = "application/json"
-    status: int = 200
-
-
-def answered(question: Question) -> Answer:
+def answered(question: Question, tell: Tell = lambda _: None) -> Answer:
     """Return the answer to a question; what is wrong with the design is an answer too.
 
     Args:
         question: Of a page.
+        tell: Takes how far a long computation is.
     """
     try:
-        return VERBS[question.verb](question)
+        if question.verb in LONG:
+            return LONG[question.verb](question, tell)
+        return QUICK[question.verb](question)
     except DesignError as error:
         return _told([{"path": one.path, "message": one.message, "line": one.line} for one in error.problems])
     except (GearwrightError, MemoryError) as error:
@@ -58,41 +32,7 @@ def answered(question: Question) -> Answer:
 
 
 def _told(problems: list[dict[str, Any]]) -> Answer:
-    return Answer(_json({"problems": problems}), status=422)
-
-
-def _json(value: object) -> bytes:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False).encode("utf-8", "backslashreplace")
-
-
-def _sized(question: Question) -> Sizing:
-    """Return the sizing of a text; one that names files is sized anew each time, as those may change."""
-    from gearwright.sizing import size
-    from gearwright.spec import parse, placed
-
-    key = (question.text, question.folder)
-    if key in _kept:
-        _kept.move_to_end(key)
-        return _kept[key]
-    design = parse(question.text, folder=Path(question.folder))
-    try:
-        sizing = size(design)
-    except DesignError as error:
-        raise DesignError(placed(error.problems, question.text)) from None
-    if "file" not in question.text:
-        _kept[key] = sizing
-        while len(_kept) > MOST_KEPT:
-            _kept.popitem(last=False)
-    return sizing
-
-
-def _case(question: Question, sizing: Sizing) -> str:
-    """Return the load case that is asked for, or the first."""
-    name = question.options.get("case") or next(iter(sizing.flows))
-    if not isinstance(name, str):
-        refuse([Problem("case", "a name is needed")])
-    by_name(name, sizing.flows, "case")
-    return str(name)
+    return Answer(as_json({"problems": problems}), status=422)
 
 
 def _size(question: Question) -> Answer:
@@ -100,14 +40,14 @@ def _size(question: Question) -> Answer:
     from gearwright.render.answers.plain import plain
     from gearwright.render.words.headline import sizing_headline
 
-    sizing = _sized(question)
+    sizing = sized(question)
     told = {
         "name": sizing.design.name,
         "headline": sizing_headline(sizing),
         "holds": not any(check.fails for check in sizing.checks),
         "result": plain(size_answer(sizing)),
     }
-    return Answer(_json(told))
+    return Answer(as_json(told))
 
 
 def _form(question: Question) -> Answer:
@@ -123,16 +63,23 @@ def _edit(question: Question) -> Answer:
     if not isinstance(path, list) or not all(isinstance(name, str) for name in path):
         refuse([Problem("path", "a list of names is needed")])
     elif isinstance(key, str):
-        return Answer(_json({"text": in_unit(question.text, path, key)}))
-    return Answer(_json({"text": with_entry(question.text, path or (), value)}))
+        return Answer(as_json({"text": in_unit(question.text, path, key)}))
+    return Answer(as_json({"text": with_entry(question.text, path or (), value)}))
 
 
 def _flow(question: Question) -> Answer:
     from gearwright.render.schematic.schematic import power_flow_figure
     from gearwright.render.style.theme import to_svg
 
-    sizing = _sized(question)
-    return Answer(to_svg(power_flow_figure(sizing, _case(question, sizing)), "flow").encode(), "image/svg+xml")
+    sizing = sized(question)
+    return Answer(to_svg(power_flow_figure(sizing, case_of(question, sizing)), "flow").encode(), "image/svg+xml")
+
+
+def _schematic(question: Question) -> Answer:
+    from gearwright.render.schematic.schematic import schematic_figure
+    from gearwright.render.style.theme import to_svg
+
+    return Answer(to_svg(schematic_figure(sized(question)), "schematic").encode(), "image/svg+xml")
 
 
 def _model(question: Question) -> Answer:
@@ -140,35 +87,35 @@ def _model(question: Question) -> Answer:
     from gearwright.render.pages.turning import solid_facts
     from gearwright.shape import glb, scene
 
-    sizing = _sized(question)
+    sizing = sized(question)
     built = scene(sizing, detail="fine" if question.options.get("detail") == "fine" else "coarse")
-    facts = _json(solid_facts(sizing, built))
+    facts = as_json(solid_facts(sizing, built))
     facts += b" " * (-len(facts) % 4)
     return Answer(len(facts).to_bytes(4, "little") + facts + glb(built), "application/octet-stream")
 
 
-def _review(question: Question) -> Answer:
+def _review(question: Question, _: Tell) -> Answer:
     from gearwright.render.answers.plain import plain
     from gearwright.render.answers.review import review_answer
     from gearwright.render.words.headline import headline
     from gearwright.reviews import review_of
     from gearwright.spec import placed
 
-    sizing = _sized(question)
+    sizing = sized(question)
     try:
         review = review_of(sizing)
     except DesignError as error:
         raise DesignError(placed(error.problems, question.text)) from None
-    return Answer(_json({"headline": headline(review), "result": plain(review_answer(review))}))
+    return Answer(as_json({"headline": headline(review), "result": plain(review_answer(review))}))
 
 
 def _influences(question: Question) -> Answer:
     from gearwright.render.answers.insight import factors_answer, influences_answer
     from gearwright.render.answers.plain import plain
 
-    sizing = _sized(question)
+    sizing = sized(question)
     told = {"factors": factors_answer(sizing), "influences": influences_answer(sizing, 1.0)}
-    return Answer(_json(plain(told)))
+    return Answer(as_json(plain(told)))
 
 
 def _meaning(_: Question) -> Answer:
@@ -178,38 +125,52 @@ def _meaning(_: Question) -> Answer:
 
     definitions: dict[str, Any] = {}
     described(SizeAnswer, definitions)
-    return Answer(_json(definitions))
+    return Answer(as_json(definitions))
 
 
-def _export(question: Question) -> Answer:
+def _export(question: Question, _: Tell) -> Answer:
     from gearwright.formats import AS_USUAL, FORMATS
 
     wanted = question.options.get("format")
     name = wanted if isinstance(wanted, str) else ""
     by_name(name, FORMATS, "format")
-    return Answer(FORMATS[name](_sized(question), AS_USUAL)[0], "application/octet-stream")
+    return Answer(FORMATS[name](sized(question), AS_USUAL)[0], "application/octet-stream")
 
 
-def _report(question: Question) -> Answer:
+def _report(question: Question, _: Tell) -> Answer:
     from gearwright.render.pages.report import report
 
-    return Answer(report(_sized(question)).encode(), "application/octet-stream")
+    return Answer(report(sized(question)).encode(), "application/octet-stream")
 
 
-VERBS: Mapping[str, Callable[[Question], Answer]] = {
+QUICK: Mapping[str, Callable[[Question], Answer]] = {
     "edit": _edit,
-    "export": _export,
     "flow": _flow,
     "form": _form,
     "influences": _influences,
     "meaning": _meaning,
     "model": _model,
-    "report": _report,
-    "review": _review,
+    "schematic": _schematic,
     "size": _size,
 }
-"""Name in the address -> what answers."""
-SLOW = frozenset({"export", "influences", "report", "review"})
-"""Verbs that take seconds: they have a process of their own."""
-ENDED = frozenset({"export", "report", "review"})
-"""Those of them that a newer question ends; the others come to their end."""
+"""Name in the address -> what answers at once."""
+ASIDE = frozenset({"influences"})
+"""Those of them that have a process of their own, as they take seconds where a standard rates gears."""
+LONG: Mapping[str, Callable[[Question, Tell], Answer]] = {
+    "campbell": motions.campbell,
+    "export": _export,
+    "fly": flights.fly,
+    "mission": flights.mission,
+    "modes": motions.modes,
+    "moved": trials.moved,
+    "report": _report,
+    "resume": trials.resume,
+    "review": _review,
+    "rows": trials.rows,
+    "runup": motions.runup,
+    "simulate": motions.simulate,
+    "study": trials.study,
+    "variant": trials.variant,
+    "window": flights.window,
+}
+"""Name of a job -> what it does, in a process that can be ended."""

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from contextlib import suppress
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
-from threading import Lock
+from threading import Lock, Thread
 
-from gearwright.app.verbs import Answer, Question, answered
+from gearwright.app.asked import Answer, Progress, Question, Tell
+from gearwright.app.verbs import answered
 
 MEMORY = 16 * 2**30
 """Address space that a worker may take, where the system can hold it to that [bytes]."""
@@ -22,10 +24,13 @@ class Stopped(Exception):
 class Worker:
     """One process; it is started when it is first needed, and again after it was stopped."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, heirs: bool = False) -> None:
         self._process: BaseProcess | None = None
         self._line: Connection | None = None
         self._lock = Lock()
+        self._heirs = heirs
+        """Whether it may start processes of its own."""
+        self._asked: Question | None = None
 
     def start(self) -> Connection:
         """Return the line to a process that runs."""
@@ -33,35 +38,50 @@ class Worker:
             if self._process is None or self._line is None or not self._process.is_alive():
                 context = get_context("spawn")
                 self._line, theirs = context.Pipe()
-                self._process = context.Process(target=_work, args=(theirs,), daemon=True)
+                self._process = context.Process(target=_work, args=(theirs,), daemon=not self._heirs)
                 self._process.start()
                 theirs.close()
             return self._line
 
-    def ask(self, question: Question, seconds: float) -> Answer:
+    def ask(self, question: Question, seconds: float | None, tell: Tell = lambda _: None) -> Answer:
         """Return the answer to a question.
 
         Args:
             question: Of a page.
-            seconds: After which the process is stopped [s].
+            seconds: After which the process is stopped [s]; None: it may take as long as it takes.
+            tell: Takes how far it is.
 
         Raises:
             Stopped: If it was stopped meanwhile, or had no answer in time.
         """
         line = self.start()
+        with self._lock:
+            self._asked = question
         try:
             line.send(question)
-            if line.poll(seconds):
-                answer: Answer = line.recv()
-                return answer
+            while line.poll(seconds):
+                told = line.recv()
+                if not isinstance(told, Progress):
+                    answer: Answer = told
+                    return answer
+                tell(told)
         except (EOFError, OSError):
             raise Stopped("this computation was stopped") from None
+        finally:
+            with self._lock:
+                self._asked = None
         self.stop()
         raise Stopped(f"this takes longer than {seconds:.0f} s and was stopped; the command line has no such limit")
 
-    def stop(self) -> None:
-        """End the process, whatever it does."""
+    def stop(self, question: Question | None = None) -> None:
+        """End the process, whatever it does.
+
+        Args:
+            question: It is ended only if this is what it is asked; left out: in any case.
+        """
         with self._lock:
+            if question is not None and self._asked is not question:
+                return
             process, self._process = self._process, None
         if process is not None:
             process.kill()
@@ -72,15 +92,24 @@ def _work(line: Connection) -> None:
     """Answer until nobody asks any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     _hold_memory()
+    Thread(target=_outlive_nobody, daemon=True).start()
     with suppress(EOFError, OSError):
         while True:
-            line.send(_safely(line.recv()))
+            line.send(_safely(line.recv(), line.send))
 
 
-def _safely(question: Question) -> Answer:
+def _outlive_nobody() -> None:
+    """End with the server, even if that was killed."""
+    server = parent_process()
+    if server is not None:
+        server.join()
+        os._exit(1)
+
+
+def _safely(question: Question, tell: Tell) -> Answer:
     """Return the answer; an error of gearwright's own is told as one, and the process lives on."""
     try:
-        return answered(question)
+        return answered(question, tell)
     except Exception as error:  # what no rule foresaw must not end the workbench
         sentence = f'{{"error": "gearwright failed here ({type(error).__name__}); this is a fault of its own"}}'
         return Answer(sentence.encode(), status=500)

@@ -1,0 +1,149 @@
+"""What a page asks and what it is told: questions and answers that travel between processes, sizings that are kept."""
+
+from __future__ import annotations
+
+import json
+from collections import OrderedDict
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.errors import DesignError, Problem, by_name, refuse
+
+if TYPE_CHECKING:
+    from gearwright.sizing import Sizing
+
+MOST_KEPT = 32
+"""Sizings that are kept [-]."""
+_kept: OrderedDict[tuple[str, str], Sizing] = OrderedDict()
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a page asks."""
+
+    verb: str
+    text: str
+    """Of the design."""
+    folder: str
+    """Where the files that it names are looked for."""
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    def words(self, name: str) -> str:
+        """Return an option that is a text.
+
+        Args:
+            name: Of the option.
+
+        Raises:
+            DesignError: If it is none.
+        """
+        value = self.options.get(name)
+        if not isinstance(value, str):
+            raise DesignError([Problem(name, "a text is needed")])
+        return value
+
+    def number(self, name: str, usual: float, most: float) -> float:
+        """Return an option that is a positive number.
+
+        Args:
+            name: Of the option.
+            usual: Where it is left out.
+            most: Largest that is allowed.
+
+        Raises:
+            DesignError: If it is none, or too large.
+        """
+        value = self.options.get(name, usual)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value <= most:
+            raise DesignError([Problem(name, f"a number above 0 and at most {most:g} is needed")])
+        return float(value)
+
+
+class Answer(NamedTuple):
+    """What it is told."""
+
+    content: bytes
+    kind: str = "application/json"
+    status: int = 200
+
+
+class Progress(NamedTuple):
+    """How far a computation is."""
+
+    done: float
+    """Part of it, from 0 to 1."""
+    words: str = ""
+
+
+Tell = Callable[[Progress], None]
+"""Takes how far a computation is."""
+
+
+def as_json(value: object) -> bytes:
+    """Return a plain value as JSON.
+
+    Args:
+        value: Without numbers that are not finite.
+    """
+    return json.dumps(value, ensure_ascii=False, allow_nan=False).encode("utf-8", "backslashreplace")
+
+
+def packed(head: dict[str, Any], columns: Mapping[str, Floats]) -> Answer:
+    """Return words and long columns of numbers: length of the words in four bytes, the words as JSON, the columns.
+
+    Args:
+        head: Plain; it is told where each column stands.
+        columns: Name -> numbers, which travel in single precision, little-endian.
+    """
+    at, places = 0, dict[str, list[int]]()
+    for name, values in columns.items():
+        places[name] = [at, int(np.size(values))]
+        at += int(np.size(values))
+    words = as_json({**head, "columns": places})
+    words += b" " * (-len(words) % 4)
+    data = b"".join(np.ascontiguousarray(values, dtype="<f4").tobytes() for values in columns.values())
+    return Answer(len(words).to_bytes(4, "little") + words + data, "application/octet-stream")
+
+
+def sized(question: Question) -> Sizing:
+    """Return the sizing of a text; one that names files is sized anew each time, as those may change.
+
+    Args:
+        question: With the text.
+    """
+    from gearwright.sizing import size
+    from gearwright.spec import parse, placed
+
+    key = (question.text, question.folder)
+    if key in _kept:
+        _kept.move_to_end(key)
+        return _kept[key]
+    design = parse(question.text, folder=Path(question.folder))
+    try:
+        sizing = size(design)
+    except DesignError as error:
+        raise DesignError(placed(error.problems, question.text)) from None
+    if "file" not in question.text:
+        _kept[key] = sizing
+        while len(_kept) > MOST_KEPT:
+            _kept.popitem(last=False)
+    return sizing
+
+
+def case_of(question: Question, sizing: Sizing) -> str:
+    """Return the load case that is asked for, or the first.
+
+    Args:
+        question: With its case.
+        sizing: Of the design.
+    """
+    name = question.options.get("case") or next(iter(sizing.flows))
+    if not isinstance(name, str):
+        refuse([Problem("case", "a name is needed")])
+    by_name(name, sizing.flows, "case")
+    return str(name)
