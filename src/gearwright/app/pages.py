@@ -13,8 +13,13 @@ from typing import Any, NamedTuple
 
 NONCE = "THE-NONCE"
 """In the page, where a number that is used once stands."""
-SOLIDS = ("three.min.js", "model.js", "view.js", "motion.js", "panel.js")
-"""Scripts that the page of the turning gearbox has too."""
+ROOMS = ("dynamics", "flight", "studies", "vendor")
+"""Folders of scripts."""
+LENT = {
+    "solids": ("three.min.js", "model.js", "view.js", "motion.js", "panel.js"),
+    "uplot": ("uplot.min.js", "uplot.min.css"),
+}
+"""Files that pages of `render` have too."""
 _KINDS = {"js": "text/javascript", "css": "text/css", "svg": "image/svg+xml"}
 
 
@@ -32,9 +37,11 @@ class Given(NamedTuple):
 @cache
 def files() -> dict[str, Given]:
     """Return name in the address -> file."""
-    own, solids = resources("gearwright.app") / "static", resources("gearwright.render.solids")
-    found = {at.name: at for at in own.iterdir()} | {f"vendor/{at.name}": at for at in (own / "vendor").iterdir()}
-    found |= {f"solids/{name}": solids / name for name in SOLIDS}
+    own = resources("gearwright.app") / "static"
+    found = {at.name: at for at in own.iterdir()}
+    found |= {f"{room}/{at.name}": at for room in ROOMS for at in (own / room).iterdir()}
+    for name, given in LENT.items():
+        found |= {f"{name}/{file}": resources(f"gearwright.render.{name}") / file for file in given}
     kinds = {name: _KINDS.get(name.rpartition(".")[2], "") for name in found}
     return {name: Given(at, kinds[name]) for name, at in found.items() if kinds[name]}
 

@@ -103,12 +103,13 @@ class Desk:
             self.jobs.close()
 
     async def _warm(self) -> None:
-        """Size what was opened before a page asks for it."""
+        """Size what was opened before a page asks for it, and load what motion needs."""
         opened = self.opened
         with suppress(GearwrightError, Superseded, Stopped, asyncio.CancelledError):
             text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
             for verb in ("size", "form", "flow"):
                 await self.quick.ask(Question(verb, text, str(opened.folder)), WARM)
+            self.jobs.begin(Question("modes", text, str(opened.folder)), WARM)
 
     async def page(self, _: Request) -> Response:
         """The page, with the number under which its editor may write its style."""

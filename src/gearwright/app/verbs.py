@@ -7,11 +7,18 @@ for the same one.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gearwright.app import flights, motions, trials
+from gearwright.app import closing, flights, motions, trials
 from gearwright.app.asked import Answer, Question, Tell, as_json, case_of, sized
 from gearwright.errors import DesignError, GearwrightError, Problem, by_name, refuse
+
+if TYPE_CHECKING:
+    from gearwright.sizing import Sizing
+
+
+CONTACT = ("scuffing, flash temperature", "contact")
+"""Chapter and quantity of the hottest place of a flank."""
 
 
 def answered(question: Question, tell: Tell = lambda _: None) -> Answer:
@@ -89,9 +96,22 @@ def _model(question: Question) -> Answer:
 
     sizing = sized(question)
     built = scene(sizing, detail="fine" if question.options.get("detail") == "fine" else "coarse")
-    facts = as_json(solid_facts(sizing, built))
+    facts = as_json(_with_temperatures(sizing, solid_facts(sizing, built)))
     facts += b" " * (-len(facts) % 4)
     return Answer(len(facts).to_bytes(4, "little") + facts + glb(built), "application/octet-stream")
+
+
+def _with_temperatures(sizing: Sizing, facts: dict[str, Any]) -> dict[str, Any]:
+    """Return what is said of solids with the contact temperature of gears that a standard rates against scuffing."""
+    from gearwright.render.answers.insight import factors_answer
+
+    for mesh in factors_answer(sizing):
+        hot = [value for row in mesh.factors if (row.chapter, row.quantity) == CONTACT for value in row.values]
+        for gear in mesh.gears:
+            if hot and gear in facts["parts"]:
+                part = facts["parts"][gear]
+                part["temperature"] = max(part.get("temperature", -273.15), *map(float, hot))
+    return {**facts, "heat": "contact temperature of the flanks, ISO/TS 6336-20"}
 
 
 def _review(question: Question, _: Tell) -> Answer:
@@ -158,6 +178,7 @@ ASIDE = frozenset({"influences"})
 """Those of them that have a process of their own, as they take seconds where a standard rates gears."""
 LONG: Mapping[str, Callable[[Question, Tell], Answer]] = {
     "campbell": motions.campbell,
+    "close": closing.close,
     "export": _export,
     "fly": flights.fly,
     "mission": flights.mission,

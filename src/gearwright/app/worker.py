@@ -16,6 +16,9 @@ from gearwright.app.verbs import answered
 MEMORY = 16 * 2**30
 """Address space that a worker may take, where the system can hold it to that [bytes]."""
 
+MANNERS = 5
+"""By how much what takes long gives way to what answers a keystroke, as `nice` counts [-]."""
+
 
 class Stopped(Exception):
     """The process that was asked is no longer there."""
@@ -38,7 +41,7 @@ class Worker:
             if self._process is None or self._line is None or not self._process.is_alive():
                 context = get_context("spawn")
                 self._line, theirs = context.Pipe()
-                self._process = context.Process(target=_work, args=(theirs,), daemon=not self._heirs)
+                self._process = context.Process(target=_work, args=(theirs, self._heirs), daemon=not self._heirs)
                 self._process.start()
                 theirs.close()
             return self._line
@@ -88,9 +91,11 @@ class Worker:
             process.join()
 
 
-def _work(line: Connection) -> None:
+def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- multiprocessing passes arguments by place
     """Answer until nobody asks any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if gives_way and hasattr(os, "nice"):
+        os.nice(MANNERS)
     _hold_memory()
     Thread(target=_outlive_nobody, daemon=True).start()
     with suppress(EOFError, OSError):

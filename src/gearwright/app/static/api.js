@@ -1,5 +1,6 @@
 /* Questions to the server. Of each kind only the newest counts: an older one is dropped as a newer is asked. */
-const page = crypto.randomUUID(), running = new Map();
+export const page = crypto.randomUUID();
+const running = new Map();
 
 export class Problems extends Error {
   constructor(problems) {
@@ -10,15 +11,16 @@ export class Problems extends Error {
 export class Dropped extends Error {}
 
 export async function ask(verb, text, options = {}) {
-  running.get(verb)?.abort();
+  const kind = `${options.page || ""} ${verb}`;
+  running.get(kind)?.abort();
   const stopper = new AbortController();
-  running.set(verb, stopper);
+  running.set(kind, stopper);
   try {
-    return await sent(`/api/${verb}`, "POST", {...options, text, page}, {}, stopper.signal);
+    return await sent(`/api/${verb}`, "POST", {page, ...options, text}, {}, stopper.signal);
   } catch (reason) {
     throw reason.name === "AbortError" ? new Dropped() : reason;
   } finally {
-    if (running.get(verb) === stopper) running.delete(verb);
+    if (running.get(kind) === stopper) running.delete(kind);
   }
 }
 

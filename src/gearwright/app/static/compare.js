@@ -1,6 +1,8 @@
 /* The text and its numbers beside the pinned ones. */
 import {at, change, made, named, number, percent} from "/static/made.js";
+import {Dropped, Problems, ask, sent} from "/static/api.js";
 import {on, set, state} from "/static/state.js";
+import {twins} from "/static/twins.js";
 
 /* Lines that differ, by the longest common subsequence of both texts. */
 export function lines(before, after) {
@@ -45,5 +47,28 @@ function show() {
   at("beside").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["", "pinned", "now", "change"].map(text => made("th", {scope: "col", textContent: text})))), body));
 }
 
+/* Another design in the place of the pinned one. */
+function choices() {
+  const group = (label, names, prefix) => made("optgroup", {label}, ...(names || []).map(name => made("option", {value: prefix + name, textContent: name})));
+  at("beside-of").replaceChildren(new Option("the pinned text", ""), group("In the folder", state.files, "files/"), group("Shipped", state.designs, "designs/"));
+}
+
+async function beside(place) {
+  if (!place) return;
+  const [room, name] = place.split("/");
+  try {
+    const {text} = await (await sent(`/api/${room}/${encodeURIComponent(name)}`)).json();
+    const answer = await (await ask("size", text, {page: "beside"})).json();
+    set({pinned: {text, answer: {...answer, text}, name}});
+    at("beside-told").textContent = `${name} is pinned now`;
+  } catch (reason) {
+    if (reason instanceof Dropped) return;
+    at("beside-told").textContent = reason instanceof Problems ? `${name} cannot be sized: ${reason.message}` : reason.message;
+  }
+}
+
 on("answer pinned view", show);
+on("answer pinned view", () => { if (state.view === "compare-view" && state.answer && state.pinned) twins(state.pinned.text, state.answer.text, state.case); });
+on("files designs", choices);
+at("beside-of").addEventListener("change", event => beside(event.target.value));
 at("pin").addEventListener("click", () => { if (state.answer) set({pinned: {text: state.answer.text, answer: state.answer}}); at("status").textContent = "pinned: changes are told against this text"; });

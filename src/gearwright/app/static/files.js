@@ -1,6 +1,7 @@
 /* Designs that are opened, saved and exported. */
-import {Dropped, ask, sent} from "/static/api.js";
-import {begin} from "/static/editor.js";
+import {Dropped, sent} from "/static/api.js";
+import {replace} from "/static/editor.js";
+import {begin} from "/static/jobs.js";
 import {at, made} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 
@@ -16,16 +17,24 @@ export async function start() {
   const told = await (await sent("/api/start")).json();
   files = told.files;
   designs = told.designs;
+  set({files, designs, missions: told.missions, studies: told.studies, journals: told.journals});
   taken(told.name, told.shipped, told);
   at("formats").replaceChildren(...told.formats.map(format => format_(format, `gearwright export ${told.name} --to ${format}`)), format_("report", ""));
 }
 
 function taken(name, shipped, {text, tag}) {
   set({name, shipped, tag, saved: text, pinned: null, selected: "", case: ""});
-  begin(text);
+  replace(text);
   set({text});
   choices();
   document.title = `${name} – gearwright`;
+}
+
+/* Another text, such as a variant of a study: not saved yet, and told against the one before it. */
+export function offered(text, words) {
+  if (state.answer) set({pinned: {text: state.answer.text, answer: state.answer}});
+  replace(text);
+  at("status").textContent = words;
 }
 
 async function open(choice) {
@@ -50,6 +59,7 @@ async function write(name, headers) {
   try {
     const {tag} = await (await sent(`/api/files/${encodeURIComponent(name)}`, "PUT", {text}, headers)).json();
     if (!files.includes(name)) files = [...files, name].sort();
+    set({files});
     set({name, shipped: false, tag, saved: text});
     choices();
     at("status").textContent = `saved ${name}`;
@@ -68,7 +78,7 @@ function format_(name, line) {
 async function give(format) {
   at("status").textContent = `making ${format}…`;
   try {
-    const answer = await (format === "report" ? ask("report", state.text) : ask("export", state.text, {format}));
+    const answer = await begin(format === "report" ? "report" : "export", state.text, {format}).answer;
     const link = made("a", {href: URL.createObjectURL(await answer.blob()), download: `${state.name.replace(/\.toml$/, "")}-${format === "report" ? "report.html" : `gearbox.${ENDINGS[format] || format.split("-")[0]}`}`});
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);

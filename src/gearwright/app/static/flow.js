@@ -2,9 +2,7 @@
 import {ask, Dropped, Problems} from "/static/api.js";
 import {at, made} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
-
-const sheet = new CSSStyleSheet();
-document.adoptedStyleSheets.push(sheet);
+import {drawing} from "/static/svg.js";
 
 function tabs() {
   if (!state.answer) return;
@@ -31,13 +29,7 @@ async function draw() {
   if (!state.answer || !state.case || state.view !== "design-view") return;
   try {
     const text = await (await ask("flow", state.answer.text, {case: state.case})).text();
-    const rules = /<style>(.*?)<\/style>/s.exec(text); // the page's policy allows no style inside it, but this sheet
-    sheet.replaceSync(rules ? rules[1] : "");
-    const plain = rules ? text.replace(rules[0], "") : text;
-    const drawn = document.adoptNode(new DOMParser().parseFromString(plain, "image/svg+xml").documentElement);
-    drawn.removeAttribute("width");
-    drawn.removeAttribute("height");
-    at("flow").replaceChildren(drawn);
+    at("flow").replaceChildren(drawing(text, "flow"));
   } catch (reason) {
     if (!(reason instanceof Dropped || reason instanceof Problems)) at("status").textContent = reason.message;
   }

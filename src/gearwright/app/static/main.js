@@ -9,6 +9,9 @@ import "/static/flow.js";
 import "/static/why.js";
 import "/static/viewer.js";
 import "/static/compare.js";
+import "/static/dynamics/dynamics.js";
+import "/static/flight/flight.js";
+import "/static/studies/studies.js";
 
 const PAUSE = 120; // after the last keystroke [ms]
 let timer = 0, asked = 0;

@@ -1,5 +1,5 @@
 /* What the design amounts to: verdict, key numbers with their change, margins worst first. */
-import {ask, Dropped, Problems, sent} from "/static/api.js";
+import {begin} from "/static/jobs.js";
 import {at, change, made, named, number, percent, ratio} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 
@@ -32,11 +32,16 @@ function verdict() {
   document.body.classList.toggle("stale", stale);
 }
 
+/* The checks of the full review of this text, where there is one; else those of sizing. */
+function shownChecks() {
+  return state.review?.text === state.answer.text ? state.review.checks : state.answer.result.margins;
+}
+
 const MARK = 3; // margins from here on fill the bar
 
 function margins() {
   if (!state.answer) return;
-  const rows = state.answer.result.margins;
+  const rows = shownChecks();
   at("margins").replaceChildren(...rows.map(row => {
     const share = row.margin === null ? 0 : Math.max(0, Math.min(1, row.margin / MARK)), fails = row.status === "fails";
     const bar = made("span", {className: "bar", ariaHidden: "true"}, made("span", {className: fails ? "fails" : "room"}));
@@ -55,26 +60,31 @@ function chosen() {
   for (const button of at("margins").querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.dataset.part === state.selected));
 }
 
+let job = null;
+
 async function review() {
+  const text = state.text;
   at("stop").hidden = false;
   at("reviewed").textContent = "reviewing…";
+  const mine = job = begin("review", text);
   try {
-    const answer = await (await ask("review", state.text)).json(), text = state.text;
+    const answer = await (await mine.answer).json();
+    if (mine !== job) return;
     at("reviewed").textContent = answer.headline;
     at("reviewed").dataset.text = text;
     at("reviewed").title = "gearwright review";
+    set({review: {text, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve}))}});
   } catch (reason) {
-    if (reason instanceof Dropped) at("reviewed").textContent = reason.message || "stopped";
-    else at("reviewed").textContent = reason.message;
+    if (mine === job) at("reviewed").textContent = reason.message || "stopped";
   } finally {
-    at("stop").hidden = true;
+    if (mine === job) at("stop").hidden = true;
   }
 }
 
 on("answer pinned", keys);
 on("answer stale problems", verdict);
-on("answer", margins);
+on("answer review", margins);
 on("selected", chosen);
 on("text", () => { if (at("reviewed").dataset.text && at("reviewed").dataset.text !== state.text) at("reviewed").textContent = "the text has changed since the review"; });
 at("review").addEventListener("click", review);
-at("stop").addEventListener("click", () => sent("/api/stop", "POST", {}));
+at("stop").addEventListener("click", () => job?.stop().catch(() => {}));

@@ -1,33 +1,22 @@
 /* The gearbox turning: the solids of the last valid text, drawn by the scripts that the exported page has too. */
 /* global Gearbox, View, Motion, Panel, THREE */
-import {ask, Dropped, Problems} from "/static/api.js";
+import {Dropped, Problems} from "/static/api.js";
 import {at, made} from "/static/made.js";
+import {legend, painted} from "/static/colours.js";
+import {shake} from "/static/shaking.js";
+import {ground, solids} from "/static/solids.js";
 import {on, set, state} from "/static/state.js";
 
-let view = null, motion = null, panel = null, facts = null, loaded = null, shown = "", by = "part";
-
-/* Half a megabyte, which nobody waits for who does not look. */
-function scripts() {
-  loaded ??= ["three.min", "model", "view", "motion", "panel"].reduce((before, name) => before.then(() => new Promise((done, failed) => {
-    const script = document.createElement("script");
-    script.src = `/static/solids/${name}.js`;
-    script.addEventListener("load", done);
-    script.addEventListener("error", () => failed(new Error(`${script.src} does not load`)));
-    document.head.append(script);
-  })), Promise.resolve());
-  return loaded;
-}
+let view = null, motion = null, panel = null, facts = null, shown = "", by = "part";
 
 async function load() {
   if (state.view !== "gearbox-view" || !state.answer || shown === state.answer.text) return;
   const text = state.answer.text;
   try {
-    const [answer] = await Promise.all([ask("model", text), scripts()]);
-    const buffer = await answer.arrayBuffer();
+    const model = await solids(text);
     if (state.answer.text !== text) return;
-    const length = new DataView(buffer).getUint32(0, true);
-    facts = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
-    take(new Gearbox(buffer.slice(4 + length)));
+    facts = model.facts;
+    take(new Gearbox(model.glb));
     shown = text;
     document.body.dataset.model = String(Number(document.body.dataset.model || 0) + 1);
   } catch (reason) {
@@ -49,6 +38,7 @@ function take(gearbox) {
     view.scene.add(gearbox.root);
     view.gearbox = motion.gearbox = gearbox;
   }
+  shake(gearbox, motion);
   paper();
   at("parts").replaceChildren();
   panel = new Panel(facts, gearbox, pick);
@@ -70,13 +60,14 @@ function select() {
   if (!panel) return;
   panel.show(state.selected);
   if (!facts.parts[state.selected]) at("numbers").append(made("p", {className: "hint", textContent: "Click a part, or choose it in the list."}));
-  panel.colour(by, state.selected);
+  panel.colour(by === "temperature" ? "part" : by, state.selected);
+  if (by === "temperature") painted(view.gearbox, facts, state.selected);
+  legend(by, facts);
   view.draw();
 }
 
 function paper() {
-  const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-  view.scene.background = new THREE.Color(dark ? 0x171b21 : 0xf4f6f8);
+  view.scene.background = new THREE.Color(ground());
 }
 
 function pace() {
