@@ -20,11 +20,12 @@ MOST_INSTANTS = 4000
 """Of a window that are drawn; between them the page shows the least and the most [-]."""
 
 
-def mission(question: Question, _: Tell) -> Answer:
+def mission(question: Question, tell: Tell) -> Answer:
     """Return what a mission's text says: its phases and windows by name; what is wrong with it is told at its line.
 
     Args:
         question: With the mission's text.
+        tell: Takes how far it is; there is nothing to tell.
     """
     from gearwright.spec import parse_mission
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import OrderedDict
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass, field
 from secrets import token_urlsafe
 from typing import Any
@@ -45,7 +45,7 @@ class Job:
     news: asyncio.Event = field(default_factory=asyncio.Event)
     task: asyncio.Task[None] | None = None
 
-    def tell(self, **event: Any) -> None:
+    def tell(self, event: Mapping[str, Any]) -> None:
         """Keep an event, in the place of an older progress.
 
         Args:
@@ -114,7 +114,7 @@ class Jobs:
             job: Which.
         """
         if not job.ended:
-            self._end(job, stopped="this computation was stopped")
+            self._end(job, {"stopped": "this computation was stopped"})
             if job.worker is not None:
                 await asyncio.to_thread(job.worker.stop, job.question)
 
@@ -157,22 +157,22 @@ class Jobs:
             job.answer = await asyncio.to_thread(worker.ask, job.question, None, tell)
         except Stopped as reason:
             if not job.ended:
-                self._end(job, stopped=str(reason))
+                self._end(job, {"stopped": str(reason)})
             return
         if not job.ended:
-            self._end(job, finished=True, status=job.answer.status)
+            self._end(job, {"finished": True, "status": job.answer.status})
 
     def _told(self, job: Job, progress: Progress) -> None:
         if not job.ended:
-            job.tell(done=progress.done, words=progress.words)
+            job.tell({"done": progress.done, "words": progress.words})
 
-    def _end(self, job: Job, **event: Any) -> None:
+    def _end(self, job: Job, event: Mapping[str, Any]) -> None:
         job.ended = True
-        job.tell(**event)
+        job.tell(event)
 
     def _replace(self, job: Job) -> None:
         """End an older computation; one that has just begun comes to its end unseen."""
-        self._end(job, replaced=True)
+        self._end(job, {"replaced": True})
         if job.worker is not None and time.monotonic() - job.begun > YOUNG:
             asyncio.get_running_loop().run_in_executor(None, job.worker.stop, job.question)
 

@@ -24,11 +24,12 @@ SHOWN = 400
 """Instants at which the solids are shown [-]."""
 
 
-def modes(question: Question, _: Tell) -> Answer:
+def modes(question: Question, tell: Tell) -> Answer:
     """Return natural frequencies, and by how much every body turns in each mode, 1 where it turns most.
 
     Args:
         question: With the load case.
+        tell: Takes how far it is; there is nothing to tell.
     """
     from gearwright.dynamics import modes as found_modes
     from gearwright.dynamics.assembly import assemble
@@ -51,11 +52,12 @@ def modes(question: Question, _: Tell) -> Answer:
     }))  # fmt: skip
 
 
-def campbell(question: Question, _: Tell) -> Answer:
+def campbell(question: Question, tell: Tell) -> Answer:
     """Return the Campbell diagram of the speeds of a load case, its orders by name, and its critical speeds.
 
     Args:
         question: With the load case.
+        tell: Takes how far it is; there is nothing to tell.
     """
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.answers.plain import plain

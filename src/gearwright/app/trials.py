@@ -70,11 +70,12 @@ def resume(question: Question, tell: Tell) -> Answer:
     return Answer(as_json(_told(known.study, go_on(journal, workers=workers, watch=_watch(tell)))))
 
 
-def rows(question: Question, _: Tell) -> Answer:
+def rows(question: Question, tell: Tell) -> Answer:
     """Return what a journal holds, also while it is written.
 
     Args:
         question: With the journal's name.
+        tell: Takes how far it is; there is nothing to tell.
     """
     from gearwright.study.running import rows_of, status, table_of
 
@@ -87,11 +88,12 @@ def rows(question: Question, _: Tell) -> Answer:
     return Answer(as_json({**told, "done": state.done, "total": state.recorded.total, "running": state.running}))
 
 
-def variant(question: Question, _: Tell) -> Answer:
+def variant(question: Question, tell: Tell) -> Answer:
     """Return the text of a design with the entries of one row of a study in it.
 
     Args:
         question: With the design's name, and path -> value.
+        tell: Takes how far it is; there is nothing to tell.
     """
     from gearwright.app.edits import with_entry
     from gearwright.shipped import find_design

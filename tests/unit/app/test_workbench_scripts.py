@@ -10,7 +10,7 @@ import gearwright.app
 from gearwright.app.pages import bundled, files, index
 
 STATIC = Path(gearwright.app.__file__).parent / "static"
-OWN = sorted(STATIC.glob("*.js"))
+OWN = sorted(path for path in STATIC.rglob("*.js") if path.parent.name != "vendor")
 LONGEST = 200
 """Lines of a script."""
 LARGEST = 1_500_000

@@ -51,7 +51,7 @@ def test_what_is_wrong_is_told_with_its_line(asked):
     "text", ["", "[[[", "a = 1", "\x00", "[turbines]", "name = 3", "﻿", "a.b.c.d = []", "[planetaries.first]"]
 )
 def test_broken_texts_are_refused_with_reasons(asked, text):
-    for verb in ("size", "flow", "model", "review"):
+    for verb in ("size", "flow", "model", "schematic"):
         answer = asked.post(f"/api/{verb}", text=text)
         assert answer.status_code == 422 and answer.json()["problems"], (verb, answer.text)
 
@@ -60,8 +60,6 @@ NO_SENSE = [
     ("flow", {"case": "nope"}),
     ("flow", {"case": 3}),
     ("flow", {"case": ["rated"]}),
-    ("export", {"format": "nope"}),
-    ("export", {"format": None}),
     ("edit", {"path": []}),
     ("edit", {"path": ["a", 3]}),
     ("edit", {"path": "a"}),
@@ -112,27 +110,23 @@ def test_of_questions_that_wait_the_newest_is_answered(asked):
     assert 409 in mine and set(mine) <= {200, 409, 422}
 
 
-def test_a_review_is_stopped_and_the_next_one_is_answered(asked):
-    async def asking():
-        async with asked.client() as client:
-            review = asyncio.create_task(client.post("/api/review", json={"text": text_of("ec120b"), "page": "one"}))
-            await asyncio.sleep(0.5)
-            await client.post("/api/stop", json={})
-            return (await review).status_code
-
-    assert asked.runner.run(asking()) == 409
-    answer = asked.post("/api/review", text=text_of("single-planetary"))
-    assert answer.status_code == 200
-    assert answer.json()["result"]["verdict"] == str(gw.review(gw.read("single-planetary")).verdict)
-
-
-def test_exports_are_the_files_of_the_command(asked):
+def test_a_file_is_the_file_of_the_command(asked):
     from gearwright.formats import AS_USUAL, FORMATS
 
     sizing = gw.size(gw.read("single-planetary"))
     for name in ("glb", "rexs", "csv"):
-        answer = asked.post("/api/export", text=text_of("single-planetary"), format=name)
+        answer = asked.job("export", text=text_of("single-planetary"), format=name)[1]
         assert answer.content == FORMATS[name](sizing, AS_USUAL)[0], name
+
+
+def test_solids_carry_the_contact_temperature_of_gears_that_a_standard_rates(asked):
+    answer = asked.post("/api/model", text=text_of("in-line-h2-star"))
+    (length,) = struct.unpack_from("<I", answer.content)
+    parts = json.loads(answer.content[4 : 4 + length])["parts"]
+    meshes = [mesh for mesh in gw.size(gw.read("in-line-h2-star")).meshes if "first.planet" in mesh.gears]
+    hottest = max(float(mesh.rating.flash.contact) for mesh in meshes)  # of sun and ring
+    assert parts["first.planet"]["temperature"] == pytest.approx(hottest, rel=1e-12)
+    assert "temperature" not in parts["first.carrier"]
 
 
 def test_the_server_is_ended_when_it_is_asked(asked):

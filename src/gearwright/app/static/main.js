@@ -7,6 +7,7 @@ import "/static/form.js";
 import "/static/numbers.js";
 import "/static/flow.js";
 import "/static/why.js";
+import "/static/closing.js";
 import "/static/viewer.js";
 import "/static/compare.js";
 import "/static/dynamics/dynamics.js";

@@ -18,7 +18,9 @@ function keys() {
     const delta = made("span", {className: `change ${better}`, textContent: percent(share), title: better ? `${better} than the pinned one` : "against the pinned one"});
     delta.dataset.key = key;
     const unit = named(key.split(".").at(-1))[1];
-    const shown = made("dd", {}, made("b", {textContent: key === "worst_margin" ? ratio(value) : number(value)}), made("span", {className: "unit", textContent: ` ${unit} `}), delta);
+    const why = made("button", {type: "button", className: "why-button", title: "Why?", ariaLabel: `${title}: why?`}, made("b", {textContent: key === "worst_margin" ? ratio(value) : number(value)}));
+    why.addEventListener("click", () => set({asked: state.asked === key ? "" : key}));
+    const shown = made("dd", {}, why, made("span", {className: "unit", textContent: ` ${unit} `}), delta);
     shown.dataset.key = key;
     return made("div", {}, made("dt", {textContent: title}), shown);
   }));

@@ -6,7 +6,7 @@ export const state = {
   text: "", problems: [], stale: false,
   files: null, designs: null, missions: null, studies: null, journals: null,
   answer: null, form: [], pinned: null,
-  case: "", selected: "", view: "design-view",
+  case: "", selected: "", asked: "", view: "design-view",
   review: null, // of a text: every check
   run: null, shaken: null, // a simulated run; what the solids show beside their steady turning
   entered: false, // true while the form changes the text: such a change is whole and waits for nothing

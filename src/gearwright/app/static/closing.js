@@ -1,0 +1,32 @@
+/* A design whose free sizes meet every check, as `gearwright close` finds it; where none does, what is not met and what helps. */
+import {offered} from "/static/files.js";
+import {Task, begin} from "/static/jobs.js";
+import {at, made, number, ratio} from "/static/made.js";
+import {set, state} from "/static/state.js";
+
+new Task(at("close-line"), "Make it pass", told => {
+  if (!state.answer) return null;
+  at("unmet").replaceChildren();
+  return {...begin("close", state.text, {variants: at("variants").checked}, told), taken: async answer => show(await answer.json())};
+});
+at("close-line").firstChild.title = "gearwright close: choose every free size so that all checks are met";
+
+function show(found) {
+  const options = [[found.design_file, `as it was closed, ${number(found.complete_mass_kg)} kg complete`]];
+  if (found.variant) options.unshift([found.variant.design_file, `${found.variant.what}, ${number(found.variant.complete_mass_kg)} kg complete`]);
+  const buttons = options.map(([text, words]) => {
+    const button = made("button", {type: "button", textContent: `Open ${words}`});
+    button.addEventListener("click", () => { offered(text, words); at("unmet").replaceChildren(); });
+    return button;
+  });
+  const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
+  const tried = found.tried.map(one => made("li", {className: "hint", textContent: `${one.what} does not meet ${one.why}`}));
+  at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), made("ul", {}, ...unmet, ...tried), ...buttons);
+  document.body.dataset.closed = found.outcome;
+}
+
+function pick(part) {
+  const button = made("button", {type: "button", className: "why-button", textContent: part});
+  button.addEventListener("click", () => set({selected: part}));
+  return button;
+}

@@ -1,0 +1,47 @@
+/* What would change a number: each value that the design gives, or could give, moved a little; everything found anew. */
+import {Dropped, Problems} from "/static/api.js";
+import {begin} from "/static/jobs.js";
+import {made, number, percent} from "/static/made.js";
+import {state} from "/static/state.js";
+
+const MOST = 8;
+let text = "", found = null, asked = null;
+
+/* Of the text as it stands, computed once. */
+function moves() {
+  if (text === state.answer.text && asked) return asked;
+  text = state.answer.text;
+  found = null;
+  const mine = text;
+  asked = begin("moved", text).answer.then(answer => answer.json()).then(told => { if (mine === text) found = told; return told; });
+  asked.catch(() => { if (mine === text) asked = null; });
+  return asked;
+}
+
+const step = one => {
+  const name = one.path, unit = /_mm$/.test(name) && one.kind === "computed" && one.more - one.value === 1;
+  return unit ? "+1 mm" : Number.isInteger(one.value) && one.more - one.value === 1 ? "+1" : "+1 %";
+};
+const KINDS = {written: "", default: ", now the default", computed: ", now computed"};
+
+function rows({handles, changes}, key) {
+  const shares = changes[key] || [];
+  return handles.map((one, k) => ({...one, share: shares[k]})).filter(one => one.share).sort((a, b) => Math.abs(b.share) - Math.abs(a.share)).slice(0, MOST);
+}
+
+/* A box that fills itself as soon as the answer is there. */
+export function moved(key, box = made("div", {className: "moved"})) {
+  box.replaceChildren(made("p", {className: "hint", textContent: "moving every value a little…"}));
+  const mine = state.answer.text;
+  moves().then(told => {
+    if (mine !== state.answer.text) return;
+    const list = rows(told, key);
+    box.replaceChildren(...(list.length ? [made("p", {className: "hint", textContent: "What would change it, everything else found anew:"}), made("div", {className: "bars"}, ...list.flatMap(one => [
+      made("span", {title: `${number(one.value)} to ${number(one.more)}${KINDS[one.kind]}`, textContent: `${step(one)} of ${one.path} (${number(one.value)}${KINDS[one.kind]})`}), made("span", {textContent: percent(one.share)}),
+    ]))] : [made("p", {className: "hint", textContent: "None of the values of the design moves it."})]));
+    document.body.dataset.moved = key;
+  }).catch(reason => {
+    box.replaceChildren(made("p", {className: "hint", textContent: reason instanceof Dropped || reason instanceof Problems ? "" : reason.message}));
+  });
+  return box;
+}
