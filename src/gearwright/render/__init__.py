@@ -9,6 +9,7 @@ room           makes
 ``figures``    drawings of numbers
 ``schematic``  the skeleton of a train, the power flow and the mode shapes on it
 ``pages``      self-contained HTML pages, from ``templates``
+``live``       scripts that make figures of pages answer a pointer, with the copy of ``uplot``
 ``drawings``   sheets of gears, shafts and the arrangement to ISO conventions
 =============  ==================================================================================
 """

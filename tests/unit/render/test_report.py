@@ -1,5 +1,4 @@
 import re
-from html.parser import HTMLParser
 
 import pytest
 from drawn_designs import MIXED, sized
@@ -9,16 +8,14 @@ from gearwright.render.pages.report import report
 from gearwright.render.style.mathml import mathml
 from gearwright.render.style.templates import symbols
 from gearwright.render.words.inputs import entries
+from html_checks import PACKED, Balance
 
-VOID = {"meta", "br", "hr", "img", "link", "input"}
 
-
-class Outline(HTMLParser):
+class Outline(Balance):
     """Checks that tags close in order; collects ids, links and headings."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.open: list[str] = []
         self.ids: list[str] = []
         self.links: list[str] = []
         self.tags: set[str] = set()
@@ -28,19 +25,10 @@ class Outline(HTMLParser):
         self.tags.add(tag)
         self.ids += [value for name, value in attrs if name == "id"]
         self.links += [value for name, value in attrs if name in ("href", "src", "xlink:href")]
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attrs) -> None:
-        self.handle_starttag(tag, attrs)
-        if tag not in VOID:
-            self.open.pop()
-
-    def handle_endtag(self, tag) -> None:
-        assert self.open.pop() == tag
+        super().handle_starttag(tag, attrs)
 
     def handle_data(self, data) -> None:
-        if self.open and self.open[-1] == "h2":
+        if self.stack and self.stack[-1] == "h2":
             self.headings.append(data)
 
 
@@ -62,6 +50,7 @@ def test_the_same_input_gives_the_same_bytes(page, in_line_h2, modal, run) -> No
 
 def test_the_page_asks_for_nothing_from_outside(page, outline) -> None:
     assert not {"link", "img", "iframe", "object"} & outline.tags
+    page = PACKED.sub("", page)
     assert not re.search(r"<script[^>]|fetch\(|XMLHttpRequest|innerHTML", page)
     assert all(link.startswith("#") for link in outline.links)
     assert "@import" not in page
@@ -69,7 +58,7 @@ def test_the_page_asks_for_nothing_from_outside(page, outline) -> None:
 
 
 def test_tags_close_ids_are_unique_and_links_lead_somewhere(outline) -> None:
-    assert outline.open == []
+    assert outline.stack == []
     assert len(outline.ids) == len(set(outline.ids))
     assert {link[1:] for link in outline.links} <= set(outline.ids)
 
@@ -137,8 +126,8 @@ def test_date_and_lines_come_from_the_caller_alone(in_line_h2) -> None:
     stamp = Stamp("24 November 2026", {"turbines.gas-turbine.power_kw": 17})
     stamped, bare = report(in_line_h2, stamp=stamp), report(in_line_h2)
     assert "24 November 2026" in stamped and "24 November 2026" not in bare
-    row = re.search(r"<tr><td><code>turbines.gas-turbine.power</code>.*?</tr>", stamped)
-    assert '<td class="n">17</td>' in row[0]
+    row = re.search(r"<tr><td><code>turbines.gas-turbine.power</code>.*", stamped)
+    assert "<td class=n>17<td" in row[0]
 
 
 def test_the_hash_follows_what_is_stated_and_not_its_order(in_line_h2) -> None:

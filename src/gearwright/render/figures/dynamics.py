@@ -20,7 +20,7 @@ from gearwright.dynamics.vibration import (
     order_name,
     turning_shaft,
 )
-from gearwright.render.figures.low_orders import draw_low, has_low_modes
+from gearwright.render.figures.low_orders import draw_low, has_low_modes, mode_names
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes
@@ -109,7 +109,8 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
     axes.annotate("operating", (frame.speed, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5,
                    va="top")  # fmt: skip
-    axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
+    named = mode_names(speed_case.campbell)
+    axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7, names=named)
     axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
     axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")
     axes.set_xlabel(f"speed of {shaft} [rpm]")
@@ -132,16 +133,17 @@ def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Fr
     for order in sorted((order for order in orders if order.excitation is None), key=lambda order: -order.frequency):
         name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
         if not name.stage:
-            axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1)
+            axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1, names=(name.short,))
             continue
         colour = theme.CYCLE[stages.index(name.stage) % len(theme.CYCLE)]
-        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.9, zorder=1)
+        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.9, zorder=1, names=(name.short,))
         leaves = end * min(1.0, frame.top / top)
         if leaves >= free or leaves == end:
             _name_ray(axes, name.short, (leaves, min(top, frame.top)), colour)
             free = leaves + 0.028 * end
     for order in (order for order in orders if order.excitation is not None):
-        axes.plot([0.0, end], [0.0, order.frequency / 1e3 * end / frame.speed], color=theme.MUTED, lw=0.4, ls="--")
+        top = order.frequency / 1e3 * end / frame.speed
+        axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.4, ls="--", names=(str(order),))
     axes.plot([], [], color=theme.MUTED, lw=0.6, ls=":", label="shaft turning")
     axes.plot([], [], color=theme.MUTED, lw=0.4, ls="--", label="machines, sidebands, planets that pass")
 

@@ -6,7 +6,7 @@ from itertools import cycle
 
 import numpy as np
 
-from gearwright.dynamics.vibration import SEPARATION, SpeedCase, order_name
+from gearwright.dynamics.vibration import SEPARATION, Campbell, SpeedCase, order_name
 from gearwright.render.style import theme
 from gearwright.render.style.labels import spread
 from gearwright.render.vector.axes import Axes
@@ -30,6 +30,16 @@ def has_low_modes(speeds: SpeedCase) -> bool:
     return bool(np.any(speeds.campbell.frequency < LOW))
 
 
+def mode_names(campbell: Campbell) -> list[str]:
+    """Return what a pointer is told of each natural frequency.
+
+    Args:
+        campbell: From `campbell`.
+    """
+    at = int(np.argmin(np.abs(campbell.factor - 1.0)))
+    return [f"mode {k + 1}, {value:.4g} Hz" for k, value in enumerate(campbell.frequency[at].tolist())]
+
+
 def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[str, float]) -> None:
     """Draw natural frequencies below `LOW`, every order that passes there by its name, and where it excites.
 
@@ -43,7 +53,7 @@ def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[
     rpm = speeds.campbell.factor * speed
     axes.axvspan(SEPARATION[0] * speed, SEPARATION[1] * speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(speed, color=theme.INK, lw=0.9)
-    axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1)
+    axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1, names=mode_names(speeds.campbell))
     axes.set(xlim=(0.0, rpm[-1]), ylim=(0.0, LOW), ylabel="frequency [Hz]", xlabel=f"speed of {shaft} [rpm]")
     axes.set_title(f"Below {LOW:g} Hz; shaded: 10 % of the operating speed")
     _draw_rays(axes, _named(sizing, speeds, rpm[-1] / speed))
@@ -73,7 +83,7 @@ def _draw_rays(axes: Axes, names: dict[float, str]) -> None:
     places = dict(zip(right, spread(right, HEIGHT * LOW), strict=True))
     free = end
     for top, colour in rows:
-        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.8, zorder=1)
+        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.8, zorder=1, names=(names[top],))
         if top <= LOW:
             axes.annotate(names[top], (end * 1.02, places[top]), leader=(end, top), fontsize=6.0,
                           color=colour, va="center")  # fmt: skip

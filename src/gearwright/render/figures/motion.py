@@ -14,6 +14,7 @@ from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.thinning import band
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
 
@@ -21,6 +22,8 @@ ORDERS = 3
 """Multiples of each mesh frequency that a spectrum marks."""
 FLOOR = 1e-5
 """Smallest amplitude that a spectrum shows, over the largest [-]."""
+DENSE = 2000
+"""Steps of a run above which a family of lines is the band from its least to its greatest."""
 CLOSE_STEPS = 600
 """Steps at the end of a window that are shown closely."""
 MOST_MODES = 9
@@ -95,6 +98,10 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         forces = np.array([samples.force(name)[-last:] for name in names]).T
         label = family if len(names) == 1 else f"{family} ({len(names)})"
+        if len(forces) > DENSE:
+            time, low, high = band(samples.time[-last:], forces)
+            axes.fill_between(time * 1e3, low, high, color=colour, alpha=0.75, lw=0.4, label=label)
+            continue
         axes.plot(samples.time[-last:] * 1e3, forces, color=colour, lw=0.8, label=label,
                   alpha=1.0 if len(names) == 1 else 0.6)  # fmt: skip
     axes.margins(x=0.0)

@@ -10,20 +10,19 @@ from gearwright.render.figures.study.lines import comparison_figure
 from gearwright.render.grid.table import table
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
     Section,
     Stamp,
     Tone,
     Verdict,
+    figure,
     judged,
     quantity,
     set_page,
     worst_of,
 )
 from gearwright.render.schematic.schematic import power_flow_figure
-from gearwright.render.style import theme
 from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline
 from gearwright.reviews import Review
@@ -96,7 +95,7 @@ def comparison(
     """
     ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
     verdicts = {name: judged(reviews[name]) for name in ranked}
-    masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
+    masses = figure(comparison_figure(variants), "masses", "Masses, lightest first.")
     designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]
     wholes = table(
         "Designs, in the order of the column total: gearbox and motors, the lightest first",
@@ -143,8 +142,8 @@ def _numbers(designs: Sequence[DesignView]) -> Iterator[Number]:
 
 def _flow(name: str, sizing: Sizing, review: Review) -> Section:
     caption = "Power flow at rated power: bands as wide as the power, in the colour of its source."
-    figure = Figure(theme.to_svg(power_flow_figure(sizing, sizing.reference.case), name), caption)
-    return Section(sizing.design.name, figures=(figure,), notes=(f"{headline(review)}.",))
+    drawn = figure(power_flow_figure(sizing, sizing.reference.case), name, caption)
+    return Section(sizing.design.name, figures=(drawn,), notes=(f"{headline(review)}.",))
 
 
 def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:

@@ -10,11 +10,9 @@ from gearwright.dynamics.vibration import SpeedCase, first_meshes
 from gearwright.render.figures.dynamics import campbell_figure
 from gearwright.render.figures.motion import every_step, mesh_frequencies
 from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
-from gearwright.render.pages.page import Figure, Section
+from gearwright.render.pages.page import Figure, Section, figure
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
-from gearwright.render.style import theme
 from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
-from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.sizing import Sizing
 
 MOST_DRAWN = 4
@@ -51,13 +49,9 @@ def dynamics_sections(
     return tuple(section for section in sections if section.tables or section.figures)
 
 
-def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
-    return Figure(theme.to_svg(drawing, name), caption)
-
-
 def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
     caption = "Natural frequencies, orders and excited resonances against speed; margins of the nearest ones."
-    figures = [_figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
+    figures = [figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
     tables = (*map(critical_table, campbell), *map(machine_table, campbell))
     return Section("Critical speeds", tables=tables, figures=tuple(figures))
 
@@ -71,7 +65,7 @@ def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Seque
     numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
     caption = "Modes excited nearest to the operating speed, on the train." if near else "Lowest modes, on the train."
     drawing = drawn_modes_figure(sizing, system, modes, numbers=numbers)
-    return Section("Mode shapes", figures=(_figure(drawing, "drawn-modes", caption),))
+    return Section("Mode shapes", figures=(figure(drawing, "drawn-modes", caption),))
 
 
 def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Section:
@@ -83,11 +77,11 @@ def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Se
     caption = "Phase portraits of the meshes: a closed curve repeats; the teeth part left of zero."
     figures = [
         *_errors(sizing, lines, trace, case),
-        _figure(phase_figure(samples, lines[:MOST_PATHS]), "phase", caption),
+        figure(phase_figure(samples, lines[:MOST_PATHS]), "phase", caption),
     ]
     if centres:
         caption = "Paths of centres about their means; of planetary sets in the frame of the carrier."
-        figures.append(_figure(orbit_figure(samples, centres), "orbits", caption))
+        figures.append(figure(orbit_figure(samples, centres), "orbits", caption))
     return Section("Transmission error and paths", figures=tuple(figures))
 
 
@@ -99,7 +93,7 @@ def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str
         meshes, rate = list(rows.values()), max(rates[row] for row in rows)
         if samples is not None and meshes and rate > 0.0:
             drawing = transmission_error_figure(samples, meshes, mesh_frequency=rate)
-            yield _figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}.")
+            yield figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}.")
 
 
 def _safe(stage: str) -> str:

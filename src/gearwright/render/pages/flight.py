@@ -16,17 +16,16 @@ from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.appendices import inputs
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
     Section,
     Stamp,
+    figure,
     judged,
     quantity,
     reserve,
     set_page,
 )
-from gearwright.render.style import theme
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.flight import (
     asked_table,
@@ -81,9 +80,7 @@ def flight_page(
     """
     sections = [_verdict(flight, parts, review, life), *_way(flight), *_effects(flight, parts)]
     if life is not None:
-        drawn = _figure(
-            mass_of_life_figure(life), "mass", "Round by round: the stage that fails first is strengthened."
-        )
+        drawn = figure(mass_of_life_figure(life), "mass", "Round by round: the stage that fails first is strengthened.")
         sections.append(Section("What a life costs", figures=(drawn,), notes=(f"{life_text(life)}.",)))
     if flight.mission.windows:
         sections.append(_windows(flight, windows))
@@ -107,10 +104,6 @@ class _Model:
     source: str
 
 
-def _figure(drawn: theme.Drawing, name: str, caption: str) -> Figure:
-    return Figure(theme.to_svg(drawn, name), caption)
-
-
 def _numbers(flight: Flight, parts: Durability, review: Review) -> Iterator[Number]:
     balance, first = flight.balance, next(iter(parts.parts), None)
     if first is not None and first.damage:
@@ -128,7 +121,7 @@ def _numbers(flight: Flight, parts: Durability, review: Review) -> Iterator[Numb
 def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
     """Return the dynamic windows: those that were flown as figures, and all of the mission by name."""
     figures = tuple(
-        _figure(window_figure(window), f"window{k}", f"Window {window.name}: {window_verdict(window)}.")
+        figure(window_figure(window), f"window{k}", f"Window {window.name}: {window_verdict(window)}.")
         for k, window in enumerate(flown)
     )
     named = ", ".join(f"{name} ({rules.phase}, {rules.event})" for name, rules in flight.mission.windows.items())
@@ -177,23 +170,23 @@ def _took(flight: Flight) -> Iterator[str]:
 
 def _way(flight: Flight) -> Iterator[Section]:
     """Yield what the flight did, over its time."""
-    profile = _figure(profile_figure(flight), "profile", "The mission: phases and who drives in them.")
+    profile = figure(profile_figure(flight), "profile", "The mission: phases and who drives in them.")
     forces = forces_table(flight)
     yield Section("Mission", tables=(asked_table(flight), *([forces] if forces else ())), figures=(profile,))
-    powers = _figure(power_figure(flight), "power", "Powers of the machines, stacked, and torques of the shafts.")
+    powers = figure(power_figure(flight), "power", "Powers of the machines, stacked, and torques of the shafts.")
     yield Section("Powers and torques", figures=(powers,))
-    stores = _figure(stores_figure(flight), "stores", "Fuel and battery of one gearbox.")
+    stores = figure(stores_figure(flight), "stores", "Fuel and battery of one gearbox.")
     yield Section("Fuel and charge", tables=(phase_table(flight), mode_table(flight)), figures=(stores,))
-    flow = _figure(sankey_figure(flight), "sankey", "Energy of the whole flight; bands are as wide as the energy.")
+    flow = figure(sankey_figure(flight), "sankey", "Energy of the whole flight; bands are as wide as the energy.")
     yield Section("Energy", tables=(loss_table(flight),), figures=(flow,))
-    heat = _figure(heat_figure(flight), "heat", "Heat by kind, efficiency, and the oil.")
+    heat = figure(heat_figure(flight), "heat", "Heat by kind, efficiency, and the oil.")
     yield Section("Heat and oil", figures=(heat,))
 
 
 def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     """Yield what the flight did to the parts."""
-    spectrum = _figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
+    spectrum = figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
     yield Section("Duty spectrum", figures=(spectrum,))
-    lives = (_figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
+    lives = (figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
     tables = tuple(table for table in (life_table(flight, parts), bearing_table(parts)) if table.rows)
     yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))

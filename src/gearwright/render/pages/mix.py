@@ -11,17 +11,16 @@ from gearwright.render.figures.mix import eaten_figure
 from gearwright.render.grid.table import written
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
     Section,
     Stamp,
     Tone,
     Verdict,
+    figure,
     quantity,
     set_page,
 )
-from gearwright.render.style import theme
 from gearwright.render.tables.flight import forces_table, phase_table
 from gearwright.render.tables.mix import mission_table, part_table
 from gearwright.render.words.flights.flight import count_text
@@ -66,14 +65,10 @@ def _numbers(flown: FlownMix) -> Iterator[Number]:
         yield quantity("from the battery", flown.battery, "electric_energy")
 
 
-def _figure(drawn: theme.Drawing, name: str, caption: str) -> Figure:
-    return Figure(theme.to_svg(drawn, name), caption)
-
-
 def _life(flown: FlownMix) -> Section:
     """Return what the whole life comes to."""
     tables = tuple(table for table in (mission_table(flown), part_table(flown)) if table.rows)
-    drawn = _figure(eaten_figure(flown), "eaten", "Which mission eats the life of a part, by Palmgren and Miner.")
+    drawn = figure(eaten_figure(flown), "eaten", "Which mission eats the life of a part, by Palmgren and Miner.")
     words = (f"{totals(flown)}.", *(f"{note}." for note in notes(flown)))
     return Section("The whole life", tables=tables, figures=(drawn,), notes=words)
 
@@ -82,12 +77,12 @@ def _mission(flown: FlownMix, name: str) -> Section:
     """Return one flight of a mission: what it does, what it loads, what it wears."""
     flight, lived, count = flown.flights[name], flown.lives[name], flown.mix.count(name)
     figures = [
-        _figure(profile_figure(flight), f"{name}-profile", f"{name}: phases and who drives in them."),
-        _figure(power_figure(flight), f"{name}-power", f"{name}: powers of the machines and torques of the shafts."),
-        _figure(spectrum_figure(flight), f"{name}-spectrum", f"{name}: turns at which a load is reached, one flight."),
+        figure(profile_figure(flight), f"{name}-profile", f"{name}: phases and who drives in them."),
+        figure(power_figure(flight), f"{name}-power", f"{name}: powers of the machines and torques of the shafts."),
+        figure(spectrum_figure(flight), f"{name}-spectrum", f"{name}: turns at which a load is reached, one flight."),
     ]
     if lived.failing:
-        figures.append(_figure(life_figure(lived), f"{name}-lives", f"{name}: flights that parts live, flown alone."))
+        figures.append(figure(life_figure(lived), f"{name}-lives", f"{name}: flights that parts live, flown alone."))
     forces = forces_table(flight)
     words = f"{flight.mission.name}, {count:g} of {flown.mix.flights} flights. {flight.mission.description}"
     return Section(

@@ -6,14 +6,21 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cache
 from hashlib import sha256
 from types import MappingProxyType
+from typing import Any
 
 from markupsafe import Markup
 
 from gearwright.checks import Check
+from gearwright.render import live, uplot
 from gearwright.render.grid.table import MARKS, Table, written
+from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
+from gearwright.render.vector.figure import Figure as Drawing
+from gearwright.render.vector.live import Numbers, live_panels
+from gearwright.render.vector.svg import style_of
 from gearwright.render.words.headline import said_of, sizing_headline
 from gearwright.reviews import Review
 from gearwright.reviews import Verdict as Judgement
@@ -70,6 +77,22 @@ class Figure:
 
     svg: str
     caption: str
+    name: str = ""
+    """Of its ids."""
+    drawing: Drawing | None = None
+    """What a page draws anew where a reader points."""
+
+
+def figure(drawing: theme.Drawing, name: str, caption: str) -> Figure:
+    """Return a figure of a page.
+
+    Args:
+        drawing: As drawn.
+        name: Goes before its ids.
+        caption: Below it.
+    """
+    alive = drawing if isinstance(drawing, Drawing) else None
+    return Figure(theme.to_svg(drawing, name, styled=False), caption, name, alive)
 
 
 @dataclass(frozen=True)
@@ -229,10 +252,14 @@ def set_page(page: Page) -> str:
     Args:
         page: With all that stands on it.
     """
-    tables = [table for section in (*page.sections, *page.appendices) for table in section.tables]
-    known = formulas(tables)
+    sections = (*page.sections, *page.appendices)
+    known = formulas(table for section in sections for table in section.tables)
+    drawn = [drawing for section in sections for drawing in section.figures]
+    alive = _live(drawn)
     return environment().get_template("page.html.j2").render(
         page=page,
+        live=alive,
+        colours=Markup(style_of("".join(drawing.svg for drawing in drawn))),
         formulas=known,
         anchors={(formula.quantity, formula.equation): f"f{k}" for k, formula in enumerate(known, start=1)},
         hash=hash_of(page.design) if page.design is not None else "",
@@ -240,6 +267,21 @@ def set_page(page: Page) -> str:
         written=written,
         version=__version__,
     )  # fmt: skip
+
+
+def _live(drawn: Iterable[Figure]) -> dict[str, Any]:
+    """Return what figures need to answer a pointer, by their names; nothing where none does."""
+    numbers = Numbers()
+    panels = {each.name: live_panels(each.drawing, numbers) for each in drawn if each.drawing is not None}
+    panels = {name: records for name, records in panels.items() if records}
+    if not panels:
+        return {}
+    return {"names": set(panels), "given": numbers.packed(panels, _scripts())}
+
+
+@cache
+def _scripts() -> tuple[str, ...]:
+    return (uplot.text("uplot.min.js"), *(live.text(name) for name in live.OWN))
 
 
 def _capital(words: str) -> str:

@@ -23,13 +23,13 @@ from gearwright.render.pages.page import (
     Stamp,
     Tone,
     Verdict,
+    figure,
     judged,
     judged_by_sizing,
     set_page,
 )
 from gearwright.render.pages.report_parts import assumptions, key_numbers, warnings
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
-from gearwright.render.style import theme
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
@@ -37,7 +37,6 @@ from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
-from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
@@ -110,26 +109,22 @@ def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:
     return (margins,) if review is None else _filled(*review_tables(review.checks))
 
 
-def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
-    return Figure(theme.to_svg(drawing, name), caption)
-
-
 def _flow(sizing: Sizing, case: str) -> Figure:
     caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
-    return _figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
+    return figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
 
 
 def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
-    skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
+    skeleton = figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
     others = [_flow(sizing, case) for case in sizing.flows if case != shown]
     tables = _filled(speeds, *flow_tables(sizing), passing_table(sizing), path_table(sizing))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 
 def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
-    margins = _figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
-    mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
+    margins = figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
+    mass = figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
     yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))
     factors = tuple(factor_tables(sizing).values())
@@ -137,7 +132,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
         yield Section("Rating of the gears", tables=factors)
         yield Section("The gears by every method", tables=tuple(method_tables(sizing).values()))
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
-    bent = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
+    bent = (figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
     loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "planet_bearings", "machines")
     yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
     if sizing.built_shafts:
@@ -160,19 +155,19 @@ def _filled(*tables: Table) -> tuple[Table, ...]:
 def _modes(modes: Modes, *, drawn: bool) -> Section:
     """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
     caption = "Lowest elastic modes; each coordinate over the largest of its kind."
-    figures = () if drawn else (_figure(mode_figure(modes), "modes", caption),)
+    figures = () if drawn else (figure(mode_figure(modes), "modes", caption),)
     return Section("Natural modes", tables=(mode_table(modes),), figures=figures)
 
 
 def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
-    figures = [_figure(time_figure(trace), "time", "Forces and torques against time.")]
+    figures = [figure(time_figure(trace), "time", "Forces and torques against time.")]
     notes = [
         f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
         f" {Error(trace.error, trace.rms_error).words()}."
     ]
     if every_step(trace) is not None:
         drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))
-        figures.append(_figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
+        figures.append(figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
     else:
         notes.append("No spectrum: no stretch of the run was kept at every step.")
     tables = (*motion_tables(trace), dynamic_table(sizing, trace), energy_table(trace))

@@ -25,8 +25,7 @@ from gearwright.render.figures.sharing import (
     support_figure,
     tornado_figure,
 )
-from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, set_page
-from gearwright.render.style import theme
+from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, figure, set_page
 from gearwright.render.style.templates import environment
 from gearwright.render.words.sharing import summary
 from gearwright.sizing import Sizing
@@ -151,9 +150,7 @@ def _planets(counts: PlanetCounts, prefix: str) -> Section:
 
 def _drawn(figures: Sequence[Drawn], prefix: str) -> tuple[Figure, ...]:
     """Draw figures; the prefix keeps their ids apart and the same each time."""
-    return tuple(
-        Figure(theme.to_svg(figure, prefix=f"{prefix}-{k}"), words) for k, (words, figure) in enumerate(figures)
-    )
+    return tuple(figure(drawn, f"{prefix}-{k}", words) for k, (words, drawn) in enumerate(figures))
 
 
 def _figures(study: SharingStudy, target: float | None) -> Iterator[Drawn]:

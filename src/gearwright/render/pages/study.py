@@ -24,13 +24,13 @@ from gearwright.render.pages.page import (
     Section,
     Stamp,
     Tone,
+    figure,
     judged,
     set_page,
     worst_of,
 )
 from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.schematic.schematic import schematic_figure
-from gearwright.render.style import theme
 from gearwright.render.tables.study.lists import front_list, inputs_table, spread_table, standings_table, values_table
 from gearwright.render.tables.study.variants import heading
 from gearwright.render.words.headline import headline
@@ -89,11 +89,11 @@ def _answer(study: Study, table: Table, outcome: Verdict | None) -> Section:
     if outcome is None:
         return Section("Answer", notes=notes)
     caption = "Medians; bars from 5 to 95 % of the cases; the best of each objective in orange; the winner at the top."
-    trade = Figure(theme.to_svg(trade_figure(study, table, outcome), "trade"), caption)
+    trade = figure(trade_figure(study, table, outcome), "trade", caption)
     figures = [trade]
     if len(study.objectives) > 1:
         weights = "Who comes first: objectives of the same weight, and over all weights."
-        figures.append(Figure(theme.to_svg(weights_figure(outcome), "weights"), weights))
+        figures.append(figure(weights_figure(outcome), "weights", weights))
     return Section(
         "Answer",
         tables=(standings_table(table, outcome), values_table(study, table, outcome)),
@@ -106,8 +106,8 @@ def _front(study: Study, table: Table) -> Section:
     front, chosen = pareto_front(study, table), front_table(study, table).rows
     caption = "Every case over the first two objectives; none dominates a case of the Pareto front."
     drawn = pareto_figure(study, table, front, chosen)
-    lines = Figure(theme.to_svg(parallel_figure(table, front), "lines"), "All cases; the front stands out.")
-    figures = [Figure(theme.to_svg(drawn, "front"), caption), lines]
+    lines = figure(parallel_figure(table, front), "lines", "All cases; the front stands out.")
+    figures = [figure(drawn, "front", caption), lines]
     notes = (f"{len(front):,} cases are on the Pareto front; {len(chosen)} of them are listed.",)
     return Section("Pareto front", (front_list(study, table, chosen),), tuple(figures), notes)
 
@@ -121,7 +121,7 @@ def _sensitivity(study: Study, table: Table) -> Section:
             notes.append(f"{heading(result)}: {error}.")
             continue
         caption = f"{heading(result)}: Sobol' indices; the total index includes interactions."
-        figures.append(Figure(theme.to_svg(tornado_figure(result, indices), f"tornado{k}"), caption))
+        figures.append(figure(tornado_figure(result, indices), f"tornado{k}", caption))
     return Section("What it depends on", figures=tuple(figures), notes=tuple(notes))
 
 
@@ -130,10 +130,8 @@ def _cases(study: Study, table: Table) -> Section:
     sampled = study.sampling.method in SAMPLED
     shapes = _shapes(study, table)
     if len(table.rows) <= FEW and study.sampling.method in ("grid", "list"):
-        return Section(
-            "Cases", figures=(*shapes, Figure(theme.to_svg(study_figure(table, study.objectives), "cases"), table.name))
-        )
-    figures = [*shapes, Figure(theme.to_svg(distribution_figure(table), "spread"), "How the results are spread.")]
+        return Section("Cases", figures=(*shapes, figure(study_figure(table, study.objectives), "cases", table.name)))
+    figures = [*shapes, figure(distribution_figure(table), "spread", "How the results are spread.")]
     tables = (spread_table(table, sampled=sampled),) if len(study.designs) == 1 else ()
     return Section("Spread", tables, tuple(figures))
 
@@ -144,7 +142,7 @@ def _shapes(study: Study, table: Table) -> list[Figure]:
         return []
     names = [name for name in tuple(study.objectives) or table.numbers[:1] if varies(np.array(table.column(name)))]
     return [
-        Figure(theme.to_svg(contour_figure(table, name), f"contour{k}"), f"{heading(name)}; between the cases: linear.")
+        figure(contour_figure(table, name), f"contour{k}", f"{heading(name)}; between the cases: linear.")
         for k, name in enumerate(names)
     ]
 
@@ -156,7 +154,7 @@ def _drawn(
     figures, notes, verdicts = [], [], []
     for k, (caption, row) in enumerate(chosen(study, table, outcome)):
         sizing, review = reviewed(study, designs[row.design], row.inputs)
-        figures.append(Figure(theme.to_svg(schematic_figure(sizing), f"drawn{k}"), caption))
+        figures.append(figure(schematic_figure(sizing), f"drawn{k}", caption))
         notes.append(f"{caption}: {headline(review)}.")
         verdicts.append(judged(review))
     section = Section("The chosen designs", figures=tuple(figures), notes=tuple(notes))

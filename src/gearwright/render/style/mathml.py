@@ -14,7 +14,7 @@ _TOKEN = re.compile(
     r"|(?P<number>\d+(?:\.\d+)?)"
     r"|(?P<operator>[ΣΠ])"
     rf"|(?P<raised>[{_ABOVE}]+)"
-    rf"|(?P<name>[^\W\d_{_ABOVE}]+\u0307?(?:[′*](?![^\W_]))*)(?:_(?P<below>{_INDEX}+(?:[.*]{_INDEX}+)*(?:[,-][^\W\d_]+)*))?"
+    rf"|(?P<name>[^\W\d_{_ABOVE}]+\u0307?(?:'s\b)?(?:[′*](?![^\W_]))*)(?:_(?P<below>{_INDEX}+(?:[.*]{_INDEX}+)*(?:[,-][^\W\d_]+)*))?"
     r"|(?P<sign>.)"
 )
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᵀ", "0123456789−T")
@@ -109,10 +109,19 @@ class _Reader:
                 factors.append(f"<mfrac>{_bare(above)}{_bare(below)}</mfrac>")
             else:
                 factors.append(self.factor())
-        return _THIN.join(factors)
+        return _beside(factors)
 
     def factor(self) -> str:
-        """Return one factor with what stands above it."""
+        """Return one factor with what stands above it; a function takes what stands next."""
+        function = self.peek().kind == "name" and self.peek().text in _FUNCTIONS
+        made = self.raised()
+        if function and self.peek().kind == "space" and self.peek(1).kind in ("name", "number"):
+            self.at += 1
+            return f"<mrow>{made}{_THIN}{self.factor()}</mrow>"
+        return made
+
+    def raised(self) -> str:
+        """Return one atom with what stands above it."""
         made = self.atom()
         while True:
             token = self.peek()
@@ -187,4 +196,19 @@ def _bare(made: str) -> str:
 
 
 def _row(factors: list[str]) -> str:
-    return factors[0] if len(factors) == 1 else f"<mrow>{_THIN.join(factors)}</mrow>"
+    return factors[0] if len(factors) == 1 else f"<mrow>{_beside(factors)}</mrow>"
+
+
+_WORDS = re.compile(r"<mtext>([^<]*)</mtext>")
+
+
+def _beside(factors: list[str]) -> str:
+    """Return factors one beside the other, words in one piece."""
+    pieces: list[str] = []
+    for factor in factors:
+        word, before = _WORDS.fullmatch(factor), _WORDS.fullmatch(pieces[-1]) if pieces else None
+        if word and before:
+            pieces[-1] = f"<mtext>{before[1]} {word[1]}</mtext>"
+        else:
+            pieces.append(factor)
+    return _THIN.join(pieces)

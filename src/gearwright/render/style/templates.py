@@ -33,6 +33,8 @@ def environment(package: str = "gearwright.render") -> Environment:
     )
     templates.filters["symbols"] = symbols
     templates.filters["mathml"] = _mathematics
+    templates.filters["exact"] = exact
+    templates.filters["lean"] = lean
     return templates
 
 
@@ -50,9 +52,36 @@ def symbols(words: str) -> Markup:
     return Markup(_SUBSCRIPT.sub(_set, str(escape(words))))
 
 
+def exact(number: float, text: str) -> Markup:
+    """Return the attribute that holds a number's further digits; nothing where its text has all of them.
+
+    Args:
+        number: Of a cell.
+        text: As it is read.
+    """
+    value = f"{number:.7g}"
+    try:
+        said = float(text.replace("−", "-"))
+    except ValueError:
+        return Markup(f" data-v={value}")
+    return Markup("" if said == float(value) else f" data-v={value}")
+
+
 def _set(match: re.Match[str]) -> str:
     code, symbol, index = match.groups()
     return f"<code>{code}</code>" if code else f"{symbol}<sub>{index}</sub>"
+
+
+_INDENTED = re.compile(r"^[ \t]+|^/\*[^\n]*\*/\n", re.MULTILINE)
+
+
+def lean(script: str) -> Markup:
+    """Return a script or a style of ours without what only its readers need: indents, and comments of one line.
+
+    Args:
+        script: Without texts of several lines.
+    """
+    return Markup(_INDENTED.sub("", script))
 
 
 def _mathematics(formula: str) -> Markup:

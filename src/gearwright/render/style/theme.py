@@ -94,15 +94,16 @@ def tiles(
     return figure, grid
 
 
-def to_svg(figure: Figure | Plotted, prefix: str = "") -> str:
+def to_svg(figure: Figure | Plotted, prefix: str = "", *, styled: bool = True) -> str:
     """Return a figure as an SVG element that stands alone or inside a page.
 
     Args:
         figure: As drawn.
         prefix: Goes before every id, so that several figures can share a page.
+        styled: With its own style; else the page has it.
     """
     if isinstance(figure, Figure):
-        return svg_text(figure, prefix)
+        return svg_text(figure, prefix, styled=styled)
     from gearwright.render.style import plotted
 
     return plotted.to_svg(figure, prefix)

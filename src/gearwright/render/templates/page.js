@@ -17,7 +17,11 @@
   const inUS = (value, unit) => (US[unit] ? [value * US[unit][1] + (US[unit][2] || 0), US[unit][0]] : [value, unit]);
   const valueOf = cell => (cell.dataset.v !== undefined ? Number(cell.dataset.v) : Number.parseFloat(cell.textContent.replace("\u2212", "-").replace("∞", "Infinity")));
   const tables = [...document.querySelectorAll("table:has(thead)")].filter(table => !table.matches(".plain"));
-  const unitOf = (cell, heads) => cell.dataset.u || (heads[cell.cellIndex] && heads[cell.cellIndex].dataset.u) || "";
+  const unitAt = heads => heads.findIndex(head => head.textContent.trim().startsWith("unit"));
+  const unitOf = (cell, heads) => {
+    const head = heads[cell.cellIndex], beside = unitAt(heads), named = head && /^(value|limit)/.test(head.textContent.trim()) ? cell.parentNode.cells[beside] : null;
+    return (head && head.dataset.u) || (named && (named.dataset.si ?? named.textContent)) || "";
+  };
 
   /* Units. */
   function units(us) {
@@ -29,15 +33,18 @@
       span.textContent = us ? written(value, Number(span.dataset.d || 4)) + (span.dataset.u ? " " + name : "") : span.dataset.si;
     }
     for (const table of tables) {
-      const heads = [...table.tHead.rows[0].cells], column = heads.findIndex(head => head.textContent.trim().startsWith("unit"));
+      const heads = [...table.tHead.rows[0].cells], column = unitAt(heads);
       for (const head of heads) if (US[head.dataset.u]) head.querySelector(".unit").textContent = us ? US[head.dataset.u][0] : head.dataset.u;
-      for (const cell of table.querySelectorAll("td[data-v]")) {
-        const unit = unitOf(cell, heads);
-        if (!US[unit]) continue;
-        const text = cell.firstChild;
+      for (const cell of table.querySelectorAll("td.n")) {
+        const unit = unitOf(cell, heads), text = cell.firstChild;
+        if (!US[unit] || !text) continue;
         cell.dataset.si ??= text.data;
+        cell.dataset.v ??= valueOf(cell);
         text.data = us ? written(inUS(Number(cell.dataset.v), unit)[0], 4) : cell.dataset.si;
-        if (cell.dataset.u && column >= 0) cell.parentNode.cells[column].textContent = us ? US[unit][0] : unit;
+        if (heads[cell.cellIndex].dataset.u || column < 0) continue;
+        const named = cell.parentNode.cells[column];
+        named.dataset.si ??= named.textContent;
+        named.textContent = us ? US[unit][0] : unit;
       }
     }
   }

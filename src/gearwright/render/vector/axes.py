@@ -67,9 +67,9 @@ class Axes:
     def plot(  # noqa: PLR0913
         self, x: Any, y: Any, style: str = "", *, color: str = "", lw: float = 1.1, ls: str = "-", alpha: float = 1.0,
         label: str = "", marker: str = "", ms: float = 6.0, mfc: str = "", mec: str = "", mew: float = 0.0,
-        zorder: float = 2.0,
+        zorder: float = 2.0, names: Sequence[str] = (),
     ) -> None:  # fmt: skip
-        """Draw curves through points, a curve for every column of y."""
+        """Draw curves through points, a curve for every column of y; names are what a pointer is told of each."""
         across, values = np.atleast_1d(np.asarray(x, dtype=float)), np.atleast_1d(np.asarray(y, dtype=float))
         columns = values.T if values.ndim == 2 else [values]
         dash = next((sign for sign in ("--", ":", "-") if sign in style), "" if style else ls)
@@ -78,7 +78,7 @@ class Axes:
             tone = color or self.colour()
             pen = m.Pen(tone, lw, dash, alpha)
             curve = m.Curve(across, column, pen, mark, ms, mfc or tone, mec, mew or (1.0 if mec else 0.0), layer=zorder,
-                            label=label if k == 0 else "")  # fmt: skip
+                            label=label if k == 0 else "", name=names[k] if names else "")  # fmt: skip
             self._add(curve, across, column)
 
     def barh(

@@ -126,7 +126,7 @@ def overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float]:
         axes: The panel.
         frame: Its place.
     """
-    left, low, _, high = _words_overhang(axes, frame)
+    left, low, _, high = words_overhang(axes, frame)
     right = outside(axes, frame)
     if not axes.off:
         left, low = max(left, _side(axes.y, frame[3] - frame[1])), max(low, _below(axes.x))
@@ -148,7 +148,7 @@ def outside(axes: Axes, frame: Frame) -> float:
         axes: The panel.
         frame: Its place.
     """
-    right = _words_overhang(axes, frame)[2]
+    right = words_overhang(axes, frame)[2]
     if axes.off:
         return right
     names = ticks_of(axes.x, frame[2] - frame[0], "x").names if axes.x.numbers else []
@@ -175,7 +175,13 @@ def _below(axis: Axis) -> float:
     return numbers + (len(axis.label.split("\n")) * line_height(8.0) + 0.3 if axis.label else 0.0)
 
 
-def _words_overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float]:
+def words_overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float]:
+    """Return how far the words of marks stand out of a frame: left, below, right, above [mm].
+
+    Args:
+        axes: The panel.
+        frame: Its place.
+    """
     boxes = [words_box(words, axes, frame) for words in axes.of(Words)]
     if not boxes:
         return 0.0, 0.0, 0.0, 0.0

@@ -31,6 +31,8 @@ class Mark:
     layer: float = 2.0
     label: str = ""
     """In the legend."""
+    name: str = ""
+    """What a pointer is told."""
 
 
 @dataclass(frozen=True)

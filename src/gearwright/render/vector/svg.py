@@ -3,42 +3,69 @@
 from __future__ import annotations
 
 import base64
+import re
 import struct
 import zlib
 from collections.abc import Sequence
 from html import escape
+from itertools import groupby
+from operator import itemgetter
 
 import numpy as np
 
 from gearwright.render.vector.figure import Figure
 from gearwright.render.vector.ink import Disc, Frame, Image, Ink, Line, Path
-from gearwright.render.vector.marks import Pen
+from gearwright.render.vector.marks import Pen, circle
 from gearwright.render.vector.painting import painted
-from gearwright.render.vector.palette import DARK, MUTED, PAPER, css_value
+from gearwright.render.vector.palette import DARK, MUTED, NAMES, PAPER, css_value, tinted
+from gearwright.render.vector.thinning import straightened
 from gearwright.render.vector.words import POINT, SMALL
 
+ROUND = 13
+"""Points of an ellipse of four cubic curves."""
 UNITS = 20.0
 """Steps of the drawing's own grid in one mm."""
 FONT = "DejaVu Sans,Verdana,sans-serif"
+OPEN = 'fill="none"'
+LOOK = "\0"
+"""Where an element's look stands until it is known whether its neighbours share it."""
 _DASHES = {"--": "5 2.5", ":": "1 1.8"}
 
 
-def svg_text(figure: Figure, prefix: str = "") -> str:
+def svg_text(figure: Figure, prefix: str = "", *, styled: bool = True) -> str:
     """Return a figure as an SVG element that stands alone or inside a page.
 
     Args:
         figure: As drawn.
         prefix: Goes before every id and names the figure's own ids, so that several figures can share a page.
+        styled: With its own style; else the page has that of `style_of`.
     """
-    writer = _Writer(figure, f"{prefix}-" if prefix else "")
+    writer = _Writer(figure, f"{prefix}-" if prefix else "", styled=styled)
     return writer.text(painted(figure))
+
+
+def style_of(page: str) -> str:
+    """Return the rules of all classes that figures without their own style use on a page, and its colours.
+
+    Args:
+        page: HTML.
+    """
+    light = "".join(f"--gw-{name}:{colour};" for colour, name in NAMES.items())
+    dark = "".join(f"--gw-{name}:{colour};" for name, colour in DARK.items())
+    used = sorted(set(re.findall(r"gw-[fs]-[a-z0-9-]+", page)))
+    colours = {
+        known[0]: re.sub(r",#\w+\)", ")", known[1]) for known in map(css_value, (*NAMES, *map(tinted, NAMES))) if known
+    }
+    kinds = {"f": "fill", "s": "stroke"}
+    rules = "".join(f".{name}{{{kinds[name[3]]}:{colours[name[5:]]}}}" for name in used)
+    return f":root{{{light}}}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}{rules}"
 
 
 class _Writer:
     """Collects elements, and which colours and clips they need."""
 
-    def __init__(self, figure: Figure, prefix: str) -> None:
-        self.figure, self.prefix = figure, prefix
+    def __init__(self, figure: Figure, prefix: str, *, styled: bool) -> None:
+        self.figure, self.prefix, self.styled = figure, prefix, styled
         self.rules: dict[str, str] = {}
         self.clips: dict[Frame, str] = {}
         self.hatched = False
@@ -55,7 +82,7 @@ class _Writer:
             f' aria-labelledby="{self.prefix}title {self.prefix}desc">',
             f'<title id="{self.prefix}title">{escape(title.replace(chr(10), " "))}</title>',
             f'<desc id="{self.prefix}desc">{escape(told.replace(chr(10), " ")[:1500])}</desc>',
-            f"<style>{self._style()}</style>",
+            *([f"<style>{self._style()}</style>"] if self.styled else []),
             *self._definitions(),
             *body,
             "</svg>",
@@ -85,45 +112,59 @@ class _Writer:
     def _body(self, ink: Sequence[Ink]) -> list[str]:
         """Return elements, those that share a clip in one group."""
         lines: list[str] = []
-        current: Frame | None = None
-        for drop in ink:
-            clip = getattr(drop, "clip", None)
-            if clip != current:
-                lines += ["</g>"] if current is not None else []
-                lines += [f'<g clip-path="url(#{self._clip(clip)})">'] if clip is not None else []
-                current = clip
-            lines.append(self._element(drop))
-        return [*lines, "</g>"] if current is not None else lines
+        for clip, drops in groupby(ink, key=lambda drop: getattr(drop, "clip", None)):
+            lines += [f'<g clip-path="url(#{self._clip(clip)})">'] if clip is not None else []
+            for look, elements in groupby(map(self._element, drops), key=itemgetter(1)):
+                lines += _together([element for element, _ in elements], look)
+            lines += ["</g>"] if clip is not None else []
+        return lines
 
     def _clip(self, frame: Frame) -> str:
         return self.clips.setdefault(frame, f"{self.prefix}clip-{len(self.clips)}")
 
-    def _element(self, drop: Ink) -> str:
+    def _element(self, drop: Ink) -> tuple[str, str]:
+        """Return an element with a place for its look, and the look."""
         if isinstance(drop, Path):
             return self._path(drop)
         if isinstance(drop, Disc):
             look = self._look("fill", drop.fill) + _opacity(drop.alpha)
             if drop.edge:
                 look += " " + self._stroke(Pen(drop.edge, drop.edge_width or 1.0))
-            return f'<circle cx="{self._x(drop.x)}" cy="{self._y(drop.y)}" r="{drop.radius * UNITS:.3g}" {look}/>'
+            place = f'cx="{self._x(drop.x)}" cy="{self._y(drop.y)}" r="{drop.radius * UNITS:.3g}"'
+            return f"<circle {place}{LOOK}/>", _one_class(look)
         if isinstance(drop, Image):
-            return self._image(drop)
+            return self._image(drop), ""
         return self._line(drop)
 
-    def _path(self, path: Path) -> str:
-        pieces = "".join(self._piece(piece, path) for piece in path.pieces if len(piece))
-        look = self._look("fill", path.fill) + _opacity(path.alpha) if path.fill else 'fill="none"'
+    def _path(self, path: Path) -> tuple[str, str]:
+        shape = (
+            self._round(path) or f'path d="{"".join(self._piece(piece, path) for piece in path.pieces if len(piece))}"'
+        )
+        look = self._look("fill", path.fill) + _opacity(path.alpha) if path.fill else OPEN
         if path.hatched:
             self.hatched = True
             look = f'fill="url(#{self.prefix}hatch)"'
         pen = " " + self._stroke(path.pen) if path.pen is not None else ""
-        return f'<path d="{pieces}" {_one_class(look + pen)}/>'
+        return f"<{shape}{LOOK}/>", _one_class(look + pen)
+
+    def _round(self, path: Path) -> str:
+        """Return the element of an ellipse; nothing for other paths."""
+        points = path.pieces[0] if path.cubic and len(path.pieces) == 1 else np.zeros((0, 2))
+        if len(points) != ROUND:
+            return ""
+        centre, size = (
+            (points[0] + points[6]) / 2.0,
+            np.array([points[0, 0] - points[6, 0], points[3, 1] - points[9, 1]]),
+        )
+        if not np.allclose(points, circle((centre[0], centre[1]), size[0], size[1])):
+            return ""
+        radii = np.round(np.abs(size) / 2.0 * UNITS).astype(int)
+        return f'ellipse cx="{self._x(centre[0])}" cy="{self._y(centre[1])}" rx="{radii[0]}" ry="{radii[1]}"'
 
     def _piece(self, points: np.ndarray, path: Path) -> str:
         grid = np.stack([np.round(points[:, 0] * UNITS), np.round((self.figure.height - points[:, 1]) * UNITS)], axis=1)
+        grid = grid if path.cubic else straightened(grid)
         steps = np.diff(grid.astype(int), axis=0)
-        if not path.cubic and len(steps) > 1:
-            steps = steps[np.any(steps != 0, axis=1)]
         first = f"M{int(grid[0, 0])} {int(grid[0, 1])}"
         if path.cubic:
             words = " ".join(f"{x} {y}" for x, y in grid[1:].astype(int).tolist())
@@ -131,15 +172,15 @@ class _Writer:
         words = " ".join(f"{x} {y}" for x, y in steps.tolist()).replace(" -", "-")
         return f"{first}l{words or '0 0'}" + ("z" if path.closed else "")
 
-    def _line(self, line: Line) -> str:
+    def _line(self, line: Line) -> tuple[str, str]:
         x, y = self._x(line.x), self._y(line.y)
         size = line.size * POINT * UNITS
-        look = self._look("fill", line.colour)
+        look = f'font-size="{size:.3g}" {self._look("fill", line.colour)}'
         look += f' text-anchor="{line.anchor}"' if line.anchor != "start" else ""
         look += ' font-weight="bold"' if line.bold else ""
-        look += f' transform="rotate({-line.turned:.4g} {x} {y})"' if line.turned else ""
+        turned = f' transform="rotate({-line.turned:.4g} {x} {y})"' if line.turned else ""
         words = "".join(self._spans(line, size))
-        return f'<text x="{x}" y="{y}" font-size="{size:.3g}" {look}>{words}</text>'
+        return f'<text x="{x}" y="{y}"{turned}{LOOK}>{words}</text>', look
 
     def _spans(self, line: Line, size: float) -> list[str]:
         words, level = [], 0.0
@@ -170,7 +211,7 @@ class _Writer:
             return f'{what}="{colour}"'
         name = f"gw-{what[0]}-{known[0]}"
         self.rules[name] = f"{what}:{known[1]}"
-        return f'class="{name}" {what}="{colour}"'
+        return f'class="{name}" {what}="{colour}"' if self.styled else f'class="{name}"'
 
     def _stroke(self, pen: Pen) -> str:
         width = pen.width * POINT * UNITS
@@ -188,6 +229,15 @@ class _Writer:
 
     def _y(self, y: float) -> int:
         return round((self.figure.height - y) * UNITS)
+
+
+def _together(elements: Sequence[str], look: str) -> list[str]:
+    """Return elements of one look, which several of them have from their group."""
+    if look.startswith(OPEN) and "opacity" not in look:
+        elements = ["".join(elements).replace(f'"{LOOK}/><path d="', "")]
+    if len(elements) == 1 or not look:
+        return [element.replace(LOOK, f" {look}" if look else "") for element in elements]
+    return [f"<g {look}>", *(element.replace(LOOK, "") for element in elements), "</g>"]
 
 
 def _opacity(alpha: float) -> str:

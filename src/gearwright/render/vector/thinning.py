@@ -8,8 +8,12 @@ from gearwright.arrays import Floats
 
 COLUMN = 0.26
 """Width of a column on paper [mm]: a pixel of a page, of which 96 make an inch."""
-GRAIN = 0.2
+GRAIN = 0.3
 """Distance of points on paper that look like one [mm]."""
+PASSES, FEWEST, HAIR_STEPS = 12, 4, 1.5
+"""Looks for points on a line, points of a path that is left as it is, and steps beside the line that look straight."""
+BANDS = 400
+"""Stretches of a band."""
 FEW = 400
 """Points of a curve that is left as it is."""
 
@@ -50,6 +54,18 @@ def extremes(points: Floats) -> Floats:
     return points[sorted(kept)]
 
 
+def band(x: Floats, rows: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return places, and the least and greatest of all rows between two of them.
+
+    Args:
+        x: Rising, shape (points,).
+        rows: Shape (points, rows).
+    """
+    starts = np.unique(np.linspace(0, len(x), BANDS + 1, dtype=int)[:-1])
+    low, high = np.fmin.reduceat(rows, starts).min(axis=1), np.fmax.reduceat(rows, starts).max(axis=1)
+    return np.append(x[starts], x[-1]), np.append(low, low[-1]), np.append(high, high[-1])
+
+
 def distinct(points: Floats) -> list[Floats]:
     """Return the stretches of a path that do not lie on others, on a fine grid.
 
@@ -70,3 +86,26 @@ def distinct(points: Floats) -> list[Floats]:
         if len(part) and new[part[0]]:
             pieces.append(kept[part[0] : part[-1] + 2])
     return pieces
+
+
+def straightened(grid: Floats) -> Floats:
+    """Return a path without the points that stand on the line between their neighbours, or a hair beside it.
+
+    Args:
+        grid: Shape (points, 2), whole steps.
+    """
+    grid = grid[np.concatenate([[True], np.any(np.diff(grid, axis=0) != 0.0, axis=1)])]
+    for turn in range(PASSES):
+        if len(grid) < FEWEST:
+            break
+        before, at, after = grid[:-2], grid[1:-1], grid[2:]
+        along, off = after - before, at - before
+        length = np.hypot(along[:, 0], along[:, 1])
+        ahead = np.sum(along * off, axis=1)
+        beside = np.abs(along[:, 0] * off[:, 1] - along[:, 1] * off[:, 0])
+        on_it = (beside <= HAIR_STEPS * length) & (ahead > 0.0) & (ahead < length**2)
+        on_it[turn % 2 :: 2] = False
+        if not on_it.any() and turn % 2:
+            break
+        grid = grid[np.concatenate([[True], ~on_it, [True]])]
+    return grid

@@ -1,0 +1,19 @@
+"""The scripts that make figures of pages answer a pointer; numbers come from `vector`, lines from uPlot."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+
+OWN = ("panel.js", "live.js")
+"""Scripts, in the order in which they build on each other."""
+
+
+@cache
+def text(name: str) -> str:
+    """Return a file of this room.
+
+    Args:
+        name: Such as ``live.js``.
+    """
+    return files("gearwright.render.live").joinpath(name).read_text(encoding="utf-8")
