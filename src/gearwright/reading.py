@@ -43,6 +43,19 @@ def text_of(
         raise _refused(path, key, "this is not a text file in UTF-8") from None
 
 
+def bytes_of(path: str | Path, *, largest: int) -> bytes:
+    """Return the bytes of a regular file.
+
+    Args:
+        path: Of the file.
+        largest: Size of the largest file that is read [bytes].
+
+    Raises:
+        DesignError: If there is no such file, it is none that can be read, or is too large.
+    """
+    return _content(path, "", "there is no such file", largest)
+
+
 def begins_with(path: str | Path, mark: bytes) -> bool:
     """Tell whether a regular file begins with a mark, such as that of its kind.
 

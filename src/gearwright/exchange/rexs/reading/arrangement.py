@@ -16,6 +16,8 @@ from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.reading.gearing import Gear, Gearing
 
 Table = dict[str, Any]
+CASE_HARDENED = "18CrNiMo7-6"
+"""Steel of bevel gears whose own is not known."""
 
 
 def read_sections(asking: Asking) -> dict[int, tuple[float, float]]:
@@ -152,8 +154,10 @@ def read_materials(asking: Asking, gearing: Gearing, gears: Mapping[int, Gear]) 
     if len(first) != 1 or len(wheel) > 1 or not {*first, *wheel} <= materials().keys():
         listed = ", ".join(sorted({*first, *wheel}))
         said = f"materials {listed} of the gears are not those" if listed else "gears have no material: they are not"
-        asking.notes.append(f"{said} of the catalogue that one design can hold; nitriding-steel-785 stands for them")
-        return {}
+        bevel = any(gear.component.kind == "bevel_gear" for gear in gears.values())
+        taken = CASE_HARDENED if bevel else "nitriding-steel-785"  # Lewis and Hertz, with which the other goes, has no bevels
+        asking.notes.append(f"{said} of the catalogue that one design can hold; {taken} stands for them")
+        return {"material": taken, "rating": "iso6336"} if bevel else {}
     asking.notes.append(f"materials {', '.join(sorted({*first, *wheel}))} are those of the catalogue, by their names")
     rules: Table = {"material": first[0]}
     steel = materials()[first[0]].steel

@@ -10,7 +10,10 @@ from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.document import Component
 from gearwright.spec import GROUND, LONGEST_NAME
 
-RIGID = ("coupling", "feather_key_connection", "cylindrical_interference_fit", "tapered_interference_fit")
+RIGID = (
+    "coupling", "feather_key_connection", "cylindrical_interference_fit", "tapered_interference_fit",
+    "involute_spline_connection",
+)  # fmt: skip
 """Components that let their sides turn as one."""
 LONGEST = 40
 """Longest name of a component that a design takes up; a longer one is a sentence [-]."""

@@ -8,12 +8,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.document import Component
+from gearwright.exchange.rexs.reading.document import Component, Document
 
 Table = dict[str, Any]
 GEARS = ("cylindrical_gear", "ring_gear", "bevel_gear")
 FLANKS = ("cylindrical_gear_flank", "flank_geometry", "bevel_gear_flank")
 _SQUARE = math.radians(20.0)
+SAME = 1e-6
+"""Relative difference below which numbers of gears in mesh are the same [-]."""
 NEAR = 5e-4
 """Profile shifts that differ by no more are the same, as printed in files [-]."""
 
@@ -100,19 +102,19 @@ def gears_of(asking: Asking) -> dict[int, Gear]:
 def _gear(asking: Asking, component: Component) -> Gear:
     document, number = asking.document, component.number
     asking.used.add(number)
-    shafts = document.related("assembly", "part", number, "assembly")
-    if not shafts:
-        asking.refuse(component, "stands on no shaft; give it an assembly relation with one")
+    shaft = _shaft_of(document, number)
+    if shaft is None:
+        asking.refuse(component, "stands on no shaft; give it an assembly relation with one, or one of its sides a fit")
     teeth = round(abs(asking.needed(component, "number_of_teeth")))
     flanks = [document.components[flank] for role in ("left", "right")
               for flank in document.related("flank", "gear", number, role)]  # fmt: skip
     asking.used.update(flank.number for flank in flanks)
     if component.kind == "bevel_gear":
-        module = asking.needed(component, "outer_pitch_diameter") / max(teeth, 1)
         helix, shift = (
             asking.number(component, "mean_spiral_angle"),
             _of_any(asking, [component], "profile_shift_coefficient"),
         )
+        module = _bevel_module(asking, component, max(teeth, 1), helix or 0.0)
     else:
         module, helix = (
             asking.needed(component, "normal_module"),
@@ -122,7 +124,28 @@ def _gear(asking: Asking, component: Component) -> Gear:
     angle = _of_any(asking, flanks, "normal_pressure_angle")
     width = asking.needed(component, "face_width")
     asking.number(component, "mass_of_component")
-    return Gear(component, shafts[0] if shafts else -1, teeth, module, width, helix or 0.0, shift, angle or _SQUARE)
+    return Gear(component, -1 if shaft is None else shaft, teeth, module, width, helix or 0.0, shift, angle or _SQUARE)
+
+
+def _shaft_of(document: Document, number: int) -> int | None:
+    """Return the shaft of a gear: of which it is a part, or to which a fit, a key or a spline joins it."""
+    for shaft in document.related("assembly", "part", number, "assembly"):
+        if document.components[shaft].kind == "shaft":
+            return shaft
+    for role, other in (("outer_part", "inner_part"), ("inner_part", "outer_part")):
+        for shaft in document.related("side", role, number, other):
+            if document.components[shaft].kind in ("shaft", "gear_casing"):
+                return shaft
+    return None
+
+
+def _bevel_module(asking: Asking, component: Component, teeth: int, spiral: float) -> float:
+    """Return the transverse module at the outer end, or at the middle of the face where a file has only that [m]."""
+    if asking.number(component, "outer_pitch_diameter") is None:
+        mean = asking.number(component, "mean_normal_module")
+        if mean is not None:
+            return mean / math.cos(spiral)
+    return asking.needed(component, "outer_pitch_diameter") / teeth
 
 
 def _of_any(asking: Asking, components: Iterable[Component], name: str) -> float | None:
@@ -131,10 +154,12 @@ def _of_any(asking: Asking, components: Iterable[Component], name: str) -> float
     return values[0] if values else None
 
 
-def _alike(one: Gear, other: Gear) -> tuple[tuple[str, float, float], ...]:
+def _alike(asking: Asking, one: Gear, other: Gear) -> tuple[tuple[str, float, float], ...]:
     """Return what gears in mesh must have in common, of both."""
+    ours, theirs = (asking.number(gear.component, "mean_normal_module") for gear in (one, other))
+    modules = (ours, theirs) if ours is not None and theirs is not None else (one.module, other.module)
     return (
-        ("module", one.module, other.module),
+        ("module", *modules),
         ("helix angle", abs(one.helix), abs(other.helix)),
         ("pressure angle", one.pressure_angle, other.pressure_angle),
     )
@@ -150,8 +175,8 @@ def stage_table(asking: Asking, stage: Component, gears: Sequence[Gear]) -> Tabl
     """
     first = gears[0]
     for gear in gears[1:]:
-        for said, one, other in _alike(first, gear):
-            if not math.isclose(one, other, rel_tol=1e-6, abs_tol=1e-9):
+        for said, one, other in _alike(asking, first, gear):
+            if not math.isclose(one, other, rel_tol=SAME, abs_tol=1e-9):
                 message = f"meshes with {first.component.path}, which has another {said}; they must be equal"
                 asking.refuse(gear.component, message)
     widths = {gear.width for gear in gears}
@@ -163,7 +188,7 @@ def stage_table(asking: Asking, stage: Component, gears: Sequence[Gear]) -> Tabl
     if not math.isclose(first.pressure_angle, _SQUARE, rel_tol=1e-9):
         rules["pressure_angle_rad"] = first.pressure_angle
     if first.component.kind == "bevel_gear":
-        table |= {"outer_module_m": first.module, "spiral_angle_rad": abs(first.helix)}
+        table |= {"outer_module_m": _outer(asking, stage, gears, min(widths)), "spiral_angle_rad": abs(first.helix)}
     else:
         table["module_m"] = first.module
         distance = asking.number(stage, "center_distance")
@@ -176,3 +201,20 @@ def stage_table(asking: Asking, stage: Component, gears: Sequence[Gear]) -> Tabl
             rules["helix_angle_rad"] = abs(first.helix)
     asking.number(stage, "common_face_width")
     return table | ({"gears": rules} if rules else {})
+
+
+def _outer(asking: Asking, stage: Component, gears: Sequence[Gear], width: float) -> float:
+    """Return the outer transverse module of bevel gears of which the mean one may be known [m].
+
+    Source: ISO 23509:2016, 6.4: tan δ_1 = sin Σ / (u + cos Σ), R_m = d_m1 / (2 sin δ_1), R_e = R_m + b/2.
+    """
+    first, second = gears[0], gears[-1]
+    outer = next((gear for gear in gears if "outer_pitch_diameter" in gear.component.attributes), None)
+    if outer is not None:
+        return outer.module
+    axes = asking.number(stage, "shaft_angle") or math.pi / 2.0
+    cone = math.atan2(math.sin(axes), second.teeth / max(first.teeth, 1) + math.cos(axes))
+    mean = first.teeth * first.module / (2.0 * math.sin(cone))
+    said = "of bevel gears without outer_pitch_diameter the middle of the smaller face has the mean_normal_module"
+    asking.notes.append(f"line {stage.line}: {stage.path}: {said}")
+    return first.module * (mean + width / 2.0) / mean if mean else first.module

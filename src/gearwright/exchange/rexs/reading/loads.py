@@ -128,15 +128,24 @@ def _said(
         if values and name in gearing.shafts:
             speeds.setdefault(str(name), values[0])
     owners = {gear: gearing.shaft(gear) for gear in gearing.owners.values()}
+    led = led_on(gearing.pairs, gearing.planetaries, speeds, owners)
     torques = {}
-    for load in loads:
+    for load, shaft in loads.items():
         for said in (case.get(load), document.components[load]):
-            torque = None if said is None else asking.number(said, "torque_around_u_axis")
+            torque = None if said is None else _torque(asking, said, led.get(shaft, 0.0))
             if torque is not None and load not in torques:
                 torques[load] = torque
     unit = next((said for said in case.values() if said.kind == "gear_unit"), None)
     share = None if unit is None else asking.number(unit, "operating_time_fraction")
-    return Said(share, torques, led_on(gearing.pairs, gearing.planetaries, speeds, owners))
+    return Said(share, torques, led)
+
+
+def _torque(asking: Asking, said: Component, speed: float) -> float | None:
+    """Return the torque of a load: as stated, or of its power at the speed of its shaft [N m]."""
+    torque, power = asking.number(said, "torque_around_u_axis"), asking.number(said, "power")
+    if torque is not None or power is None or abs(speed) < _SLOW:
+        return torque
+    return power / speed
 
 
 def _is_enough(

@@ -7,15 +7,13 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from gearwright.errors import Problem, excerpt, refuse
+from gearwright.exchange.rexs.reading.coded import decoded
 from gearwright.exchange.rexs.reading.document import Attribute, Component, Document, Relation
 
 READ = ("1.0", "1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7")
 """Versions that are read."""
 DEEPEST = 20
 """How deep elements may stand in each other [-]; REXS's own need 7."""
-_BOM = "\ufeff"
-_OTHERS: Mapping[str, str] = {"PK": "an archive (.rexsz)", "{": "JSON (.rexsj)"}
-"""How other forms of a REXS file begin -> what they are."""
 
 
 def document_of(text: str, source: str) -> Document:
@@ -28,9 +26,6 @@ def document_of(text: str, source: str) -> Document:
     Raises:
         DesignError: If it is no XML, declares a document type, or is no REXS file of a version that is read.
     """
-    kind = next((kind for begins, kind in _OTHERS.items() if text.lstrip(f"{_BOM} \n\r\t").startswith(begins)), "")
-    if kind:
-        refuse([Problem("", f"this is {kind}; REXS is read as XML: unpack it, or export it as .rexs")], source)
     reading = _Reading()
     parser = expat.ParserCreate()
     reading.parser = parser
@@ -39,7 +34,7 @@ def document_of(text: str, source: str) -> Document:
     parser.StartElementHandler, parser.EndElementHandler = reading.start, reading.end
     parser.CharacterDataHandler = reading.characters
     try:
-        parser.Parse(text.lstrip(_BOM))
+        parser.Parse(text)
         parser.Parse("", True)  # noqa: FBT003 - the end, as expat has it
     except expat.ExpatError as error:
         said = f"this is no whole XML file: {expat.ErrorString(error.code)}; export it again"
@@ -48,6 +43,17 @@ def document_of(text: str, source: str) -> Document:
         refuse([Problem("", str(error), parser.CurrentLineNumber)], source)
     refuse(reading.problems, source)
     return reading.document()
+
+
+def unread_version(version: str, line: int) -> list[Problem]:
+    """Return what is said of a version that is not read; nothing of others.
+
+    Args:
+        version: As the file says.
+        line: Where it says so [-].
+    """
+    said = f"is {excerpt(version)!r}; REXS {READ[0]} to {READ[-1]} is read: export it in one of them"
+    return [] if version in READ else [Problem("model.version", said, line)]
 
 
 class _Forbidden(Exception):
@@ -105,10 +111,7 @@ class _Reading:
         if tag != "model":
             raise _Forbidden(f"the file begins with <{excerpt(tag)}>, not with <model>: it is no REXS file")
         self.model = attributes
-        version = attributes.get("version", "")
-        if version not in READ:
-            said = f"is {excerpt(version)!r}; REXS {READ[0]} to {READ[-1]} is read: export it in one of them"
-            self.problems.append(Problem("model.version", said, self.line))
+        self.problems += unread_version(attributes.get("version", ""), self.line)
 
     def characters(self, text: str) -> None:
         """Take text between elements."""
@@ -122,6 +125,8 @@ class _Reading:
         self.words = []
         if tag == "c":
             self.cells.append(said)
+        elif tag in ("array", "matrix") and "code" in attributes:
+            self._coded(said, attributes["code"], line)
         elif tag == "attribute":
             written = Attribute("" if self.cells else said, tuple(self.cells), attributes.get("unit"), line)
             self.attributes[attributes.get("id", "")] = written
@@ -132,6 +137,12 @@ class _Reading:
             self.relations.append(Relation(attributes.get("type", ""), tuple(self.ends), line))
         elif tag == "component":
             self._component(attributes, line)
+
+    def _coded(self, text: str, code: str, line: int) -> None:
+        try:
+            self.cells += decoded(text, code)
+        except ValueError as error:
+            self.problems.append(Problem("components.attribute", str(error), line))
 
     def _component(self, attributes: Mapping[str, str], line: int) -> None:
         kind = attributes.get("type", "")

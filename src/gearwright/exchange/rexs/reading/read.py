@@ -14,19 +14,15 @@ from gearwright.exchange.rexs.reading.bodies import bodies_of
 from gearwright.exchange.rexs.reading.gearing import gears_of
 from gearwright.exchange.rexs.reading.loads import read_clutches, read_loads, read_oil
 from gearwright.exchange.rexs.reading.mounting import Mounting, read_mounting, with_places
+from gearwright.exchange.rexs.reading.opening import opened
 from gearwright.exchange.rexs.reading.own import own_design, own_labels
-from gearwright.exchange.rexs.reading.parsing import document_of
 from gearwright.exchange.rexs.reading.sound import unsound
 from gearwright.exchange.rexs.reading.stages import read_stages, refuse_nothing
 from gearwright.exchange.rexs.reading.stated import Stated, read_stated
-from gearwright.reading import text_of
 from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.spec import Design, build, design_text, parse
 from gearwright.verbs import verb
-
-LARGEST = 20_000_000
-"""Largest REXS file that is read [bytes]; a wind turbine's gearbox has 0.1 MB."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -54,7 +50,7 @@ def from_rexs(path: str | Path) -> ImportedRexs:
     that another tool has changed since.
 
     Args:
-        path: Of a file of REXS 1.0 to 1.7, as XML.
+        path: Of a file of REXS 1.0 to 1.7: XML (.rexs), JSON (.rexsj), or one of them in an archive (.rexsz).
 
     Raises:
         DesignError: With every problem of the file: its line, path, what was given, what is allowed and the fix.
@@ -62,7 +58,7 @@ def from_rexs(path: str | Path) -> ImportedRexs:
     Source: REXS 1.0 to 1.7, FVA GmbH, rexs.info.
     """
     source = str(path)
-    document = document_of(text_of(path, largest=LARGEST), source)
+    document = opened(path)
     refuse(unsound(document), source)
     asking = Asking(document)
     own = own_design(asking, source)
