@@ -64,10 +64,16 @@ def _step(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return file.content, f"STEP AP214, {file.bodies} bodies of {file.solids} solids, {len(file.content) / 1e6:.1f} MB"
 
 
-def _rexs(sizing: Sizing, _: Wanted, *, version: Literal["1.7", "1.6"]) -> tuple[bytes, str]:
+def _rexs(
+    sizing: Sizing,
+    _: Wanted,
+    *,
+    version: Literal["1.7", "1.6"] = "1.7",
+    form: Literal["rexs", "rexsj", "rexsz"] = "rexs",
+) -> tuple[bytes, str]:
     from gearwright.exchange import to_rexs
 
-    file = to_rexs(sizing, version=version)
+    file = to_rexs(sizing, version=version, form=form)
     words = f"REXS {version}, {file.components} components; not in it:"
     return file.content, "\n  ".join((words, *file.left_out))
 
@@ -155,8 +161,10 @@ FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "html": _html,
     "step": _step,
     "json": _json,
-    "rexs": partial(_rexs, version="1.7"),
-    "rexs-1.6": partial(_rexs, version="1.6"),
+    "rexs": partial(_rexs, version="1.7", form="rexs"),
+    "rexs-1.6": partial(_rexs, version="1.6", form="rexs"),
+    "rexsj": partial(_rexs, version="1.7", form="rexsj"),
+    "rexsz": partial(_rexs, version="1.7", form="rexsz"),
     "fmu": partial(_fmu, version="2.0"),
     "fmu-3.0": partial(_fmu, version="3.0"),
     "xlsx": _xlsx,

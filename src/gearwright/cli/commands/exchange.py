@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def import_(
-    file: Annotated[Path, typer.Argument(help="A file of REXS 1.0 to 1.7, as XML", metavar="FILE")],
+    file: Annotated[Path, typer.Argument(help="A file of REXS 1.0 to 1.7: .rexs, .rexsj or .rexsz", metavar="FILE")],
     out: Annotated[Path | None, typer.Option("--out", help="Design file; left out: NAME.toml here")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
 ) -> None:

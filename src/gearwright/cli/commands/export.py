@@ -21,8 +21,9 @@ def export(
         str,
         typer.Option(
             "--to",
-            help="glb: solids that turn; html: a page on which they do; step: solids for CAD; rexs, rexs-1.6: REXS;"
-            " fmu, fmu-3.0: FMI; xlsx, csv, parquet, netcdf: every table; svg, dxf: the general arrangement;"
+            help="glb: solids that turn; html: a page on which they do; step: solids for CAD;"
+            " rexs, rexs-1.6, rexsj, rexsz: REXS; fmu, fmu-3.0: FMI; xlsx, csv, parquet, netcdf: every table;"
+            " svg, dxf: the general arrangement;"
             " json: the sizing",
         ),
     ],

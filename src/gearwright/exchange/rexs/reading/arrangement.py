@@ -10,9 +10,9 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.catalogue import materials
+from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.bodies import Bodies
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.reading.gearing import Gear, Gearing
 
 Table = dict[str, Any]
@@ -53,7 +53,7 @@ def read_layout(asking: Asking, bodies: Bodies, gearing: Gearing, gears: Mapping
         gears: Gears by id.
     """
     sections = read_sections(asking)
-    if gearing.planetaries or any(pair.get("kind") == "bevel" for pair in gearing.pairs.values()):
+    if gearing.planetaries or gearing.compounds or any(pair.get("kind") == "bevel" for pair in gearing.pairs.values()):
         asking.notes.append("lengths and places of shafts are not read in a train with planetary or bevel stages")
         return {}
     shafts = {name: [number for number in sections if bodies.name_of(number) == name] for name in gearing.shafts}
@@ -155,7 +155,9 @@ def read_materials(asking: Asking, gearing: Gearing, gears: Mapping[int, Gear]) 
         listed = ", ".join(sorted({*first, *wheel}))
         said = f"materials {listed} of the gears are not those" if listed else "gears have no material: they are not"
         bevel = any(gear.component.kind == "bevel_gear" for gear in gears.values())
-        taken = CASE_HARDENED if bevel else "nitriding-steel-785"  # Lewis and Hertz, with which the other goes, has no bevels
+        taken = (
+            CASE_HARDENED if bevel else "nitriding-steel-785"
+        )  # Lewis and Hertz, with which the other goes, has no bevels
         asking.notes.append(f"{said} of the catalogue that one design can hold; {taken} stands for them")
         return {"material": taken, "rating": "iso6336"} if bevel else {}
     asking.notes.append(f"materials {', '.join(sorted({*first, *wheel}))} are those of the catalogue, by their names")

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from gearwright.errors import Problem, excerpt
-from gearwright.exchange.rexs.reading.document import Attribute, Component, Document
+from gearwright.exchange.rexs.files import Attribute, Component, Document
 from gearwright.exchange.rexs.words import UNITS, spellings, words
 
 FORMER = {

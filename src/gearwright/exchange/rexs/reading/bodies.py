@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from gearwright.errors import Problem
+from gearwright.exchange.rexs.files import Attribute, Component, Document
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.spec import GROUND, LONGEST_NAME
 
 RIGID = (
@@ -15,6 +15,8 @@ RIGID = (
     "involute_spline_connection",
 )  # fmt: skip
 """Components that let their sides turn as one."""
+MOST_GEARS = 24
+"""Most gears of a transmission that become load cases [-]."""
 LONGEST = 40
 """Longest name of a component that a design takes up; a longer one is a sentence [-]."""
 
@@ -120,9 +122,47 @@ def holds(asking: Asking, coupling: Component) -> tuple[bool, ...]:
         coupling: Of it.
     """
     cases = asking.document.cases or ({},)
-    always = asking.text(coupling, "is_engaged")
-    said = [asking.text(case[coupling.number], "is_engaged") if coupling.number in case else "" for case in cases]
-    return tuple((text or always) == "true" for text in said)
+    return tuple(_held(asking, coupling, case) for case in cases)
+
+
+def _held(asking: Asking, coupling: Component, case: Mapping[int, Component]) -> bool:
+    """Tell whether a coupling is engaged in a case; of one that says so gear by gear, in the gear of the case."""
+    spoken = [said for said in (case.get(coupling.number), coupling) if said is not None]
+    for said in spoken:
+        found = asking.attribute(said, "is_engaged")
+        if found is not None and (found.text or found.cells):
+            place = _gear_of(asking, case) - 1
+            return (found.text or found.cells[place if place < len(found.cells) else 0]) == "true"
+    return False
+
+
+def _gear_of(asking: Asking, case: Mapping[int, Component]) -> int:
+    """Return which of its gears a transmission is in, counted from 1 [-]."""
+    units = asking.document.of_kind("gear_unit")
+    for said in (*(case[unit.number] for unit in units if unit.number in case), *units):
+        text = asking.text(said, "gear_shift_index")
+        if text.isascii() and text.isdigit() and int(text) > 0:
+            return int(text)
+    return 1
+
+
+def with_gears(document: Document) -> Document:
+    """Return a document in which each gear of a transmission is a load case, where it has no load cases.
+
+    Args:
+        document: As read.
+    """
+    units = [unit for unit in document.of_kind("gear_unit") if "number_of_gears" in unit.attributes]
+    couplings = document.of_kind("switchable_coupling")
+    shifts = any("is_engaged" in one.attributes and len(one.attributes["is_engaged"].cells) > 1 for one in couplings)
+    if document.cases or not units or not shifts:
+        return document
+    unit, count = units[0], units[0].attributes["number_of_gears"].text
+    if not (count.isascii() and count.isdigit() and 1 < int(count) <= MOST_GEARS):
+        return document
+    said = [{"gear_shift_index": Attribute(str(gear), (), "none", unit.line)} for gear in range(1, int(count) + 1)]
+    cases = tuple({unit.number: Component(unit.number, unit.kind, "", unit.line, index)} for index in said)
+    return replace(document, cases=cases)
 
 
 def _couple(bodies: Bodies, coupling: Component) -> None:

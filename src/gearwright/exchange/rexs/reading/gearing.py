@@ -7,8 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from gearwright.exchange.rexs.files import Component, Document
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.document import Component, Document
+from gearwright.spec import GROUND
 
 Table = dict[str, Any]
 GEARS = ("cylindrical_gear", "ring_gear", "bevel_gear")
@@ -51,6 +52,7 @@ class Gearing:
 
     pairs: dict[str, Table] = field(default_factory=dict)
     planetaries: dict[str, Table] = field(default_factory=dict)
+    compounds: dict[str, Table] = field(default_factory=dict)
     shafts: list[str] = field(default_factory=list)
     """Shafts of the design, in order."""
     labels: dict[int, str] = field(default_factory=dict)
@@ -73,9 +75,24 @@ class Gearing:
         Args:
             name: Of the shaft, or ground.
         """
-        if name != "ground" and name not in self.shafts:
+        if name != GROUND and name not in self.shafts:
             self.shafts.append(name)
         return name
+
+    def hold(self, shaft: str) -> None:
+        """Put a shaft of sets on the ground.
+
+        Args:
+            shaft: That never turns.
+        """
+        if shaft in self.shafts and len(self.shafts) > 1:
+            self.shafts.remove(shaft)
+        for table in self.planetaries.values():
+            table |= {role: GROUND for role in ("sun", "ring", "carrier") if table[role] == shaft}
+        for table in self.compounds.values():
+            members = [*table.get("suns", {}).values(), *table.get("rings", {}).values()]
+            for holder, key in [(table, "carrier"), *((member, "shaft") for member in members)]:
+                holder[key] = GROUND if holder[key] == shaft else holder[key]
 
     def shaft(self, named: str) -> str:
         """Return the shaft that a side of a pair names, directly or by a gear of another pair.

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from gearwright.errors import Problem
+from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.bodies import Bodies, holds
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.reading.gearing import Gearing
-from gearwright.exchange.rexs.reading.speeds import led_on
+from gearwright.exchange.rexs.reading.speeds import free_speeds, led_on
 from gearwright.spec import GROUND
 
 Table = dict[str, Any]
@@ -49,10 +49,13 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
         gearing: Its gears.
     """
     loads = _loads(asking, bodies, gearing)
+    shares = bool(gearing.planetaries or gearing.compounds)  # whose members divide torques among several that follow
     if asking.problems:
         return {}
-    cases = [_said(asking, bodies, gearing, loads, case) for case in asking.document.cases or ({},)]
-    known = _known(asking, loads, cases)
+    cases = [_said(asking, bodies, gearing, loads, place) for place in range(len(asking.document.cases) or 1)]
+    if shares:
+        _hold_still(asking, gearing, loads, cases)
+    known = _known(asking, gearing, loads, cases)
     for load in [load for load in known if not any(said.torques[load] for said in cases)]:
         known.remove(load)
         component = asking.document.components[load]
@@ -61,7 +64,7 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
     names = {load: bodies.new_name(asking.document.components[load]) for load in loads}
     gearing.machines |= names
     others = [load for load in loads if load not in known]
-    if not _is_enough(asking, loads, known, others, cases):
+    if not _is_enough(asking, loads, known, others, cases, shares=shares):
         return {}
     tables: Table = {"motors": {}, "loads": {}}
     said_once = "what drives is read as a motor, what is driven as a load: REXS does not say which machines they are"
@@ -72,22 +75,32 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
     for load in others:
         powers = [-sum(said.power(one, loads[one]) for one in known) for said in cases]
         speeds = [said.speeds[loads[load]] for said in cases]
-        if max(powers, key=abs) > 0.0:
+        if len(others) == 1 and max(powers, key=abs) > 0.0:
             _machine(tables, names[load], loads[load], powers, speeds)
             tables["motors"][names[load]]["balances"] = True
         else:
             tables["loads"][names[load]] = {"shaft": loads[load]}
     tables.pop("sense", None)
     _free_speeds(tables, gearing, cases[0])
-    return tables | _cases(asking, cases, {names[load]: load for load in known}, loads, gearing.engaged)
+    return tables | _cases(asking, gearing, cases, {names[load]: load for load in known}, loads)
 
 
-def _known(asking: Asking, loads: Mapping[int, str], cases: list[Said]) -> list[int]:
-    """Return the loads whose torques are given: not those of which a file says that they follow, and never all."""
+def _hold_still(asking: Asking, gearing: Gearing, loads: dict[int, str], cases: list[Said]) -> None:
+    """Put shafts of sets that a load holds in every case on the ground."""
+    for load, shaft in list(loads.items()):
+        if len(loads) > 2 and all(abs(said.speeds.get(shaft, 1.0)) < _SLOW for said in cases):
+            held = asking.document.components[load]
+            asking.notes.append(f"line {held.line}: {held.path} holds a shaft that never turns; it is the ground")
+            gearing.hold(loads.pop(load))
+
+
+def _known(asking: Asking, gearing: Gearing, loads: Mapping[int, str], cases: list[Said]) -> list[int]:
+    """Return the loads whose torques are given: not those that follow, as a file says or as many as must."""
     stated = [load for load in loads if all(load in said.torques for said in cases)]
     given = [load for load in stated
              if asking.text(asking.document.components[load], "defines_torque") != "false"] or stated  # fmt: skip
-    if len(given) == len(loads) and len(given) > 1:
+    free = free_speeds(gearing, [clutch for clutch, held in gearing.engaged.items() if held[0]])
+    while given and len(given) > max(len(loads) - free, 1):
         most = min(given, key=lambda load: cases[0].power(load, loads[load]))
         asking.notes.append(f"the torque of {asking.document.components[most].path} follows from all others")
         given.remove(most)
@@ -116,23 +129,21 @@ def _loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> dict[int, str]:
     return loads
 
 
-def _said(
-    asking: Asking, bodies: Bodies, gearing: Gearing, loads: Mapping[int, str], case: Mapping[int, Component]
-) -> Said:
+def _said(asking: Asking, bodies: Bodies, gearing: Gearing, loads: Mapping[int, str], place: int) -> Said:
     document = asking.document
+    case = (document.cases or ({},))[place]
     speeds: dict[str, float] = {}
     for shaft in document.of_kind("shaft"):
-        name = bodies.name_of(shaft.number)
+        own = bodies.name_of(shaft.number)
         spoken = [said for said in (case.get(shaft.number), shaft) if said is not None]
         values = [value for said in spoken if (value := asking.number(said, "rotational_speed")) is not None]
-        if values and name in gearing.shafts:
-            speeds.setdefault(str(name), values[0])
-    owners = {gear: gearing.shaft(gear) for gear in gearing.owners.values()}
-    led = led_on(gearing.pairs, gearing.planetaries, speeds, owners)
+        if values and own in gearing.shafts:
+            speeds.setdefault(str(own), values[0])
+    led = led_on(gearing, speeds, [clutch for clutch, held in gearing.engaged.items() if held[place]])
     torques = {}
-    for load, shaft in loads.items():
+    for load, name in loads.items():
         for said in (case.get(load), document.components[load]):
-            torque = None if said is None else _torque(asking, said, led.get(shaft, 0.0))
+            torque = None if said is None else _torque(asking, said, led.get(name, 0.0))
             if torque is not None and load not in torques:
                 torques[load] = torque
     unit = next((said for said in case.values() if said.kind == "gear_unit"), None)
@@ -149,7 +160,7 @@ def _torque(asking: Asking, said: Component, speed: float) -> float | None:
 
 
 def _is_enough(
-    asking: Asking, loads: Mapping[int, str], known: list[int], others: list[int], cases: list[Said]
+    asking: Asking, loads: Mapping[int, str], known: list[int], others: list[int], cases: list[Said], *, shares: bool
 ) -> bool:
     """Tell whether torques and speeds are enough for a design, and refuse what is missing."""
     said = ""
@@ -157,7 +168,7 @@ def _is_enough(
         said = "there is no external_load that transmits torque; give one on the driving and one on the driven shaft"
     elif not known:
         said = "no external_load has a torque_around_u_axis; give that of the driving machine"
-    elif len(others) > 1:
+    elif len(others) > 1 and not shares:
         said = f"{len(others)} loads have no torque_around_u_axis; it follows for one of them, give that of the others"
     elif not others and len(known) == 1:
         said = "one external_load alone transmits torque; give one on the driven shaft, too"
@@ -184,19 +195,17 @@ def _machine(tables: Table, name: str, shaft: str, powers: list[float], speeds: 
 
 def _free_speeds(tables: Table, gearing: Gearing, said: Said) -> None:
     """Give driven machines their speeds where those do not follow from the speeds of what drives."""
-    owners = {gear: gearing.shaft(gear) for gear in gearing.owners.values()}
     known = {machine["shaft"]: said.speeds[machine["shaft"]] for machine in tables["motors"].values()}
     for machine in tables["loads"].values():
         shaft = machine["shaft"]
-        if shaft not in led_on(gearing.pairs, gearing.planetaries, known, owners) and not gearing.clutches:
+        if shaft not in led_on(gearing, known) and not gearing.clutches:
             known[shaft] = said.speeds[shaft]
             machine["speed_rad_s"] = abs(said.speeds[shaft])
 
 
 def _cases(
-    asking: Asking, cases: list[Said], names: Mapping[str, int], loads: Mapping[int, str],
-    engaged: Mapping[str, tuple[bool, ...]],
-) -> Table:  # fmt: skip
+    asking: Asking, gearing: Gearing, cases: list[Said], names: Mapping[str, int], loads: Mapping[int, str]
+) -> Table:
     """Return the table of cases where there are several."""
     if len(cases) < 2:
         return {}
@@ -212,8 +221,8 @@ def _cases(
     for place, said in enumerate(cases, start=1):
         share = (said.share or 0.0) / whole if whole else 1.0 / len(cases)
         table: Table = {"share": share}
-        if engaged:
-            table["engaged"] = [clutch for clutch, held in engaged.items() if held[place - 1]]
+        if gearing.engaged:
+            table["engaged"] = _held(asking, gearing, [loads[load] for load in names.values()], said, place)
         for name, load in names.items():
             speed, power = said.speeds[loads[load]], said.power(load, loads[load])
             table[name] = {"power_w": power} if abs(speed) > _SLOW else {"torque_nm": said.torques[load]}
@@ -224,6 +233,21 @@ def _cases(
             asking.notes.append(f"load case {place} has no share of the time; it is read as static")
         tables[f"case-{place}"] = table
     return {"cases": tables}
+
+
+def _held(asking: Asking, gearing: Gearing, driven: list[str], said: Said, place: int) -> list[str]:
+    """Return the clutches that hold in a case, and those that let a shaft which nothing turns turn along, unloaded."""
+    held = [clutch for clutch, holds_in in gearing.engaged.items() if holds_in[place - 1]]
+    known = {shaft: said.speeds[shaft] for shaft in driven}
+    led, idle = led_on(gearing, known, held), list[str]()
+    for name, clutch in gearing.clutches.items():
+        if len(led.keys() & {clutch["driving"], clutch["driven"]}) == 1:
+            idle.append(name)
+            led = led_on(gearing, known, [*held, *idle])
+    if not idle or not led.keys() >= set(gearing.shafts):
+        return held
+    asking.notes.append(f"load case {place} engages {', '.join(idle)}, too, so that no shaft is without a speed")
+    return [*held, *idle]
 
 
 def read_clutches(asking: Asking, bodies: Bodies, gearing: Gearing) -> None:

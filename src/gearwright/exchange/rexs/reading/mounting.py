@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gearwright.catalogue import bearings
+from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.bodies import Bodies
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.reading.gearing import Gearing
 from gearwright.exchange.rexs.words import ABSORBS, BEARING_TYPES
 from gearwright.spec import GROUND

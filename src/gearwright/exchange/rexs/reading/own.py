@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from gearwright.errors import DesignError, Problem, refuse
+from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.words import DESIGN, GEAR, MESH
 from gearwright.identity import Role
 from gearwright.sizing import GearSizing, Sizing, size

@@ -8,15 +8,14 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem, refuse
+from gearwright.exchange.rexs.files import opened, unsound
 from gearwright.exchange.rexs.reading.arrangement import lone_shafts, read_layout, read_materials, read_service
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.bodies import bodies_of
+from gearwright.exchange.rexs.reading.bodies import bodies_of, with_gears
 from gearwright.exchange.rexs.reading.gearing import gears_of
 from gearwright.exchange.rexs.reading.loads import read_clutches, read_loads, read_oil
 from gearwright.exchange.rexs.reading.mounting import Mounting, read_mounting, with_places
-from gearwright.exchange.rexs.reading.opening import opened
 from gearwright.exchange.rexs.reading.own import own_design, own_labels
-from gearwright.exchange.rexs.reading.sound import unsound
 from gearwright.exchange.rexs.reading.stages import read_stages, refuse_nothing
 from gearwright.exchange.rexs.reading.stated import Stated, read_stated
 from gearwright.showing import Shown
@@ -58,7 +57,7 @@ def from_rexs(path: str | Path) -> ImportedRexs:
     Source: REXS 1.0 to 1.7, FVA GmbH, rexs.info.
     """
     source = str(path)
-    document = opened(path)
+    document = with_gears(opened(path))
     refuse(unsound(document), source)
     asking = Asking(document)
     own = own_design(asking, source)
@@ -89,6 +88,7 @@ def _design(asking: Asking, source: str) -> tuple[Design, Mapping[int, str]]:
         "schema": 1, "name": name, "description": f"Read from {Path(source).name}: REXS {document.version}"
         f" of {document.application or 'an unnamed tool'}",
         "shafts": gearing.shafts, "pairs": gearing.pairs, "planetaries": gearing.planetaries,
+        "epicyclics": gearing.compounds,
         "clutches": gearing.clutches,
         "gears": rules, "layout": layout,
         "oil": read_oil(asking), "service": read_service(asking) if "rating" in rules else {},

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
-from gearwright.errors import Problem
+from gearwright.errors import DesignError, Problem
+from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.bodies import Bodies
-from gearwright.exchange.rexs.reading.document import Component
 from gearwright.exchange.rexs.reading.gearing import Gear, Gearing, Table, stage_table
 from gearwright.exchange.rexs.reading.sets import read_set
+from gearwright.parts.gears.working_centre import shifts_at
 
 SHARED = ("module_m", "outer_module_m", "centre_distance_m")
 """What a pair has from the one whose gear it shares."""
@@ -78,14 +79,17 @@ def _pair(
     table = stage_table(asking, stage, (pinion, wheel))
     if other_half:
         table["halves"] = 2
+    follows = dict[int, float]()
     if {pinion.number, wheel.number} & gearing.owners.keys():  # module and distance follow from the gear that it shares
+        follows = _closing(gearing, pinion, wheel, table.get("centre_distance_m"))
         table = {key: value for key, value in table.items() if key not in SHARED}
     for role, gear in (("pinion", pinion), ("wheel", wheel)):
         shaft = gearing.add_shaft(bodies.name(gear.shaft))
         table[role] = gearing.owners.get(gear.number, shaft)
         table[f"{role}_teeth"] = gear.teeth
-        if gear.shift is not None and gear.number not in gearing.owners and gear.component.kind != "bevel_gear":
-            table[f"{role}_shift"] = gear.shift
+        shift = gear.shift if gear.shift is not None else follows.get(gear.number)
+        if shift is not None and gear.number not in gearing.owners and gear.component.kind != "bevel_gear":
+            table[f"{role}_shift"] = shift
         same = [half.number for half in other_half if half.shaft == gear.shaft]
         for number in (gear.number, *same):
             gearing.owners.setdefault(number, f"{name}.{role}")
@@ -97,6 +101,20 @@ def _pair(
         table["pinion_shift"] = pinion.shift
     gearing.pairs[name] = table
     gearing.stages[name] = (stage.number,)
+
+
+def _closing(gearing: Gearing, pinion: Gear, wheel: Gear, centre: float | None) -> dict[int, float]:
+    """Return the shift of a gear that a file does not state, where it closes with the shared one at their distance."""
+    known = [gear for gear in (pinion, wheel) if gear.number in gearing.owners]
+    free = [gear for gear in (pinion, wheel) if gear.number not in gearing.owners and gear.shift is None]
+    if centre is None or len(known) != 1 or not free or known[0].shift is None or "bevel" in pinion.component.kind:
+        return {}
+    teeth = pinion.teeth + (-wheel.teeth if wheel.component.kind == "ring_gear" else wheel.teeth)
+    try:
+        sums = shifts_at(teeth, centre / pinion.module, pressure_angle=pinion.pressure_angle, helix_angle=pinion.helix)
+    except DesignError:  # the design is refused in its own words
+        return {}
+    return {free[0].number: sums - known[0].shift}
 
 
 def _kind(asking: Asking, stage: Component, pinion: Gear, wheel: Gear) -> Table:
@@ -115,7 +133,7 @@ def refuse_nothing(asking: Asking, gearing: Gearing) -> None:
         asking: The document.
         gearing: What was read of it.
     """
-    if gearing.pairs or gearing.planetaries or asking.problems:
+    if gearing.pairs or gearing.planetaries or gearing.compounds or asking.problems:
         return
     kinds = sorted({component.kind for component in asking.document.components.values()})
     said = (

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from gearwright.exchange.rexs.files import Document
 from gearwright.exchange.rexs.reading.asking import Asking
-from gearwright.exchange.rexs.reading.document import Document
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating

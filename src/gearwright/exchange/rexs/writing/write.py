@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from gearwright.errors import Problem, near, refuse
 from gearwright.exchange.rexs.words import DESIGN, VERSIONS, Version
+from gearwright.exchange.rexs.writing.forms import FORMS, Form, formed
 from gearwright.exchange.rexs.writing.gears import write_gears
 from gearwright.exchange.rexs.writing.loads import write_cases, write_clutches, write_machines
 from gearwright.exchange.rexs.writing.shafts import write_shafts
@@ -25,7 +26,7 @@ class RexsFile(Shown):
     """A sized gearbox as a file of REXS."""
 
     content: bytes
-    """The file, in UTF-8."""
+    """The file: XML or JSON in UTF-8, or an archive."""
     version: Version
     components: int
     """How many it holds [-]."""
@@ -34,7 +35,7 @@ class RexsFile(Shown):
 
 
 @verb
-def to_rexs(sizing: Sizing, *, version: Version = "1.7") -> RexsFile:
+def to_rexs(sizing: Sizing, *, version: Version = "1.7", form: Form = "rexs") -> RexsFile:
     """Return a sized gearbox as a REXS file: shafts, gears, stages, bearings, materials, loads and load cases.
 
     What REXS has no words for is listed; the design itself travels along as an attribute of gearwright's own, so that
@@ -43,6 +44,7 @@ def to_rexs(sizing: Sizing, *, version: Version = "1.7") -> RexsFile:
     Args:
         sizing: As sized.
         version: Of REXS.
+        form: ``rexs`` is XML, ``rexsj`` JSON, ``rexsz`` XML in an archive.
 
     Source: REXS 1.7 database and schema, FVA GmbH, rexs.info.
 
@@ -53,6 +55,8 @@ def to_rexs(sizing: Sizing, *, version: Version = "1.7") -> RexsFile:
     """
     if version not in VERSIONS:
         refuse([Problem("version", f"REXS {version} is not written; {near(str(version), VERSIONS)}")])
+    if form not in FORMS:
+        refuse([Problem("form", f"{form!r} is no form of a REXS file; {near(str(form), FORMS)}")])
     stands = stands_of(sizing)
     task = Task(sizing, Sheet(version), stands, contacts_of(sizing, stands))
     _whole(task)
@@ -65,7 +69,8 @@ def to_rexs(sizing: Sizing, *, version: Version = "1.7") -> RexsFile:
     write_cases(task)
     sheet = task.sheet
     newer = [f"attributes that REXS {version} does not have: {', '.join(sorted(sheet.newer))}"] if sheet.newer else []
-    return RexsFile(sheet.text(), version, len(sheet.components), (*_left_out(sizing), *newer))
+    content = formed(sheet.text(), form)
+    return RexsFile(content, version, len(sheet.components), (*_left_out(sizing), *newer))
 
 
 def _whole(task: Task) -> None:

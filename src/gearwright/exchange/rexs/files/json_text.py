@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gearwright.errors import Problem, excerpt, refuse
-from gearwright.exchange.rexs.reading.coded import decoded
-from gearwright.exchange.rexs.reading.document import Attribute, Component, Document, Relation
-from gearwright.exchange.rexs.reading.parsing import unread_version
+from gearwright.exchange.rexs.files.coded import decoded
+from gearwright.exchange.rexs.files.document import Attribute, Component, Document, Relation
+from gearwright.exchange.rexs.files.parsing import unread_version
 
 MOST = 300_000
 """Most objects that a file may hold [-]; a wind turbine's gearbox with all results has 13 000."""
@@ -105,7 +105,9 @@ class _Reading:
         number = record.get("id")
         if isinstance(number, int) and not isinstance(number, bool) and 0 <= number < 10**9:
             return number
-        self.problems.append(Problem(f"{path}.id", f"is {excerpt(repr(number))}; give a whole number", record.get(_LINE)))
+        self.problems.append(
+            Problem(f"{path}.id", f"is {excerpt(repr(number))}; give a whole number", record.get(_LINE))
+        )
         return -1
 
     def _relations(self, model: Mapping[str, Any]) -> Iterator[Relation]:
@@ -115,9 +117,7 @@ class _Reading:
                          for ref in self._records(relation, "refs"))  # fmt: skip
             yield Relation(kind, ends, relation.get(_LINE, 1))
 
-    def _components(
-        self, holder: Mapping[str, Any], path: str, known: Mapping[int, Component]
-    ) -> Iterator[Component]:
+    def _components(self, holder: Mapping[str, Any], path: str, known: Mapping[int, Component]) -> Iterator[Component]:
         for record in self._records(holder, "components"):
             number = self._number(record, path)
             kind = str(record.get("type") or (known[number].kind if number in known else ""))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.errors import Problem, excerpt
-from gearwright.exchange.rexs.reading.document import Document
+from gearwright.exchange.rexs.files.document import Document
 
 _WHOLES = {"assembly": ("assembly", "part"), "ordered_assembly": ("assembly", "part")}
 """Relation -> roles of the whole and of its part."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from gearwright.errors import Problem, excerpt, refuse
-from gearwright.exchange.rexs.reading.coded import decoded
-from gearwright.exchange.rexs.reading.document import Attribute, Component, Document, Relation
+from gearwright.exchange.rexs.files.coded import decoded
+from gearwright.exchange.rexs.files.document import Attribute, Component, Document, Relation
 
 READ = ("1.0", "1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7")
 """Versions that are read."""

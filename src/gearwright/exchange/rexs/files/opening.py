@@ -8,9 +8,9 @@ import zlib
 from pathlib import Path, PurePosixPath
 
 from gearwright.errors import Problem, excerpt, refuse
-from gearwright.exchange.rexs.reading.document import Document
-from gearwright.exchange.rexs.reading.json_text import document_of_json
-from gearwright.exchange.rexs.reading.parsing import document_of
+from gearwright.exchange.rexs.files.document import Document
+from gearwright.exchange.rexs.files.json_text import document_of_json
+from gearwright.exchange.rexs.files.parsing import document_of
 from gearwright.reading import bytes_of
 
 LARGEST = 10_000_000
@@ -50,7 +50,13 @@ def _unpacked(content: bytes, source: str) -> bytes:
                 refuse([Problem("", f"the archive must hold one .rexs or .rexsj; it holds {held}")], source)
             with archive.open(names[0]) as file:
                 unpacked = file.read(LARGEST + 1)
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:  # locked: RuntimeError
+    except (
+        zipfile.BadZipFile,
+        zlib.error,
+        EOFError,
+        NotImplementedError,
+        RuntimeError,
+    ) as error:  # locked: RuntimeError
         refuse([Problem("", f"the archive cannot be unpacked: {excerpt(str(error))}; pack it again")], source)
     if len(unpacked) > LARGEST:
         refuse([Problem("", f"the model in it has more than {LARGEST:,} bytes, the most that is read")], source)
