@@ -17,9 +17,10 @@ FORMS: tuple[Form, ...] = ("rexs", "rexsj", "rexsz")
 _MOMENT = (1980, 1, 1, 0, 0, 0)
 """What an archive says of when its file was changed: nothing, so that equal files make equal archives."""
 _PLAIN: Mapping[str, Callable[[str], object]] = {
-    "floating_point": float, "integer": int, "reference_component": int, "boolean": "true".__eq__,
+    "floating_point": float, "floating_point_array": float, "integer": int, "reference_component": int,
+    "boolean": "true".__eq__, "boolean_array": "true".__eq__,
 }  # fmt: skip
-"""Type of an attribute -> its value of a text; of all others the text itself."""
+"""Type of an attribute -> its value of a text, or those of its cells; of all others the text itself."""
 
 
 def formed(content: bytes, form: Form) -> bytes:
@@ -68,7 +69,6 @@ def _component(part: ElementTree.Element) -> dict[str, Any]:
 def _attribute(said: ElementTree.Element) -> dict[str, Any]:
     name = said.attrib["id"]
     kind = "string" if name in OWN else words()[name].kind
-    one, is_array, _ = kind.partition("_array")
-    read = _PLAIN.get(one, str)
-    cells = [read(cell.text or "") for cell in said.iter("c")]
-    return {"id": name, "unit": said.attrib["unit"], kind: cells if is_array else read(said.text or "")}
+    read, array = _PLAIN.get(kind, str), said.find("array")
+    value = read(said.text or "") if array is None else [read(cell.text or "") for cell in array]
+    return {"id": name, "unit": said.attrib["unit"], kind: value}
