@@ -39,12 +39,13 @@ def address(array: Floats) -> int:
     return ctypes.addressof(_NOTHING.from_buffer(array))  # type: ignore[arg-type]
 
 
-def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS) -> Any:
+def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS, *, optimised: bool = False) -> Any:
     """Return the engine that holds the machine code of an assembly, compiled or as it was kept.
 
     Args:
         text: LLVM assembly.
         called: Where in memory the functions are that it only declares, by name.
+        optimised: Whether LLVM's passes go over it: not over code without redundancy, where they gain nothing.
     """
     import llvmlite.binding as llvm
 
@@ -54,7 +55,6 @@ def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS) -> Any:
         llvm.add_symbol(name, place)
     triple, features = llvm.Target.from_default_triple(), llvm.get_host_cpu_features().flatten()
     cpu = llvm.get_host_cpu_name()
-    # The assembly is straight-line code without redundancy: optimising passes before code generation gain nothing.
     target = triple.create_target_machine(cpu=cpu, features=features, opt=3)
     key = "\n".join([str(triple), cpu, features, text])
     kept = kept_code(key)
@@ -64,6 +64,11 @@ def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS) -> Any:
         engine.add_object_file(llvm.ObjectFileRef.from_data(kept))
     else:
         module.verify()
+        if optimised:
+            tuning = llvm.create_pipeline_tuning_options(speed_level=2)
+            llvm.create_pass_builder(target, tuning).getModulePassManager().run(
+                module, llvm.create_pass_builder(target, tuning)
+            )
         engine.set_object_cache(notify_func=lambda _, code: keep_code(key, code))
     engine.finalize_object()
     return engine

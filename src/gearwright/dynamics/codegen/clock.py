@@ -1,18 +1,19 @@
-"""Clock table: what time alone decides, for every half step of a block."""
+"""Clock table: what time alone decides, for every half step of a block, filled by compiled code."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.dynamics.codegen.assembler import aligned
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.codegen.assembler import address, aligned
+from gearwright.dynamics.codegen.loops import at, library, packed
 from gearwright.dynamics.codegen.topology import topology
 from gearwright.dynamics.codegen.writer import table_width, wave_width
-from gearwright.dynamics.equations import speed_factors
 from gearwright.dynamics.model import Arrays, planned
 
 Clock = Callable[[int, int], tuple[Floats, Floats]]
@@ -22,19 +23,106 @@ A row holds the cosines of all tones, their sines, s, ṡ, scheduled loads and d
 """
 
 
-class Harmonic(NamedTuple):
-    """How a tone's wave is made."""
+class Clocked(NamedTuple):
+    """What the clock of a run is filled from, and where to."""
 
-    tone: int
-    """Its number."""
-    below: int
-    """A slower tone, or -1: then by cosine and sine."""
-    again: int
-    """The tone that is added to it."""
+    h: float
+    """Step [s]."""
+    table: Floats
+    """A row for each half step of a block."""
+    row: int
+    """Numbers in it."""
+    tones: int
+    rate: Floats
+    """Of the tones, at constant speed with its factor [rad/s]."""
+    wave: int
+    """Numbers that hold the cosines of all tones, filled up to whole vectors."""
+    ramped: int
+    """Whether the speed changes: tones are then worked out for each row, and not turned."""
+    points: int
+    """Of the speed profile."""
+    time: Floats
+    factor: Floats
+    travel: Floats
+    harmonics: Ints
+    """How each tone is made: its number, and two slower ones whose rates add up to its own, or -1; shape (tones, 3)."""
+    curves: int
+    """Scheduled loads and drives' inputs."""
+    starts: Ints
+    """First point of each curve, shape (curves + 1,)."""
+    knots: Floats
+    """[s]."""
+    values: Floats
 
 
-def clock(arrays: Arrays, h: float, steps: int) -> Clock:
-    """Return the clock of a run.
+def turn_tones(c: Clocked, turn: Floats, first: int) -> None:
+    """Fill by how much the tones are to be turned for a block that begins at a step."""
+    for i in range(c.tones):
+        angle = c.rate[i] * (first * c.h)
+        turn[i] = math.cos(angle)
+        turn[c.wave + i] = math.sin(angle)
+
+
+def fill_speed(c: Clocked, first: int, count: int) -> None:
+    """Fill s, ṡ and the waves of the tones at changing speed."""
+    piece, rate = -1, 0.0
+    for i in range(2 * count + 1):
+        time, row = (first + 0.5 * i) * c.h, at(c.table, i * c.row)
+        if i == 0 or (piece + 1 < c.points and c.time[piece + 1] <= time):
+            while piece + 1 < c.points and c.time[piece + 1] <= time:
+                piece += 1
+            rate = 0.0
+            if piece >= 0 and piece < c.points - 1:
+                rate = (c.factor[piece + 1] - c.factor[piece]) / (c.time[piece + 1] - c.time[piece])
+        k = max(piece, 0)
+        elapsed = time - c.time[k]
+        factor = c.factor[k] + rate * elapsed
+        travel = c.travel[k] + 0.5 * (c.factor[k] + factor) * elapsed
+        row[2 * c.wave] = factor
+        row[2 * c.wave + 1] = rate
+        for j in range(c.tones):
+            tone, one, other = c.harmonics[3 * j], c.harmonics[3 * j + 1], c.harmonics[3 * j + 2]
+            if one < 0:
+                angle = c.rate[tone] * travel
+                row[tone] = math.cos(angle)
+                row[c.wave + tone] = math.sin(angle)
+            else:
+                row[tone] = row[one] * row[other] - row[c.wave + one] * row[c.wave + other]
+                row[c.wave + tone] = row[one] * row[c.wave + other] + row[c.wave + one] * row[other]
+
+
+def fill_curves(c: Clocked, first: int, count: int) -> None:
+    """Fill what loads and drives read, joined by straight lines and constant outside their points."""
+    for curve in range(c.curves):
+        start, column = c.starts[curve], at(c.table, 2 * c.wave + 2 + curve)
+        knots, values, points = at(c.knots, start), at(c.values, start), c.starts[curve + 1] - start
+        piece, slope, base, value = -1, 0.0, 0.0, values[0]
+        for i in range(2 * count + 1):
+            time = (first + 0.5 * i) * c.h
+            if piece + 1 < points and knots[piece + 1] <= time:
+                while piece + 1 < points and knots[piece + 1] <= time:
+                    piece += 1
+                base, value, slope = knots[piece], values[piece], 0.0
+                if piece < points - 1:
+                    slope = (values[piece + 1] - values[piece]) / (knots[piece + 1] - knots[piece])
+            column[i * c.row] = slope * (time - base) + value
+
+
+def set_clock(c: Clocked, turn: Floats, first: int, count: int) -> None:
+    """Set the clock for a block."""
+    if c.ramped:
+        fill_speed(c, first, count)
+    else:
+        turn_tones(c, turn, first)
+    fill_curves(c, first, count)
+
+
+FUNCTIONS = (turn_tones, fill_speed, fill_curves, set_clock)
+"""To be compiled together."""
+
+
+def clocked(arrays: Arrays, h: float, steps: int) -> tuple[Clocked, Ints]:
+    """Return the clock of one run, and the same as compiled code reads it.
 
     At constant speed all blocks share the tones of one table, turned by the exact angles at the block's start: no
     trigonometry in the run, and no drift.
@@ -44,39 +132,65 @@ def clock(arrays: Arrays, h: float, steps: int) -> Clock:
         h: Step [s].
         steps: Most steps of a block.
     """
-    shape = topology(arrays)
-    waves, factor = wave_width(shape), float(arrays.profile.factor[0])
-    if np.any(arrays.profile.factor != factor):
-        table = aligned(2 * steps + 1, table_width(shape))
-        harmonics, unturned = _harmonics(arrays.tone_rate), waves_of(np.zeros(waves), waves)
+    fixed, given = _fixed(arrays, h, steps)
+    if not (fixed.ramped or fixed.curves):
+        return fixed, given
+    table = aligned(*fixed.table.shape)  # of this run alone
+    table[:] = fixed.table
+    own = fixed._replace(table=table)
+    return own, packed(own)
 
-        def ramped(first: int, count: int) -> tuple[Floats, Floats]:
-            _fill_ramp(arrays, harmonics, _times(first, h, count), table=table, width=waves)
-            return table, unturned
 
-        return ramped
-    rate, table = arrays.tone_rate * factor, _steady_table(arrays, h, steps)
-    if table.shape[1] == 2 * waves + 2:
-        return lambda first, _: (table, waves_of(rate * (first * h), waves))
-    loaded = aligned(*table.shape)  # of this run alone
-    loaded[:] = table
+def unturned(clocked: Clocked) -> Floats:
+    """Return the turn of tones that stay as they are.
 
-    def steady(first: int, count: int) -> tuple[Floats, Floats]:
-        _fill_loads(arrays, _times(first, h, count), loaded[:, 2 * waves + 2 :])
-        return loaded, waves_of(rate * (first * h), waves)
+    Args:
+        clocked: Whose tones.
+    """
+    turn = np.zeros(2 * clocked.wave)
+    turn[: clocked.wave] = 1.0
+    return turn
 
-    return steady
+
+def clock(arrays: Arrays, h: float, steps: int) -> Clock:
+    """Return the clock of a run, block by block.
+
+    Args:
+        arrays: The system's numbers.
+        h: Step [s].
+        steps: Most steps of a block.
+    """
+    (mine, given), code = clocked(arrays, h, steps), library(*FUNCTIONS).function("set_clock")
+    turn = unturned(mine)
+
+    def now(first: int, count: int) -> tuple[Floats, Floats]:
+        code(address(given), address(turn), first, count)
+        return mine.table, turn
+
+    return now
 
 
 @planned
-def _steady_table(arrays: Arrays, h: float, steps: int) -> Floats:
-    """Return the clock table of the first block at constant speed; loads are left out."""
-    shape = topology(arrays)
+def _fixed(arrays: Arrays, h: float, steps: int) -> tuple[Clocked, Ints]:
+    """Return the clock with the table of the first block at constant speed; what is read against time is left out."""
+    shape, profile = topology(arrays), arrays.profile
     waves, table = wave_width(shape), aligned(2 * steps + 1, table_width(shape))
-    factor = float(arrays.profile.factor[0])
-    table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), arrays.tone_rate * factor), waves)
-    table[:, 2 * waves] = factor
-    return table
+    factor = float(profile.factor[0])
+    ramped = bool(np.any(profile.factor != factor))
+    rate = arrays.tone_rate * (1.0 if ramped else factor)
+    if not ramped:
+        table[:, : 2 * waves] = waves_of(np.outer(0.5 * h * np.arange(2 * steps + 1), rate), waves)
+        table[:, 2 * waves] = factor
+    harmonics = np.array(_harmonics(arrays.tone_rate) if ramped else [], dtype=np.int64)
+    curves = (arrays.loads.schedules, arrays.drives.inputs)
+    lengths = np.concatenate([np.diff(one.start) for one in curves])
+    starts = np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64)
+    knots, values = (np.concatenate([getattr(one, name) for one in curves]) for name in ("time", "value"))
+    fixed = Clocked(
+        h, table, table.shape[1], len(rate), rate, waves, int(ramped), len(profile.time), profile.time,
+        profile.factor, profile.travel, harmonics, len(lengths), starts, knots, values,
+    )  # fmt: skip
+    return fixed, packed(fixed)
 
 
 def waves_of(angle: Floats, width: int) -> Floats:
@@ -92,52 +206,11 @@ def waves_of(angle: Floats, width: int) -> Floats:
     return waves.reshape(*angle.shape[:-1], 2 * width)
 
 
-def _times(first: int, h: float, steps: int) -> Floats:
-    return np.asarray((first + 0.5 * np.arange(2 * steps + 1)) * h, dtype=np.float64)
-
-
-def _fill_ramp(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, *, table: Floats, width: int) -> None:
-    """Fill the rows of a clock table at changing speed; its waves are filled up to a width."""
-    tones, rows = len(harmonics), slice(len(time))
-    factor, slope, travel = speed_factors(arrays.profile, time)
-    waves = np.empty((tones, len(time)), dtype=np.complex128)
-    for tone, below, again in harmonics:
-        if below < 0:
-            angle = arrays.tone_rate[tone] * travel
-            np.cos(angle, out=waves.real[tone])
-            np.sin(angle, out=waves.imag[tone])
-        else:
-            np.multiply(waves[below], waves[again], out=waves[tone])
-    table[rows, :tones], table[rows, width : width + tones] = waves.real.T, waves.imag.T
-    table[rows, 2 * width], table[rows, 2 * width + 1] = factor, slope
-    _fill_loads(arrays, time, table[:, 2 * width + 2 :])
-
-
-def _harmonics(rates: Floats) -> list[Harmonic]:
+def _harmonics(rates: Floats) -> Sequence[tuple[int, int, int]]:
     """Return how each tone is made: a harmonic is the product of two slower tones whose rates add up to its own."""
-    harmonics = list[Harmonic]()
+    harmonics = list[tuple[int, int, int]]()
     for tone in np.argsort(np.abs(rates), kind="stable").tolist():
-        pairs = product((slower.tone for slower in harmonics), repeat=2)
+        pairs = product((slower for slower, _, _ in harmonics), repeat=2)
         sums = (pair for pair in pairs if np.isclose(rates[pair[0]] + rates[pair[1]], rates[tone], 1e-14, 0))
-        harmonics.append(Harmonic(tone, *next(sums, (-1, -1))))
+        harmonics.append((tone, *next(sums, (-1, -1))))
     return harmonics
-
-
-def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
-    column = 0
-    for schedules in (arrays.loads.schedules, arrays.drives.inputs):
-        for number in range(len(schedules.dof)):
-            row = slice(schedules.start[number], schedules.start[number + 1])
-            columns[: len(time), column] = _scheduled(schedules.time[row], schedules.value[row], time)
-            column += 1
-
-
-def _scheduled(points: Floats, values: Floats, time: Floats) -> Floats | float:
-    """Return what `np.interp` does, to the last bit, at the price of one line where a block meets no corner."""
-    first, last = (int(points.searchsorted(end, side="right")) - 1 for end in (time[0], time[-1]))
-    if last < 0 or first == len(points) - 1:
-        return float(values[0 if last < 0 else -1])
-    if first == last:
-        slope = (values[first + 1] - values[first]) / (points[first + 1] - points[first])
-        return np.asarray(slope * (time - points[first]) + values[first])
-    return np.interp(time, points, values)

@@ -36,15 +36,24 @@ def bring_crests(rows: Floats, first: int, count: int, crests: Floats) -> None:
     """
     width = crests.shape[1]
     if width:
-        _code()[0](count, address(rows) + 8 * width * (first - BEFORE), address(crests), width)
+        _code()[0](count, address(rows) + 8 * width * (first - BEFORE), address(crests), width, width)
+
+
+def crests_code() -> int:
+    """Return the address of the code, for compiled loops: (intervals, table, crests, its width, that of crests).
+
+    Columns go by whole vectors: those of the table after the last of the crests are read, too.
+    """
+    return _code()[1]
 
 
 @cache
-def _code() -> tuple[Callable[..., None], object]:
-    """Return the function, for tables of any width, and the engine that keeps it in memory."""
+def _code() -> tuple[Callable[..., None], int, object]:
+    """Return the function, for tables of any width, its address, and the engine that keeps it in memory."""
     engine = machine_code(_loop())
-    signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
-    return signature(engine.get_function_address("crests")), engine
+    signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 2, *[ctypes.c_int64] * 2)
+    place = int(engine.get_function_address("crests"))
+    return signature(place), place, engine
 
 
 def blank_crests(width: int) -> Floats:
@@ -72,7 +81,7 @@ def _loop() -> str:
         phis.append(f"{row} = phi {VECTOR} [{row}a, %strip], [{rows[place + 1]}, %head]")
     values, after = _interval(rows, {word: f"%{word}" for word in KEPT})
     for place, word in enumerate(KEPT):
-        starts.append(f"%{word}i = mul i64 %width, {place}")
+        starts.append(f"%{word}i = mul i64 %columns, {place}")
         before += [f"%{word}j = add i64 %{word}i, %first",
                    f"%{word}at = getelementptr double, ptr %crests, i64 %{word}j",
                    f"%{word}a = load {VECTOR}, ptr %{word}at, align 8"]  # fmt: skip
@@ -82,12 +91,12 @@ def _loop() -> str:
     stores = [f"store {VECTOR} {after[word]}, ptr %{word}at, align 8" for word in KEPT]
     return "\n".join([
         "declare <8 x double> @llvm.fabs.v8f64(<8 x double>)", "",
-        "define void @crests(i64 %rows, ptr noalias %table, ptr noalias %crests, i64 %width) {",
+        "define void @crests(i64 %rows, ptr noalias %table, ptr noalias %crests, i64 %width, i64 %columns) {",
         "entry:", *starts, "%x5i = mul i64 %width, 5", "br label %strip",
         "strip:", "%first = phi i64 [0, %entry], [%past, %after]", *before, "br label %head",
         "head:", "%i = phi i64 [0, %strip], [%n, %head]", *phis, *load, *values,
         "%n = add i64 %i, 1", "%m = icmp slt i64 %n, %rows", "br i1 %m, label %head, label %after",
-        "after:", *stores, f"%past = add i64 %first, {CHUNK}", "%more = icmp slt i64 %past, %width",
+        "after:", *stores, f"%past = add i64 %first, {CHUNK}", "%more = icmp slt i64 %past, %columns",
         "br i1 %more, label %strip, label %end", "end:", "ret void", "}",
     ])  # fmt: skip
 

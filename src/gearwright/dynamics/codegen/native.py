@@ -27,6 +27,8 @@ class Compiled(NamedTuple):
 
     advance: Advance
     """Runs a block of steps."""
+    address: int
+    """Of that code."""
     derivative: int
     """Address of the right-hand side alone, (parameters, clock row, state, slope, output); 0 for lanes."""
     engine: Any
@@ -49,13 +51,14 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
     engine = machine_code(text, _called(shape))
     pointer, number = ctypes.c_void_p, ctypes.c_int64
     signature = ctypes.CFUNCTYPE(None, number, *[pointer] * 6)
-    function = signature(engine.get_function_address("advance"))
+    place = int(engine.get_function_address("advance"))
+    function = signature(place)
 
     def advance(steps: int, *arrays: Floats) -> None:
         function(steps, *map(address, arrays))
 
     alone = int(engine.get_function_address("derivative")) if lanes == 1 else 0
-    return Compiled(advance, alone, engine, text)
+    return Compiled(advance, place, alone, engine, text)
 
 
 def _called(shape: Topology) -> dict[str, int]:

@@ -24,12 +24,18 @@ def summarise(record: Floats, summary: Floats) -> None:
     _code()[0](len(record), address(record), address(summary), summary.shape[1])
 
 
+def summary_code() -> int:
+    """Return the address of the code, for compiled loops: (rows, record, summary, width)."""
+    return _code()[1]
+
+
 @cache
-def _code() -> tuple[Callable[..., None], object]:
-    """Return the function, for records of any width, and the engine that keeps it in memory."""
+def _code() -> tuple[Callable[..., None], int, object]:
+    """Return the function, for records of any width, its address, and the engine that keeps it in memory."""
     engine = machine_code(_summary_loop())
     signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
-    return signature(engine.get_function_address("summarise")), engine
+    place = int(engine.get_function_address("summarise"))
+    return signature(place), place, engine
 
 
 def _summary_loop() -> str:

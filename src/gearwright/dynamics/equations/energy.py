@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations.reference import line_state, speed_factor
+from gearwright.dynamics.equations.reference import line_contact, speed_factor
 from gearwright.dynamics.model import Arrays
 from gearwright.units import Energy, Origin, Quantity
 
@@ -60,5 +60,5 @@ def stored_energy(arrays: Arrays, time: float, position: Floats, velocity: Float
         velocity: q̇ [rad/s or m/s], shape (coordinates,).
     """
     total = arrays.speed * speed_factor(arrays.profile, time)[0] + velocity
-    lines = line_state(arrays, time, position, velocity)
-    return 0.5 * float(np.sum(arrays.mass * total**2) + np.sum(lines.stiffness * lines.contact**2))
+    stiffness, contact = line_contact(arrays, time, position)
+    return 0.5 * float(np.add.reduce(arrays.mass * total**2) + np.add.reduce(stiffness * contact**2))

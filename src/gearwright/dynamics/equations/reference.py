@@ -78,6 +78,29 @@ def line_state(arrays: Arrays, time: float, position: Floats, velocity: Floats) 
     return LineState(deflection, deflection_rate, contact, stiffness, stiffness_rate, error_rate, force)
 
 
+def line_contact(arrays: Arrays, time: float, position: Floats) -> tuple[Floats, Floats]:
+    """Return stiffness of all lines, and their deflection in contact.
+
+    Args:
+        arrays: The system's numbers.
+        time: [s].
+        position: q [rad or m], shape (coordinates,).
+    """
+    angle = arrays.tone_rate * speed_factor(arrays.profile, time)[2]
+    waves = np.cos(angle), np.sin(angle)
+    error, variation = (_sum(series, waves) for series in (arrays.error, arrays.variation))
+    return arrays.stiffness * (1.0 + variation), dead_zone(along_lines(arrays, position) - error, arrays.backlash)
+
+
+def _sum(series: Series, waves: tuple[Floats, Floats]) -> Floats | float:
+    """Return each line's Fourier sum."""
+    if not len(series.tone):
+        return 0.0
+    lines, tone = len(series.start) - 1, series.tone
+    row = np.arange(lines).repeat(series.start[1:] - series.start[:-1])
+    return np.bincount(row, series.cosine * waves[0][tone] + series.sine * waves[1][tone], lines)
+
+
 def dead_zone(deflection: Floats, backlash: Floats) -> Floats:
     """Return the deflection in contact: δ over zero, nothing in the gap, δ + B on the back flank.
 
@@ -92,14 +115,12 @@ def dead_zone(deflection: Floats, backlash: Floats) -> Floats:
 def _sums(series: Series, angle: Floats, rate: Floats) -> tuple[Floats, Floats]:
     """Return each line's Fourier sum and its time derivative."""
     lines = len(series.start) - 1
-    row = np.repeat(np.arange(lines), np.diff(series.start))
+    row = np.arange(lines).repeat(series.start[1:] - series.start[:-1])
     cos, sin = np.cos(angle)[series.tone], np.sin(angle)[series.tone]
     value = series.cosine * cos + series.sine * sin
     slope = (series.sine * cos - series.cosine * sin) * rate[series.tone]
-    sums = np.zeros((2, lines))
-    np.add.at(sums[0], row, value)
-    np.add.at(sums[1], row, slope)
-    return sums[0], sums[1]
+    value, slope = (np.bincount(row, part, lines).astype(float, copy=False) for part in (value, slope))
+    return value, slope
 
 
 def driven(arrays: Arrays, time: float, velocity: Floats, states: Floats | None = None) -> Acting:

@@ -23,7 +23,9 @@ def refuse_not_finite(values: ArrayLike, parts: Sequence[str], what: str) -> Non
     Raises:
         SolveError: With the first part whose value is infinite or no number.
     """
-    table = np.asarray(values).reshape(-1, len(parts)) if len(parts) else np.zeros((0, 0))
+    if np.isfinite(values).all():
+        return
+    table = np.asarray(values).reshape(-1, len(parts))
     wrong = np.argwhere(~np.isfinite(table))
     if len(wrong):
         row, column = wrong[0]

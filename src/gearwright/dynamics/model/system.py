@@ -257,11 +257,9 @@ def line_matrix(arrays: Arrays) -> Floats:
     Returns:
         Shape (lines, coordinates).
     """
-    lines = len(arrays.stiffness)
-    matrix = np.zeros((lines, len(arrays.mass)))
-    row = np.repeat(np.arange(lines), np.diff(arrays.line_start))
-    np.add.at(matrix, (row, arrays.line_dof), arrays.line_weight)
-    return matrix
+    lines, size = len(arrays.stiffness), len(arrays.mass)
+    place = np.arange(lines).repeat(arrays.line_start[1:] - arrays.line_start[:-1]) * size + arrays.line_dof
+    return np.bincount(place, arrays.line_weight, lines * size).astype(float, copy=False).reshape(lines, size)
 
 
 LARGE = 250

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.motion.record import Apart
 from gearwright.dynamics.motion.steps import MARGIN, RMS_SHARE, Accuracy
 
@@ -99,19 +100,25 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         order: Power of the step that the error follows.
     """
     share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
-    kinds = [np.array(units) == unit for unit in dict.fromkeys(units)]
     moved, swell = np.abs(forces.peak - other.peak), np.abs(forces.rms - other.rms)
     alike = np.minimum(moved, _over(swell * forces.peak, forces.rms))
     peak = share * alike + max(share, 1.0) * (moved - alike) + forces.between
     rms = share * swell + forces.ends
-    parts = []
-    for away, mine in ((peak, forces.peak), (rms, forces.rms)):
-        largest = np.zeros_like(mine)
-        for kind in kinds:
-            largest[:, kind] = np.max(mine[:, kind], axis=1, keepdims=True)
-        parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
+    mine = np.array([forces.peak, forces.rms])
+    largest = np.zeros_like(mine)
+    for kind in _kinds(tuple(units)):
+        largest[..., kind] = np.maximum.reduce(mine[..., kind], axis=-1, keepdims=True)
+    parts = np.maximum.reduce(
+        _over(np.array([peak, rms]), np.maximum(mine, NEGLIGIBLE * largest)), axis=-1, initial=0.0
+    )
     chance = CHANCE if order else UNRELATED
-    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*np.array(parts).tolist(), strict=True)]
+    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*parts.tolist(), strict=True)]
+
+
+@lru_cache
+def _kinds(units: tuple[str, ...]) -> tuple[Ints, ...]:
+    """Return the places of the lines of each unit."""
+    return tuple(np.flatnonzero(np.array(units) == unit) for unit in dict.fromkeys(units))
 
 
 def parted(apart: Apart) -> str:

@@ -1,17 +1,22 @@
-"""Marching: one pass over a stretch of time at one pace, block by block."""
+"""Marching: one pass over a stretch of time at one pace, many blocks at a time in compiled code."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.dynamics.codegen import CLOCK, Clocked, address, set_clock, unturned
+from gearwright.dynamics.codegen.loops import at, call, library
 from gearwright.dynamics.model import System
 from gearwright.dynamics.motion.accuracy import Forces
-from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder
-from gearwright.dynamics.motion.steps import Pace, Stepper, blank_record, check_duration, stepper
+from gearwright.dynamics.motion.record import BLOCK, TAKE, Outputs, Recorder, Taking, take
+from gearwright.dynamics.motion.steps import Pace, Stepper, check_duration, generated_run, stepper
+
+TOGETHER = 32
+"""Blocks that are marched over before Python looks whether the user stops the run, or wants to know how far it is."""
 
 
 class Pass(NamedTuple):
@@ -21,8 +26,6 @@ class Pass(NamedTuple):
     """Of its steps."""
     pace: Pace
     """Its steps."""
-    advance: Stepper
-    """What took them."""
     recorder: Recorder
     """What was kept."""
     start: Floats
@@ -33,6 +36,11 @@ class Pass(NamedTuple):
     """Steps: fewer than asked if it was interrupted."""
 
     @property
+    def advance(self) -> Stepper:
+        """What takes its steps."""
+        return stepper(self.recorder.system.arrays, self.method, self.pace.step, tolerance=self.pace.tolerance)
+
+    @property
     def interrupted(self) -> bool:
         """Whether the user stopped it."""
         return self.done < self.recorder.steps
@@ -40,20 +48,57 @@ class Pass(NamedTuple):
     @property
     def forces(self) -> Forces:
         """What is promised of the line forces, over all bins, shape (1, lines); zeros before any."""
-        recorder = self.recorder
-        low, high, square = recorder.line_extremes()
-        length = np.diff(recorder.edges)[:, None] * self.pace.step
-        if not len(length):
-            return Forces(*np.zeros((4, 1, low.shape[1])))
-        square = np.add.reduce(square) * (self.pace.step / np.add.reduce(length))
-        extremes = np.maximum.reduce(np.maximum(np.abs(low), np.abs(high)))
-        # The sum over steps counts the first instant whole and the last not at all; each should count half.
-        ends = (recorder.last_force**2 - recorder.first_force**2) / (2.0 * float(np.sum(length)) / self.pace.step)
-        rms = np.sqrt(np.maximum(square + ends, 0.0))
-        late = abs(float(recorder.edges[0]) * self.pace.step - recorder.outputs.start) / float(np.sum(length))
-        missed = late * np.maximum(extremes**2 - square, square) / np.maximum(2.0 * rms, 1e-300)
-        between = np.maximum(recorder.between.bound - extremes, 0.0)
-        return Forces(extremes[None], rms[None], between[None], (np.abs(rms - np.sqrt(square)) + missed)[None])
+        return Forces(*self.recorder.promised())
+
+
+class Course(NamedTuple):
+    """What takes the steps of a run by generated code."""
+
+    code: int
+    """Address of what advances a block."""
+    numbers: Floats
+    """Its parameters."""
+    turn: Floats
+    """By which the tones of a block are turned."""
+    state: Floats
+    """q, q̇, works and drives' states after the steps that are done."""
+    ahead: Floats
+    """The same after a block that has not been taken yet."""
+    length: int
+    """Numbers in a state."""
+    points: Floats
+    """States before every so many steps, shape (points, length)."""
+    spacing: int
+    """Those steps."""
+    done: Floats
+    """Steps that are done, shape (1,)."""
+
+
+def march(m: Course, t: Clocked, c: Taking, first: int, stop: int) -> int:
+    """March block by block; say how the last one was, as `take` does."""
+    while first < stop:
+        count = max(min(BLOCK, c.steps - first), 1)
+        if first % m.spacing == 0:
+            kept = at(m.points, first // m.spacing * m.length)
+            for i in range(m.length):
+                kept[i] = m.state[i]
+        set_clock(t, m.turn, first, count)
+        call(m.code, count, m.numbers, m.numbers, t.table, m.turn, m.ahead, c.record)
+        found = take(c, first, count)
+        if found:
+            return found
+        if first == c.steps:
+            return 0
+        for i in range(m.length):
+            m.state[i] = m.ahead[i]
+        first += count
+        m.done[0] = first
+    return 0
+
+
+def _march() -> Callable[..., int]:
+    """Return the compiled `march`."""
+    return library(*CLOCK, *TAKE, march).function("march")
 
 
 def marched(
@@ -72,10 +117,19 @@ def marched(
         progress: Called with the fraction done.
     """
     steps = check_duration(duration, pace.step)
-    recorder = Recorder(system, outputs, step=pace.step, steps=steps)
-    advance, state = stepper(system.arrays, method, pace.step, tolerance=pace.tolerance), start.copy()
-    done = _run(advance, recorder, state, progress)
-    return Pass(method, pace, advance, recorder, start, state, done)
+    recorder, state, done = Recorder(system, outputs, step=pace.step, steps=steps), start.copy(), np.zeros(1)
+    recorder.points = np.empty((steps // recorder.spacing + 1, len(start)))
+    run = _generated if method == "runge-kutta" else _one_by_one
+    try:
+        run(recorder, method, pace, state=state, done=done, progress=progress)
+    except KeyboardInterrupt:
+        if done[0] == 0.0:
+            raise
+    taken = int(done[0])
+    kept = len(recorder.points) if taken == steps else -(-taken // recorder.spacing)
+    recorder.points = recorder.points[:kept]
+    recorder.finish(taken)
+    return Pass(method, pace, recorder, start, state, taken)
 
 
 def blocks(first: int, steps: int) -> Iterator[tuple[int, int]]:
@@ -92,23 +146,39 @@ def blocks(first: int, steps: int) -> Iterator[tuple[int, int]]:
     yield steps, 1
 
 
-def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:
-    """March block by block; return the number of steps done."""
-    record = blank_record(recorder.system.arrays, BLOCK)
-    # The state moves on only when its block has been taken, so that an interruption leaves the two together.
-    done, ahead = 0, state.copy()
-    try:
-        for first, count in blocks(0, recorder.steps):
-            recorder.checkpoint(first, state)
-            recorder.take(first, record[:count], advance(first, record[:count], ahead))
-            if first == recorder.steps:
-                break
-            done += count
-            state[:] = ahead
+def _generated(recorder: Recorder, _: str, pace: Pace, *, state: Floats, done: Floats, progress: Any) -> None:
+    """March by generated code; where amplitudes of tones or progress are asked for, Python looks at every block."""
+    steps, together = recorder.steps, BLOCK * (1 if recorder.orders or progress else TOGETHER)
+    run, points = generated_run(recorder.system.arrays, pace.step), recorder.points
+    turn, ahead = unturned(run.clock), state.copy()
+    course = np.array([
+        run.code, *map(address, (run.numbers, turn, state, ahead)), len(state), address(points), recorder.spacing,
+        address(done),
+    ])  # fmt: skip
+    places, code = (address(course), address(run.given), recorder.taking.place), _march()
+    for first in [*range(0, steps, together), steps]:
+        found = code(*places, first, min(first + together, steps) if first < steps else steps + 1)
+        if found:
+            recorder.refuse(found, int(done[0]))
+        if first < steps:
+            recorder.count_orders(first, min(together, steps - first))
             if progress is not None:
-                progress(done / recorder.steps)
-    except KeyboardInterrupt:
-        if done == 0:
-            raise
-        recorder.stop(done)
-    return done
+                progress(done[0] / steps)
+
+
+def _one_by_one(recorder: Recorder, method: str, pace: Pace, *, state: Floats, done: Floats, progress: Any) -> None:
+    """March by a stepper in Python."""
+    advance = stepper(recorder.system.arrays, method, pace.step, tolerance=pace.tolerance)
+    # The state moves on only when its block has been taken, so that an interruption leaves the two together.
+    ahead = state.copy()
+    for first, count in blocks(0, recorder.steps):
+        if first % recorder.spacing == 0:
+            recorder.points[first // recorder.spacing] = state
+        advance(first, recorder.record[:count], ahead)
+        recorder.take(first, count)
+        if first == recorder.steps:
+            return
+        state[:] = ahead
+        done[0] = first + count
+        if progress is not None:
+            progress(done[0] / recorder.steps)

@@ -33,14 +33,13 @@ from gearwright.dynamics.motion.accuracy import (
     shortfall,
 )
 from gearwright.dynamics.motion.marching import Pass, blocks, marched
-from gearwright.dynamics.motion.record import BLOCK, TOGETHER, Apart, Outputs, Recorder, Samples, Trace
+from gearwright.dynamics.motion.record import TOGETHER, Apart, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
 from gearwright.dynamics.motion.standing import endless, equilibrium
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,
     METHODS,
     Accuracy,
-    blank_record,
     default_step,
     excited_step,
     fastest_rate,
@@ -236,15 +235,15 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
         raise DesignError([Problem("trace.tolerance", message)])
     steps = round(trace.duration / trace.step)
     recorder = Recorder(system, Outputs(windows=((start, end),)), step=trace.step, steps=steps)
-    low, high = recorder.spans[0]
+    low, high = recorder.frame.stretches[1].start, recorder.frame.stretches[1].stop
     place = int(np.searchsorted(trace.checkpoints.step, low, side="right")) - 1
     state = trace.checkpoints.state[place].copy()
     advance = stepper(system.arrays, trace.method, trace.step, tolerance=trace.tolerance)
-    record = blank_record(system.arrays, BLOCK)
     for first, count in blocks(int(trace.checkpoints.step[place]), steps):
         if first >= high:
             break
-        recorder.take(first, record[:count], advance(first, record[:count], state))
+        advance(first, recorder.record[:count], state)
+        recorder.take(first, count)
     return recorder.samples(1)
 
 
@@ -297,7 +296,7 @@ def _notes(run: Pass) -> list[str]:
     recorder, done = run.recorder, run.done
     notes = [
         f"line {recorder.system.labels.lines[line]} first lost contact at {first * recorder.step:.6g} s"
-        for line, first in zip(recorder.gaps, recorder.lost, strict=True)
+        for line, first in zip(recorder.frame.gaps, recorder.lost, strict=True)
         if first >= 0
     ]
     if done < recorder.steps:
@@ -322,7 +321,7 @@ def _trace(run: Pass, ran: Ran) -> Trace:
         exponent=None if ran.exponent is None else ran.exponent.value,
         work=_work(run),
         samples=recorder.samples(),
-        windows=tuple(recorder.samples(number) for number in range(1, 1 + len(recorder.spans))),
+        windows=tuple(recorder.samples(number) for number in range(1, len(recorder.tables))),
         force=recorder.statistics(labels.lines, size, "line"),
         deflection=recorder.statistics(labels.lines, size + lines, "line"),
         velocity=recorder.statistics(labels.coordinates, 0, "coordinate"),

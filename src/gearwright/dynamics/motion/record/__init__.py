@@ -4,7 +4,9 @@ It takes no step; files of runs are written by `store`.
 """
 
 from gearwright.dynamics.motion.record.marks import TOGETHER, Apart
-from gearwright.dynamics.motion.record.recorder import BLOCK, CHECKPOINTS, RUNAWAY, Outputs, Recorder, summary_of
+from gearwright.dynamics.motion.record.recorder import BLOCK, CHECKPOINTS, Outputs, Recorder, summary_of
+from gearwright.dynamics.motion.record.taking import FUNCTIONS as TAKE
+from gearwright.dynamics.motion.record.taking import RUNAWAY, Taking, take
 from gearwright.dynamics.motion.record.trace import (
     Checkpoints,
     Orders,
@@ -19,6 +21,7 @@ __all__ = [
     "BLOCK",
     "CHECKPOINTS",
     "RUNAWAY",
+    "TAKE",
     "TOGETHER",
     "Apart",
     "Checkpoints",
@@ -27,8 +30,10 @@ __all__ = [
     "Recorder",
     "Samples",
     "Statistics",
+    "Taking",
     "Trace",
     "index_of",
     "line_numbers",
     "summary_of",
+    "take",
 ]

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Owner, System
-from gearwright.dynamics.motion.record.between import Between
-from gearwright.dynamics.motion.record.marks import Marks
+from gearwright.dynamics.codegen import address, aligned, blank_crests, crests_code, filled, summary_code
+from gearwright.dynamics.codegen.loops import Room, library
+from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Owner, System, kept
+from gearwright.dynamics.motion.record.between import outer_ways
+from gearwright.dynamics.motion.record.marks import Marks, stride_of
 from gearwright.dynamics.motion.record.orders import OrderSums
+from gearwright.dynamics.motion.record.taking import FUNCTIONS, LEAD, OUTSIDE, RUNAWAY, TAKEN, Taking
 from gearwright.dynamics.motion.record.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.verbs import check_fields
@@ -19,8 +26,7 @@ BLOCK = 512
 """Steps in a block; replays start at its multiples."""
 CHECKPOINTS = 1000
 """Most states that are kept for replay."""
-RUNAWAY = 1e12
-"""Line force at which a run has diverged [N or N m]: no gear comes near it."""
+_RECORD = Taking._fields.index("record")
 
 
 @dataclass(frozen=True)
@@ -42,30 +48,52 @@ class Outputs:
         check_fields(self)
 
 
-class Kept:
-    """Rows of the record at evenly spaced steps."""
+class Frame(NamedTuple):
+    """What the records of all runs of a system to the same end have alike."""
 
-    def __init__(self, steps: range, width: int) -> None:
-        self.steps, self.taken = steps, 0
-        self.table = np.empty((len(steps), width))
+    edges: Ints
+    """Steps at which bins begin and end."""
+    stretches: tuple[range, ...]
+    """Steps of which rows are kept: samples, then windows."""
+    gaps: Ints
+    """Lines with backlash."""
+    stride: int
+    """Steps between marks."""
+    room: Room
+    """Of what blocks are taken into."""
 
-    def take(self, first: int, record: Floats) -> None:
-        """Take what falls on the steps.
 
-        Args:
-            first: Step of the first row; blocks follow each other.
-            record: Shape (steps, at least so many columns).
-        """
-        if self.taken < len(self.steps):
-            rows = record[self.steps[self.taken] - first : self.steps.stop - first : self.steps.step]
-            self.table[self.taken : self.taken + len(rows)] = rows[:, : self.table.shape[1]]
-            self.taken += len(rows)
+def _frame(system: System, outputs: Outputs, step: float, steps: int) -> Frame:
+    """Return what runs have alike, and refuse outputs that do not fit them."""
+    size, lines = len(system.labels.coordinates), len(system.labels.lines)
+    owners, drives = system.labels.drive_owners, 2 * (size + lines)
+    past, gaps, stride = drives + len(owners), np.flatnonzero(system.arrays.backlash > 0.0), stride_of(steps)
+    spans = [range(*_span(window, step, steps)) for window in outputs.windows]
+    stretches = (range(0, steps + 1, max(1, -(-(steps + 1) // max(2, outputs.samples)))), *spans)
+    kept = [[one.start, one.stop, one.step, 0, 0] for one in stretches]
+    edges = _edges(outputs, step, steps)
+    flags = [drives + number for number, owner in enumerate(owners) if owner.what == OUTSIDE_MAP]
+    width, room, bins = filled(past), filled(lines), len(edges) - 1
+    infinite = np.full((bins, max(past - size, room)), np.inf)
+    counted, between = infinite[:, : past - size], infinite[:, :room]
+    whole: Callable[[Any], Ints] = partial(np.array, dtype=np.int64)
+    begin, end = outer_ways(min(LEAD + 1, steps)), outer_ways(min(LEAD + 1, steps + 1))
+    taking = Taking(
+        steps=steps, width=width, size=size, lines=lines, past=past, record=0, summary=np.zeros((4, width)),
+        part=np.zeros((4, width)), summarise=summary_code(), crests_code=crests_code(), edges=edges, bins=bins,
+        places=np.zeros(3, dtype=np.int64), sums=np.zeros((2, *counted.shape)), minimum=counted, maximum=-counted,
+        stretches=len(stretches), kept=whole(kept), gaps=len(gaps), loose=2 * size + lines + gaps,
+        lost=np.full_like(gaps, -1), stride=stride, marks=np.zeros((steps // stride + 2, len(gaps))),
+        flags=len(flags), outside=whole(flags), ends=np.zeros((2, lines)),
+        first_places=begin.shape[1], first_rows=begin.shape[2], first_ways=begin,
+        last_places=end.shape[1], last_rows=end.shape[2], last_ways=end,
+        end_bound=np.zeros(lines), room=room, crests=blank_crests(room), high=-between, low=between,
+    )  # fmt: skip
+    return Frame(edges, stretches, gaps, stride, Room(taking))
 
-    @property
-    def rows(self) -> tuple[Ints, Floats]:
-        """Steps that were taken, and their rows."""
-        steps = self.steps[: self.taken]
-        return np.arange(steps.start, steps.stop, steps.step), self.table[: self.taken]
+
+_ROWS = dict[int, list[Floats]]()
+"""Blocks that no run is using, by the width of their rows: memory that has been used before costs less."""
 
 
 class Recorder:
@@ -73,91 +101,87 @@ class Recorder:
 
     def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
         self.system, self.outputs, self.step, self.steps = system, outputs, step, steps
-        self.size = len(system.labels.coordinates)
-        self.forces = slice(2 * self.size, 2 * self.size + len(system.labels.lines))
-        self.drives = self.forces.stop + len(system.labels.lines)
+        self.size, lines = len(system.labels.coordinates), len(system.labels.lines)
+        self.forces = slice(2 * self.size, 2 * self.size + lines)
+        self.drives = self.forces.stop + lines
         self.past = self.drives + len(system.labels.drives)
-        self.outside = [number for number, owner in enumerate(system.labels.drive_owners) if owner.what == OUTSIDE_MAP]
-        self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
-        self.spans = [_span(window, step, steps) for window in outputs.windows]
-        self.edges = _edges(outputs, step, steps)
-        width, bins = self.past - self.size, len(self.edges) - 1
-        self.sums = np.zeros((2, bins, width))
-        self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
-        self.first_force, self.last_force = np.zeros((2, len(system.labels.lines)))
-        self.between = Between(len(system.labels.lines), self.edges, BLOCK)
-        stretches = [(0, steps + 1, self.stride), *((*span, 1) for span in self.spans)]
-        self.kept = [Kept(range(*stretch), self.past) for stretch in stretches]
-        self.points: list[tuple[int, Floats]] = []
+        frame = kept(system.arrays, (_frame, outputs, step, steps), lambda: _frame(system, outputs, step, steps))
+        self.frame, self.taking, self.edges = frame, frame.room.fresh(), frame.edges
+        self.points = np.zeros((0, 0))
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
-        self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
-        self.lost = np.full(len(self.gaps), -1)
-        self.loose = self.forces.stop + self.gaps
-        self.marks = Marks(self.loose, step, steps)
-        self.orders = OrderSums(system, outputs.orders, step=step, bins=bins) if outputs.orders else None
+        self.tables = [np.empty((len(stretch), self.past)) for stretch in frame.stretches]
+        width = filled(self.past)
+        known = _ROWS.setdefault(width, [])
+        self._rows = known.pop() if known else aligned(LEAD + BLOCK + 1, width)
+        self.record = self._rows[LEAD:-1]
+        self.taking.memory[_RECORD] = address(self.record)
+        self.taking.kept[:, -1] = [address(table) if table.size else 0 for table in self.tables]
+        self.orders = OrderSums(system, outputs.orders, step=step, bins=len(self.edges) - 1) if outputs.orders else None
 
-    def checkpoint(self, first: int, state: Floats) -> None:
-        """Keep the state before a step, if it is time to.
+    @property
+    def lost(self) -> Ints:
+        """Step at which each line with backlash first lost contact, or -1."""
+        return self.taking.lost  # type: ignore[no-any-return]
+
+    @property
+    def marks(self) -> Marks:
+        """Where lines with backlash were on the way."""
+        return Marks(self.frame.stride * self.step, self.taking.marks[: self.taking.places[2]])
+
+    def take(self, first: int, count: int) -> None:
+        """Take the block of rows (q, q̇, line forces, deflections, drives) that stands in `record`.
 
         Args:
-            first: Step.
-            state: q, q̇ and works.
-        """
-        if first % self.spacing == 0:
-            self.points.append((first, state.copy()))
-
-    def take(self, first: int, record: Floats, summary: Floats) -> None:
-        """Take a block of rows (q, q̇, line forces, deflections, drives).
-
-        Args:
-            first: Step of the first row.
-            record: Shape (steps, at least 2 coordinates + 2 lines + numbers of the drives).
-            summary: Its `summary_of`.
+            first: Step of the first row; blocks follow each other without a gap.
+            count: Rows.
 
         Raises:
             SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
-        minimum, maximum, _, square = summary[:, self.forces.start : self.drives]
-        if not (maximum.max() < RUNAWAY and minimum.min() > -RUNAWAY and np.isfinite(square).all()):
-            self._diverged(first, record)
-        if self.outside:
-            self._check_maps(first, record, summary)
-        for part in self.kept:
-            part.take(first, record)
-        edges, forces = self.edges, record[:, self.forces]
-        begin = int(edges.searchsorted(first, side="right")) - 1
-        for place in range(max(begin, 0), len(edges) - 1):
-            low, high = max(int(edges[place]), first), min(int(edges[place + 1]), first + len(record))
-            if low >= high:
-                break
-            rows = record[low - first : high - first]
-            self._count(place, summary if len(rows) == len(record) else summary_of(rows))
-            if self.orders is not None:
-                self.orders.add(place, low, rows[:, self.forces])
-        self._watch(first, record, summary[0])
-        self.marks.take(first, record)
-        self.between.take(first, forces)
-        self.last_force = forces[-1].copy()
-        if first <= edges[0] < first + len(record):
-            self.first_force = forces[int(edges[0]) - first].copy()
+        self.refuse(_take()(self.taking.place, first, count), first)
+        self.count_orders(first, count)
 
-    def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
+    def refuse(self, found: int, first: int) -> None:
+        """Refuse a block that is not as it should be.
+
+        Args:
+            found: What `taking.take` says of it.
+            first: Step of its first row.
+        """
+        if found == OUTSIDE:
+            self._outside(first)
+        if found != TAKEN:
+            self._diverged(first)
+
+    def count_orders(self, first: int, count: int) -> None:
+        """Add a block to the amplitudes of tones, if they are asked for.
+
+        Args:
+            first: Step of its first row.
+            count: Rows.
+        """
+        if self.orders is None:
+            return
+        for place, (start, stop) in enumerate(zip(self.edges[:-1].tolist(), self.edges[1:].tolist(), strict=True)):
+            low, high = max(start, first), min(stop, first + count)
+            if low < high:
+                self.orders.add(place, low, self.record[low - first : high - first, self.forces])
+
+    def _outside(self, first: int) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
-        labels = self.system.labels
-        start = self.drives
-        for number in self.outside:
-            if summary[1, start + number] > 0.0:
-                row = int(np.argmax(record[:, start + number] > 0.0))
-                owners, part = labels.drive_owners, labels.drive_owners[number].part
-                seen = {what: record[row, start + owners.index(Owner(part, what))] for what in (SPEED, PITCH)}
+        owners, start = self.system.labels.drive_owners, self.drives
+        for column in self.taking.outside.tolist():
+            if self.taking.summary[1, column] > 0.0:
+                row, part = int(np.argmax(self.record[:, column] > 0.0)), owners[column - start].part
+                seen = {what: self.record[row, start + owners.index(Owner(part, what))] for what in (SPEED, PITCH)}
                 raise SolveError(
                     f"{part} leaves its map at {(first + row) * self.step:.4g} s: {abs(seen[SPEED]) * 30 / np.pi:.4g}"
                     f" rpm at a pitch of {np.degrees(seen[PITCH]):.4g}°; take a smaller change, tighter pitch stops,"
                     " or a map that covers the point"
                 )
 
-    def _diverged(self, first: int, record: Floats) -> None:
-        forces = record[:, self.forces.start : self.drives]
+    def _diverged(self, first: int) -> None:
+        forces = self.record[:, self.forces.start : self.drives]
         row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
         lines = self.system.labels.lines
         column = int(np.argmin(np.abs(forces[row]) < RUNAWAY))
@@ -168,31 +192,17 @@ class Recorder:
             f"{forces[row, column]:.3g}; {fix}"
         )
 
-    def _count(self, place: int, summary: Floats) -> None:
-        minimum, maximum, total, square = summary[:, self.size : self.past]
-        self.sums[0, place] += total
-        self.sums[1, place] += square
-        np.minimum(self.minimum[place], minimum, out=self.minimum[place])
-        np.maximum(self.maximum[place], maximum, out=self.maximum[place])
-
-    def _watch(self, first: int, record: Floats, minimum: Floats) -> None:
-        if len(self.gaps):
-            new = (minimum[self.loose] <= 0.0) & (self.lost < 0)
-            if new.any():
-                self.lost[new] = first + np.argmax(record[:, self.loose[new]] <= 0.0, axis=0)
-
     def samples(self, number: int = 0) -> Samples:
         """Return the evenly spaced instants (0) or a window (1, 2, …).
 
         Args:
             number: Which.
         """
-        size, lines = self.size, len(self.system.labels.lines)
-        steps, table = self.kept[number].rows
-        time: Floats = steps * np.float64(self.step)
-        ends = [size, 2 * size, 2 * size + lines, 2 * size + 2 * lines]
-        position, velocity, force, deflection, drive = np.split(table, ends, axis=1)
-        return Samples(time, position, velocity, force, deflection, self.system.labels, drive)
+        stretch, taken = self.frame.stretches[number], int(self.taking.kept[number, 3])
+        time: Floats = np.arange(stretch.start, stretch.stop, stretch.step)[:taken] * np.float64(self.step)
+        table, ends = self.tables[number][:taken], (0, self.size, self.forces.start, self.forces.stop, self.drives)
+        parts = [table[:, low:high] for low, high in pairwise((*ends, self.past))]
+        return Samples(time, *parts[:4], self.system.labels, parts[4])
 
     def statistics(self, names: tuple[str, ...], first: int, what: str) -> Statistics:
         """Return the statistics of some of the columns after q.
@@ -202,33 +212,50 @@ class Recorder:
             first: Column of the first; extremes of line forces, the first after q̇, are those between steps too.
             what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
-        columns = slice(first, first + len(names))
-        mean, square = self.sums[:, :, columns] / np.diff(self.edges)[:, None]
-        least, most = self.minimum[:, columns], self.maximum[:, columns]
+        columns, bins, taking = slice(first, first + len(names)), len(self.edges) - 1, self.taking
+        mean, square = taking.sums[:, :bins, columns] / (self.edges[1:] - self.edges[:-1])[:, None]
+        least, most = taking.minimum[:bins, columns], taking.maximum[:bins, columns]
         if first == self.size:
             least, most, _ = self.line_extremes()
-        return Statistics(names, what, self.edges.astype(np.float64) * self.step, mean, least, most, np.sqrt(square))
+        return Statistics(names, what, self.edges * self.step, mean, least, most, np.sqrt(square))
 
     def line_extremes(self) -> tuple[Floats, Floats, Floats]:
         """Return least, most and sums of squares of line forces, extremes between steps too, shape (bins, lines)."""
-        bins, columns = len(self.edges) - 1, slice(self.size, self.size + len(self.first_force))
-        low = np.minimum(self.minimum[:, columns], self.between.low[:bins])
-        return low, np.maximum(self.maximum[:, columns], self.between.high[:bins]), self.sums[1, :, columns]
+        bins, lines, taking = len(self.edges) - 1, self.forces.stop - self.forces.start, self.taking
+        columns = slice(self.size, self.size + lines)
+        low = np.minimum(taking.minimum[:bins, columns], taking.low[:bins, :lines])
+        high = np.maximum(taking.maximum[:bins, columns], taking.high[:bins, :lines])
+        return low, high, taking.sums[1, :bins, columns]
 
-    def checkpoints(self) -> Checkpoints:
-        """Return the states that were kept for replay."""
-        return Checkpoints(np.array([step for step, _ in self.points]), np.array([state for _, state in self.points]))
-
-    def stop(self, done: int) -> None:
+    def finish(self, done: int) -> None:
         """Cut the bins to the steps that were done.
 
         Args:
             done: Steps.
         """
-        keep = int(np.searchsorted(self.edges, done, side="left"))
-        self.edges = np.concatenate([self.edges[:keep], [max(done, self.edges[0])]])
-        bins = len(self.edges) - 1
-        self.sums, self.minimum, self.maximum = self.sums[:, :bins], self.minimum[:bins], self.maximum[:bins]
+        if done < self.steps:
+            keep = int(np.searchsorted(self.edges, done, side="left"))
+            self.edges = np.concatenate([self.edges[:keep], [max(done, self.edges[0])]])
+        _ROWS[self._rows.shape[1]].append(self._rows)
+
+    def promised(self) -> Floats:
+        """Return what `accuracy.Forces` tells of the line forces, shape (4, 1, lines); zeros before any."""
+        bins, lines = len(self.edges) - 1, self.forces.stop - self.forces.start
+        promised = np.zeros((4, 1, lines))
+        if bins:
+            first, steps = int(self.edges[0]), float(self.edges[-1] - self.edges[0])
+            late = abs(first - self.outputs.start / self.step) / steps
+            library(*FUNCTIONS).function("promise")(self.taking.place, bins, steps, late, address(promised))
+        return promised
+
+    def checkpoints(self) -> Checkpoints:
+        """Return the states that were kept for replay."""
+        return Checkpoints(self.spacing * np.arange(len(self.points)), self.points)
+
+
+def _take() -> Callable[..., int]:
+    """Return the compiled `take`."""
+    return library(*FUNCTIONS).function("take")
 
 
 def summary_of(record: Floats) -> Floats:

@@ -6,7 +6,15 @@ What is kept of them is in `record`; whole runs are in `motion` itself.
 from gearwright.dynamics.motion.steps.bounds import damping_bound
 from gearwright.dynamics.motion.steps.exact import is_exact
 from gearwright.dynamics.motion.steps.pacing import pace_of
-from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, METHODS, Stepper, blank_record, blank_summary, stepper
+from gearwright.dynamics.motion.steps.steppers import (
+    ADAPTIVE,
+    METHODS,
+    Stepper,
+    blank_record,
+    blank_summary,
+    generated_run,
+    stepper,
+)
 from gearwright.dynamics.motion.steps.stepsize import (
     MARGIN,
     RMS_SHARE,
@@ -39,6 +47,7 @@ __all__ = [
     "default_step",
     "excited_step",
     "fastest_rate",
+    "generated_run",
     "is_exact",
     "may_take",
     "pace_of",

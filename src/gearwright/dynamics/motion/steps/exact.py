@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix
+from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix, planned
 
 
 class Propagator(NamedTuple):
@@ -27,6 +27,7 @@ class Propagator(NamedTuple):
     """Quadratic forms of z whose values are the works during 2^i steps, shape (6, extended, extended) each."""
 
 
+@planned
 def is_exact(arrays: Arrays) -> bool:
     """Tell whether the exact step applies: constant stiffness and speed, loads linear in speed, no backlash or drives.
 

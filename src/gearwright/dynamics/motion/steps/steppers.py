@@ -1,27 +1,29 @@
 """Steppers: each fills a block of rows (q, q̇, line forces, deflections) and carries the state on.
 
-A stepper is a plain function of (first step, record, state) that returns least, most, sum and sum of squares of the
-record's columns. Blocks begin at multiples of `BLOCK`, so that a run that
+A stepper is a plain function of (first step, record, state). Blocks begin at multiples of `BLOCK`, so that a run that
 is taken up again at a checkpoint repeats itself bit for bit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen import (
     SIDE,
+    Clocked,
+    Compiled,
     Size,
     aligned,
     clock,
+    clocked,
     compiled,
     parameters,
     record_width,
     recurrence,
-    summarise,
     table_width,
     topology,
 )
@@ -31,7 +33,7 @@ from gearwright.dynamics.motion.record import BLOCK
 from gearwright.dynamics.motion.steps import exact
 from gearwright.errors import SolveError
 
-Stepper = Callable[[int, Floats, Floats], Floats]
+Stepper = Callable[[int, Floats, Floats], None]
 RUNGE_KUTTA = ("runge-kutta", "runge-kutta generic")
 """Methods of fixed steps that a system's fastest mode limits."""
 ADAPTIVE = ("tsit5", "tsit5 generic")
@@ -61,13 +63,6 @@ def blank_summary(width: int) -> Floats:
     return summary
 
 
-def _summary(record: Floats, width: int) -> Floats:
-    """Return what `summary_of` returns of a record that is as wide as `blank_record` makes it."""
-    summary = blank_summary(width)
-    summarise(record, summary)
-    return summary
-
-
 def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) -> Stepper:
     """Return the stepper of a method.
 
@@ -83,16 +78,39 @@ def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) ->
     return builders[method](arrays, h)
 
 
-def _generated(arrays: Arrays, h: float) -> Stepper:
-    shape = topology(arrays)
-    layout, numbers = parameters(arrays, h)
-    code, width = kept(arrays, (compiled,), lambda: compiled(shape, layout)), record_width(shape)
-    now = clock(arrays, h, BLOCK)
+class GeneratedRun(NamedTuple):
+    """What a run by generated code is made of."""
 
-    def advance(first: int, record: Floats, state: Floats) -> Floats:
+    code: int
+    """Address of what advances a block."""
+    numbers: Floats
+    """Its parameters."""
+    clock: Clocked
+    """Of this run alone."""
+    given: Ints
+    """The same as compiled code reads it."""
+
+
+def generated_run(arrays: Arrays, h: float) -> GeneratedRun:
+    """Return what a run by generated code is made of.
+
+    Args:
+        arrays: The system's numbers.
+        h: Step [s].
+    """
+    return GeneratedRun(_code(arrays, h).address, parameters(arrays, h)[1], *clocked(arrays, h, BLOCK))
+
+
+def _code(arrays: Arrays, h: float) -> Compiled:
+    return kept(arrays, (compiled,), lambda: compiled(topology(arrays), parameters(arrays, h)[0]))
+
+
+def _generated(arrays: Arrays, h: float) -> Stepper:
+    numbers, code, now = parameters(arrays, h)[1], _code(arrays, h), clock(arrays, h, BLOCK)
+
+    def advance(first: int, record: Floats, state: Floats) -> None:
         table, turn = now(first, len(record))
         code.advance(len(record), numbers, numbers, table, turn, state, record)
-        return _summary(record, width)
 
     return advance
 
@@ -101,12 +119,10 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
     # Loaded here because the generated code does without it, and compiling it the first time takes seconds.
     from gearwright.dynamics.equations import kernel
 
-    width = record_width(topology(arrays))
     instants = kernel.empty_instant(arrays), kernel.empty_instant(arrays)
 
-    def advance(first: int, record: Floats, state: Floats) -> Floats:
+    def advance(first: int, record: Floats, state: Floats) -> None:
         kernel.runge_kutta(arrays, instants, first, h, record, state)
-        return _summary(record, width)
 
     return advance
 
@@ -119,14 +135,13 @@ def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> S
     layout, numbers = parameters(arrays, h)
     code = None if generic else compiled(shape, layout)
     row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
-    limit, width = tsit5.limits(arrays, tolerance), record_width(shape)
+    limit = tsit5.limits(arrays, tolerance)
 
-    def advance(first: int, record: Floats, state: Floats) -> Floats:
+    def advance(first: int, record: Floats, state: Floats) -> None:
         right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
         _, done, reached = tsit5.march(arrays, right, first, h, limit, record, state)
         if not done:
             raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
-        return _summary(record, width)
 
     return advance
 
@@ -136,11 +151,9 @@ def _implicit(arrays: Arrays, h: float) -> Stepper:
     from gearwright.dynamics.motion.steps import implicit
 
     now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
-    width = record_width(topology(arrays))
 
-    def advance(first: int, record: Floats, state: Floats) -> Floats:
+    def advance(first: int, record: Floats, state: Floats) -> None:
         implicit.march(arrays, now, first, h, damping, record, state)
-        return _summary(record, width)
 
     return advance
 
@@ -152,7 +165,7 @@ def _exact(arrays: Arrays, h: float) -> Stepper:
     run, block = recurrence(carry.powers[SIDE.bit_length() - 1], carry.output, size), aligned(BLOCK, width)
     eight = exact.first_powers(carry, SIDE)
 
-    def advance(first: int, record: Floats, state: Floats) -> Floats:
+    def advance(first: int, record: Floats, state: Floats) -> None:
         start = exact.extended_state(arrays, first * h, state)
         room = record if len(record) % SIDE == 0 else block[: -(-len(record) // SIDE) * SIDE]
         run((eight @ start).reshape(SIDE, -1), room)
@@ -161,6 +174,5 @@ def _exact(arrays: Arrays, h: float) -> Stepper:
         works, end = exact.works_during(carry, start, len(record))
         state[:kept] = end[:kept]
         state[kept:] += works
-        return _summary(record, width)
 
     return advance
