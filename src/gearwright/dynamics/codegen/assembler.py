@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen.emit import CHUNK
 from gearwright.dynamics.kept_code import keep_code, kept_code
 
@@ -30,7 +30,7 @@ _NOTHING = ctypes.c_char * 0
 _NO_CALLS: Mapping[str, int] = MappingProxyType({})
 
 
-def address(array: Floats) -> int:
+def address(array: Floats | Ints) -> int:
     """Return where an array begins in memory; much quicker than its own `ctypes`.
 
     Args:

@@ -14,7 +14,7 @@ from gearwright.dynamics.codegen.assembler import address, aligned
 from gearwright.dynamics.codegen.loops import at, library, packed
 from gearwright.dynamics.codegen.topology import topology
 from gearwright.dynamics.codegen.writer import table_width, wave_width
-from gearwright.dynamics.model import Arrays, planned
+from gearwright.dynamics.model import Arrays, Schedules, planned
 
 Clock = Callable[[int, int], tuple[Floats, Floats]]
 """(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.
@@ -182,15 +182,20 @@ def _fixed(arrays: Arrays, h: float, steps: int) -> tuple[Clocked, Ints]:
         table[:, : 2 * waves] = waves_of(np.outer(0.5 * h * np.arange(2 * steps + 1), rate), waves)
         table[:, 2 * waves] = factor
     harmonics = np.array(_harmonics(arrays.tone_rate) if ramped else [], dtype=np.int64)
-    curves = (arrays.loads.schedules, arrays.drives.inputs)
-    lengths = np.concatenate([np.diff(one.start) for one in curves])
+    curves = [_points(one) for one in (arrays.loads.schedules, arrays.drives.inputs)]
+    lengths, knots, values = (np.concatenate(parts) for parts in zip(*curves, strict=True))
     starts = np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64)
-    knots, values = (np.concatenate([getattr(one, name) for one in curves]) for name in ("time", "value"))
     fixed = Clocked(
         h, table, table.shape[1], len(rate), rate, waves, int(ramped), len(profile.time), profile.time,
         profile.factor, profile.travel, harmonics, len(lengths), starts, knots, values,
     )  # fmt: skip
     return fixed, packed(fixed)
+
+
+def _points(schedules: Schedules) -> tuple[Ints, Floats, Floats]:
+    """Return how many points each curve has, and their times and values."""
+    ends = schedules.start[: len(schedules.dof) + 1]
+    return ends[1:] - ends[:-1], schedules.time[: ends[-1]], schedules.value[: ends[-1]]
 
 
 def waves_of(angle: Floats, width: int) -> Floats:

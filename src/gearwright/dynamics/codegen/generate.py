@@ -8,19 +8,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, Protocol
 
+from gearwright.dynamics.codegen.driven import Output, drive_laws
 from gearwright.dynamics.codegen.emit import CHUNK, Emitter
 from gearwright.dynamics.codegen.topology import LineShape, filled
-from gearwright.dynamics.codegen.writer import Writer, drive_width, wave_width
+from gearwright.dynamics.codegen.writer import Writer
 from gearwright.dynamics.equations import WORKS
 
-Output = Literal["", "record", "statistics"]
-"""What a slope keeps of the lines."""
 Pulls = dict[int, dict[tuple[int, int], list[int]]]
 """Lines that pull on each coordinate, by the number and the sign of their weight."""
 Frame = Literal["gyroscopic", "centripetal"]
 """Kind of entry."""
-LAWS = "drive_laws"
-"""Name of the function that works out what drives do; an address would be one of this process alone."""
 PART = 8
 """Lines that share what they have loaded: among more, registers run out."""
 
@@ -128,25 +125,6 @@ def loads(writer: Writer, code: Emitter, dofs: range, parts: tuple[Numbers, Numb
     for i in shape.turning:
         if i in dofs:
             force[i] = code.subtract(force[i], code.multiply(writer.number(code, "inertia", i), writer.clock(code, 1)))
-
-
-def drive_laws(writer: Writer, code: Emitter, output: Output) -> None:
-    """Call the drives' laws: they fill torques, the rates of their states, and what they report.
-
-    Args:
-        writer: Of the structure.
-        code: Body.
-        output: What is kept.
-    """
-    shape = writer.shape
-    rooms = {"torque": shape.size, "rate": filled(shape.drives.states), "unseen": drive_width(shape)}
-    code.lines += [f"  %{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
-    table, factor = code.at("%p", writer.layout.drives), writer.clock(code, 0)
-    inputs = code.at("%row", 2 * wave_width(shape) + 2 + len(shape.scheduled))
-    seen = code.at("%out", 2 * writer.count) if output == "record" else "%unseen"
-    numbers = f"ptr {table}, i64 {shape.drives.length}, i64 {shape.drives.states}, ptr {inputs}, double {factor}"
-    pointers = ", ".join(f"ptr {name}" for name in ("%v", "%torque", "%rate", seen))
-    code.lines.append(f"  call void @{LAWS}({numbers}, {pointers})")
 
 
 def carried_by(writer: Writer, code: Emitter, j: int, parts: tuple[Numbers, Numbers, Numbers], output: Output) -> str:

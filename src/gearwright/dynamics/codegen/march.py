@@ -5,8 +5,9 @@ Every stage is (bq + c q̇, bv + c q̈) of the one before; so is the end, with b
 
 from __future__ import annotations
 
+from gearwright.dynamics.codegen.driven import DECLARATIONS
 from gearwright.dynamics.codegen.emit import CHUNK, VECTOR, splat
-from gearwright.dynamics.codegen.generate import LAWS, slope
+from gearwright.dynamics.codegen.generate import slope
 from gearwright.dynamics.codegen.instant import instant
 from gearwright.dynamics.codegen.parts import SPLIT, slope_in_parts
 from gearwright.dynamics.codegen.topology import filled
@@ -27,7 +28,7 @@ def assembly(writer: Writer) -> str:
     written = slope_in_parts if writer.count > SPLIT else slope
     slopes = [written(writer, "look", "record" if alone else "statistics")]
     slopes += [] if _shared(writer) else [written(writer, "slope", "")]
-    laws = [_LAWS] if writer.shape.drives.records else []
+    laws = [DECLARATIONS] if writer.shape.drives.records else []
     parts = [_DECLARATIONS, *laws, instant(writer), *slopes, _loop(writer)]
     return "\n\n".join([*parts, *([_alone(writer)] if alone else [])])
 
@@ -44,8 +45,6 @@ declare <8 x double> @llvm.maxnum.v8f64(<8 x double>, <8 x double>)
 declare void @llvm.memcpy.inline.p0.p0.i64(ptr, ptr, i64, i1)
 declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
 declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
-
-_LAWS = f"declare void @{LAWS}(ptr, i64, i64, ptr, double, ptr, ptr, ptr, ptr)"
 
 
 def _loop(writer: Writer) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, machine_code
-from gearwright.dynamics.codegen.generate import LAWS
+from gearwright.dynamics.codegen.laws import laws
 from gearwright.dynamics.codegen.march import assembly
 from gearwright.dynamics.codegen.topology import Layout, Topology
 from gearwright.dynamics.codegen.writer import Writer
@@ -61,11 +61,8 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
     return Compiled(advance, place, alone, engine, text)
 
 
-def _called(shape: Topology) -> dict[str, int]:
+def _called(shape: Topology) -> Mapping[str, int]:
     """Return what generated code calls, by name, and where it is in memory."""
     if not shape.drives.records:
         return {}
-    # Loaded here because compiling it the first time takes seconds, and most systems do without it.
-    from gearwright.dynamics.codegen.drive_call import laws
-
-    return {LAWS: laws.address}
+    return laws()

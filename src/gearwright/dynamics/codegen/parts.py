@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from gearwright.dynamics.codegen.driven import Output, drive_laws
 from gearwright.dynamics.codegen.emit import Emitter
 from gearwright.dynamics.codegen.generate import (
     PART,
-    Output,
     Pulls,
     Registers,
     carried_by,
-    drive_laws,
     frame_forces,
     frames_of,
     loads,

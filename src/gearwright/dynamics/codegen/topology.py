@@ -37,6 +37,23 @@ class LineShape(NamedTuple):
     """Whether it slips in the rigid motion, as a damper may."""
 
 
+class DriveRecord(NamedTuple):
+    """Structure of one drive."""
+
+    kind: int
+    """Propeller, machine or clutch."""
+    place: int
+    """Of its record in the table."""
+    dof: int
+    """Coordinate."""
+    second: int
+    """The other one of a clutch, or -1."""
+    state: int
+    """Its first."""
+    reads: int
+    """Its first input."""
+
+
 class DriveShape(NamedTuple):
     """Structure of the drives."""
 
@@ -46,10 +63,8 @@ class DriveShape(NamedTuple):
     """States of all."""
     inputs: int
     """What they read against time."""
-    records: int
+    records: tuple[DriveRecord, ...]
     """Drives."""
-    length: int
-    """Numbers in their table."""
 
 
 class Topology(NamedTuple):
@@ -103,12 +118,13 @@ def topology(arrays: Arrays) -> Topology:
 
 
 def _drives(drives: Drives) -> DriveShape:
-    dofs, table, place = set[int](), drives.table, 2
+    records, table, place = list[DriveRecord](), drives.table, 2
     while place < len(table):
-        dofs |= {int(table[place + 2]), int(table[place + 4])} - {-1}
+        kind, dof, second, state, reads = (int(table[place + column]) for column in (1, 2, 4, 6, 7))
+        records.append(DriveRecord(kind, place, dof, second, state, reads))
         place += int(table[place])
-    records = int(table[0]) if len(table) else 0
-    return DriveShape(tuple(sorted(dofs)), len(drives.start), len(drives.inputs.dof), records, len(table))
+    dofs = {dof for record in records for dof in (record.dof, record.second)} - {-1}
+    return DriveShape(tuple(sorted(dofs)), len(drives.start), len(drives.inputs.dof), tuple(records))
 
 
 def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:

@@ -44,7 +44,7 @@ def drive_width(shape: Topology) -> int:
     Args:
         shape: Structure.
     """
-    return shape.drives.states + OUTPUTS * shape.drives.records
+    return shape.drives.states + OUTPUTS * len(shape.drives.records)
 
 
 class Writer:

@@ -98,7 +98,7 @@ def _sum(series: Series, waves: tuple[Floats, Floats]) -> Floats | float:
         return 0.0
     lines, tone = len(series.start) - 1, series.tone
     row = np.arange(lines).repeat(series.start[1:] - series.start[:-1])
-    return np.bincount(row, series.cosine * waves[0][tone] + series.sine * waves[1][tone], lines)
+    return np.asarray(np.bincount(row, series.cosine * waves[0][tone] + series.sine * waves[1][tone], lines), float)
 
 
 def dead_zone(deflection: Floats, backlash: Floats) -> Floats:

@@ -15,6 +15,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import split_rigid
 from gearwright.dynamics.model import Arrays, System, profile_of
+from gearwright.dynamics.motion.rigid_march import rigid_speeds
 
 STEP = 1e-3
 """Step of the rigid pass [s]: actuators of propellers are slower by far."""
@@ -56,9 +57,6 @@ def rigid_factor(arrays: Arrays, rigid: Floats, duration: float) -> tuple[Floats
 
     Source: classical fourth-order Runge–Kutta of Rᵀ M R ν̇ = Rᵀ Q with θ̇ = Ω s + R ν.
     """
-    # Loaded here because only driven trains need numba for it.
-    from gearwright.dynamics.motion.rigid_march import rigid_speeds
-
     steps = max(1, round(duration / STEP))
     motion = rigid_speeds(arrays, rigid[:, 0].copy(), duration / steps, steps)
     fastest = int(np.argmax(np.abs(arrays.speed)))

@@ -6,9 +6,11 @@ import ast
 import ctypes
 import struct
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
-from gearwright.arrays import Floats
+import numpy as np
+
+from gearwright.arrays import Floats, Ints
 
 WHOLE, NUMBER, TRUTH, ADDRESS = "i64", "double", "i1", "ptr"
 """Kinds of values in assembly."""
@@ -54,10 +56,13 @@ def floats(address: int) -> Floats:
     Args:
         address: Of its first number.
     """
-    return _seen(address, ctypes.c_double)
+    return np.ctypeslib.as_array(ctypes.cast(address, ctypes.POINTER(ctypes.c_double)), (1 << 20,))
 
 
-def at(array: Floats, first: int) -> Floats:
+Numbers = TypeVar("Numbers", Floats, Ints)
+
+
+def at(array: Numbers, first: int) -> Numbers:
     """Return an array from one of its numbers on.
 
     Args:
@@ -76,12 +81,6 @@ def call(address: int, *given: Any) -> None:
     """
     kinds = [ctypes.c_int64 if isinstance(one, int) else ctypes.c_void_p for one in given]
     ctypes.CFUNCTYPE(None, *kinds)(address)(*(one if isinstance(one, int) else one.ctypes.data for one in given))
-
-
-def _seen(address: int, kind: Any) -> Any:
-    import numpy as np
-
-    return np.ctypeslib.as_array(ctypes.cast(address, ctypes.POINTER(kind)), (1 << 20,))
 
 
 class Expressions:

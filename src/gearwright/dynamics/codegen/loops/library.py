@@ -40,8 +40,8 @@ class Library:
         """
         if name not in self.made:
             by_kind = {ADDRESS: ctypes.c_void_p, NUMBER: ctypes.c_double, "void": None}
-            *kinds, result = (by_kind.get(kind.text, ctypes.c_int64) for kind in kinds_of(self.functions[name]))
-            self.made[name] = ctypes.CFUNCTYPE(result, *kinds)(self.address(name))
+            kinds: list[Any] = [by_kind.get(kind.text, ctypes.c_int64) for kind in kinds_of(self.functions[name])]
+            self.made[name] = ctypes.CFUNCTYPE(kinds.pop(), *kinds)(self.address(name))
         return self.made[name]
 
 

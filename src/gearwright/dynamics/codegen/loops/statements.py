@@ -92,6 +92,10 @@ class _Function:
                 text = value.text if kind == value.kind else self.code.as_number(value)
                 self.code.lines.append(f"  store {kind.text} {text}, ptr %{target.id}")
 
+    def on_AnnAssign(self, node: ast.AnnAssign) -> None:
+        assert node.value is not None
+        self.on_Assign(ast.Assign([node.target], node.value))
+
     def on_AugAssign(self, node: ast.AugAssign) -> None:
         again = ast.parse(ast.unparse(node.target), mode="eval").body
         self.on_Assign(ast.Assign([node.target], ast.BinOp(again, node.op, node.value)))

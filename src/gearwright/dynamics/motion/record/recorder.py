@@ -79,7 +79,7 @@ def _frame(system: System, outputs: Outputs, step: float, steps: int) -> Frame:
     whole: Callable[[Any], Ints] = partial(np.array, dtype=np.int64)
     begin, end = outer_ways(min(LEAD + 1, steps)), outer_ways(min(LEAD + 1, steps + 1))
     taking = Taking(
-        steps=steps, width=width, size=size, lines=lines, past=past, record=0, summary=np.zeros((4, width)),
+        steps=steps, width=width, size=size, lines=lines, past=past, record=np.zeros(0), summary=np.zeros((4, width)),
         part=np.zeros((4, width)), summarise=summary_code(), crests_code=crests_code(), edges=edges, bins=bins,
         places=np.zeros(3, dtype=np.int64), sums=np.zeros((2, *counted.shape)), minimum=counted, maximum=-counted,
         stretches=len(stretches), kept=whole(kept), gaps=len(gaps), loose=2 * size + lines + gaps,
@@ -202,7 +202,7 @@ class Recorder:
         time: Floats = np.arange(stretch.start, stretch.stop, stretch.step)[:taken] * np.float64(self.step)
         table, ends = self.tables[number][:taken], (0, self.size, self.forces.start, self.forces.stop, self.drives)
         parts = [table[:, low:high] for low, high in pairwise((*ends, self.past))]
-        return Samples(time, *parts[:4], self.system.labels, parts[4])
+        return Samples(time, parts[0], parts[1], parts[2], parts[3], self.system.labels, parts[4])
 
     def statistics(self, names: tuple[str, ...], first: int, what: str) -> Statistics:
         """Return the statistics of some of the columns after q.
@@ -217,7 +217,7 @@ class Recorder:
         least, most = taking.minimum[:bins, columns], taking.maximum[:bins, columns]
         if first == self.size:
             least, most, _ = self.line_extremes()
-        return Statistics(names, what, self.edges * self.step, mean, least, most, np.sqrt(square))
+        return Statistics(names, what, self.edges * np.float64(self.step), mean, least, most, np.sqrt(square))
 
     def line_extremes(self) -> tuple[Floats, Floats, Floats]:
         """Return least, most and sums of squares of line forces, extremes between steps too, shape (bins, lines)."""
