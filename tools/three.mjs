@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 
 const THREE = "0.180.0", ESBUILD = "0.25.10";
 const TAKEN = `WebGLRenderer, Scene, PerspectiveCamera, HemisphereLight, DirectionalLight, Mesh, Group, BufferGeometry,
-  BufferAttribute, MeshPhongMaterial, Color, Plane, Vector2, Vector3, Quaternion, Box3, Raycaster, DoubleSide`;
+  BufferAttribute, InstancedMesh, MeshPhongMaterial, Color, Plane, Vector2, Vector3, Quaternion, Box3, Raycaster, DoubleSide`;
 const folder = join(dirname(fileURLToPath(import.meta.url)), "..", "src", "gearwright", "render", "solids");
 const work = mkdtempSync(join(tmpdir(), "three-"));
 writeFileSync(join(work, "package.json"), '{"private": true}');

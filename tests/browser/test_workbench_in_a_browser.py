@@ -1,23 +1,15 @@
 """The workbench as its users have it: a server on this machine, a browser, every shipped design."""
 
 import math
-import os
-import re
-import shutil
-import subprocess
-import sys
 
 import pytest
+from workbench import MASS, choose, ended, mass_of, started, wait_for
 
 import gearwright as gw
 from shipped_work import sized
 
 pytestmark = pytest.mark.extra("playwright", "axe_playwright_python", "starlette", "uvicorn", "tomlkit")
-START = "from gearwright.cli import main; main()"
-MASS = "#keys dd[data-key=mass_kg]"
 SPEED = "[id='entry:turbines/gas-turbine/speed_rpm']"
-PATIENT = 60_000
-"""For answers on a busy machine [ms]."""
 MOVED = """() => {
   const {gearbox, view, motion} = window.gearbox, found = {}, seconds = 1e-3 / motion.fastest();
   gearbox.pose(seconds, motion.name);
@@ -38,97 +30,6 @@ MOVED = """() => {
 }"""
 
 
-def started(folder, port=0):
-    """Return a server and the address that it prints."""
-    line = [
-        sys.executable,
-        "-c",
-        START,
-        "app",
-        "in-line-h2",
-        "--no-browser",
-        "--folder",
-        str(folder),
-        "--port",
-        str(port),
-    ]
-    server = subprocess.Popen(line, stdout=subprocess.PIPE, text=True)
-    return server, re.findall(r"http\S+", server.stdout.readline())[0]
-
-
-def ended(server):
-    server.terminate()
-    server.wait()
-    server.stdout.close()
-
-
-@pytest.fixture(scope="module")
-def address(tmp_path_factory):
-    server, found = started(tmp_path_factory.mktemp("designs"))
-    yield found
-    ended(server)
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    """Yield a browser; skip with the reason where none is installed, and fail where one is demanded."""
-    from playwright.sync_api import Error, sync_playwright
-
-    path = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
-    software = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    with sync_playwright() as playwright:
-        try:
-            browser = playwright.chromium.launch(executable_path=path, args=software)
-        except Error as reason:
-            if os.environ.get("GEARWRIGHT_BROWSER") == "1":
-                raise
-            pytest.skip(f"no browser starts: {str(reason).splitlines()[0]}")
-        yield browser
-        browser.close()
-
-
-@pytest.fixture
-def opened(chromium, address):
-    """Return a function that opens the workbench, and what its browser complained of or asked of others."""
-    contexts = []
-
-    def opening(at=address, **given):
-        context = chromium.new_context(viewport={"width": 1280, "height": 720}, reduced_motion="reduce", **given)
-        context.set_default_timeout(PATIENT)
-        contexts.append(context)
-        page, told = context.new_page(), []
-        host = at.partition("?")[0]
-        page.on("console", lambda message: told.append(message.text) if message.type == "error" else None)
-        page.on("pageerror", lambda error: told.append(str(error)))
-        page.on(
-            "request",
-            lambda request: None if request.url.startswith((host, "blob:", "data:")) else told.append(request.url),
-        )
-        page.on("dialog", lambda dialog: dialog.accept())
-        page.goto(at)
-        page.wait_for_selector(f"{MASS} b")
-        return page, told
-
-    yield opening
-    for context in contexts:
-        context.close()
-
-
-def mass_of(text):
-    return f"{float(f'{gw.size(gw.parse(text)).mass:.4g}'):g}"
-
-
-def choose(page, name):
-    page.select_option("#design", f"shipped:{name}")
-    wait_for(page, MASS + " b", f"{float(f'{sized(name).mass:.4g}'):g}")
-
-
-def wait_for(page, selector, text):
-    from playwright.sync_api import expect
-
-    expect(page.locator(selector).first).to_have_text(text, timeout=PATIENT)
-
-
 def test_every_shipped_design_opens_with_its_numbers_and_asks_nobody_else(opened):
     page, told = opened()
     for name in gw.shipped_designs():
@@ -147,7 +48,7 @@ def test_the_gearbox_is_drawn_and_turns_as_its_train_does(opened, name):
     page.wait_for_selector("body[data-model]")
     seen = page.evaluate(MOVED)
     assert seen["colours"] > 50 and seen["empty"] < 0.98
-    assert seen["triangles"] <= 150_000
+    assert seen["triangles"] <= 150_000 and seen["calls"] <= 30
     flow = sized(name).flows[seen["case"]]
     fastest = max(abs(speed) for speed in flow.speeds.values())
     for shaft in sized(name).shafts:  # angles of 1e-3 rad in double precision, kept in numbers of 1e-16
@@ -241,8 +142,9 @@ def test_nothing_serious_keeps_anyone_from_using_it(opened, scheme):
     page.wait_for_selector("#flow svg")
     page.locator("#margins button").nth(1).click()
     page.wait_for_selector("#why tbody tr")
-    for view in ("Design", "Gearbox", "Compare"):
+    for view in ("Design", "Gearbox", "Dynamics", "Flight", "Studies", "Compare"):
         page.click(f"nav a >> text={view}")
+        page.wait_for_selector(f"#{view.lower()}-view:not([hidden])")
         answer = Axe().run(page, context={"exclude": [["#flow svg"]]}, options={"resultTypes": ["violations"]})
         found = answer.response["violations"]
         worst = [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in ("serious", "critical")]

@@ -16,7 +16,7 @@ export function shake(gearbox, motion) {
     Gearbox.prototype.pose.call(gearbox, now.seconds, name);
     const about = new THREE.Vector3(0, 0, 1), turn = new THREE.Quaternion();
     for (const body of gearbox.bodies) if (now.turns[body.name]) body.frame.quaternion.multiply(turn.setFromAxisAngle(about, now.turns[body.name]));
-    return undefined;
+    return gearbox.settle();
   };
   told();
 }

@@ -14,7 +14,8 @@ class Gearbox {
     this.bodies = document_.nodes.map(entry => this.body(entry));
     document_.nodes.forEach((entry, k) => (entry.children || []).forEach(child => this.bodies[k].frame.add(this.bodies[child].frame)));
     document_.scenes[0].nodes.forEach(k => this.root.add(this.bodies[k].frame));
-    this.root.updateMatrixWorld(true);
+    this.alike();
+    this.settle();
   }
 
   array(number) {
@@ -51,14 +52,35 @@ class Gearbox {
     frame.position.fromArray(entry.translation);
     frame.quaternion.fromArray(entry.rotation);
     const shown = entry.mesh === undefined ? null : this.shapes[entry.mesh];
-    const body = {frame, name: entry.name, ...entry.extras, place: frame.position.clone(), rest: frame.quaternion.clone(), solid: null};
-    if (shown) {
-      body.own = this.materials[shown.material];
-      body.solid = new THREE.Mesh(shown.geometry, body.own);
-      body.solid.body = body;
-      frame.add(body.solid);
+    return {frame, name: entry.name, ...entry.extras, place: frame.position.clone(), rest: frame.quaternion.clone(), solid: null,
+      shown, own: shown && this.materials[shown.material]};
+  }
+
+  /* Equal bodies of one part, such as the planets of a set, are drawn at once. */
+  alike() {
+    const groups = new Map();
+    for (const body of this.bodies.filter(one => one.shown)) {
+      const key = JSON.stringify([this.shapes.indexOf(body.shown), body.part, body.look]);
+      groups.set(key, [...(groups.get(key) || []), body]);
     }
-    return body;
+    this.groups = [...groups.values()].map(bodies => {
+      const solid = new THREE.InstancedMesh(bodies[0].shown.geometry, bodies[0].own, bodies.length);
+      solid.bodies = bodies;
+      solid.frustumCulled = false;
+      for (const body of bodies) body.solid = solid;
+      this.root.add(solid);
+      return solid;
+    });
+  }
+
+  /* Where the frames are, the solids are. */
+  settle() {
+    this.root.updateMatrixWorld(true);
+    for (const solid of this.groups) {
+      solid.bodies.forEach((body, k) => solid.setMatrixAt(k, body.frame.matrixWorld));
+      solid.instanceMatrix.needsUpdate = true;
+      solid.boundingBox = solid.boundingSphere = null;
+    }
   }
 
   /* Turn everything to where it is `seconds` after the start, in a load case; round numbers of turns are left out. */
@@ -68,6 +90,7 @@ class Gearbox {
       turn.setFromAxisAngle(about, (body.spin_rad_s[name] * seconds) % (2 * Math.PI));
       body.frame.quaternion.copy(body.rest).multiply(turn);
     }
+    this.settle();
   }
 
   explode(ways, share) {
@@ -76,6 +99,7 @@ class Gearbox {
       body.frame.position.copy(body.place);
       if (way) body.frame.position.addScaledVector(new THREE.Vector3().fromArray(way), share);
     }
+    this.settle();
   }
 
   get box() { return new THREE.Box3().setFromObject(this.root); }

@@ -98,7 +98,7 @@ class View {
     ray.setFromCamera(new THREE.Vector2((2 * (x - area.left)) / area.width - 1, 1 - (2 * (y - area.top)) / area.height), this.camera);
     const cut = this.renderer.clippingPlanes, hits = ray.intersectObject(this.gearbox.root, true);
     const hit = hits.find(one => one.object.visible && cut.every(plane => plane.distanceToPoint(one.point) >= 0));
-    return hit ? hit.object.body : null;
+    return hit ? hit.object.bodies[hit.instanceId] : null;
   }
 
   draw() {

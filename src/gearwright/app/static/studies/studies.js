@@ -62,7 +62,7 @@ function add() {
   if (!field) return;
   const whole = field.kind === "integer", low = whole ? Math.max(field.least ?? 1, field.value - 1) : Number((0.9 * field.value).toPrecision(6)), high = whole ? field.value + 1 : Number((1.1 * field.value).toPrecision(6));
   const line = whole ? `"${path}" = {values = [${Array.from({length: high - low + 1}, (_, k) => low + k).join(", ")}]}` : `"${path}" = {from = ${low}, to = ${high}}`;
-  editor.replace(editor.text.includes(`"${path}"`) ? editor.text : editor.text.replace(/^\[axes\]\n/m, `[axes]\n${line}\n`));
+  editor.replace(editor.text.includes(`"${path}"`) ? editor.text : editor.text.replace(/^\[axes\]\n((?:"[^\n]*\n)*)/m, (_, before) => `[axes]\n${before}${line}\n`));
 }
 
 const wrong = reason => { if (reason instanceof Problems) editor.problems(reason.problems, at("study-problems")); else if (!(reason instanceof Dropped)) at("status").textContent = reason.message; };
