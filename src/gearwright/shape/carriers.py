@@ -1,77 +1,92 @@
-"""The solids of carriers: the plate that takes the torque, the pins, and what planets turn on."""
+"""The solids of carriers: both plates, pins and bridges between them, and what planets turn on."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from gearwright.parts.gears import Blank
-from gearwright.shape.solids import Solid, arms, bearing, tube
+from gearwright.shape.solids import Solid, arms, bearing, block, tube
 from gearwright.shape.stands import Axes, Stand
-from gearwright.sizing import CarrierSizing, GearSizing, Sizing
-from gearwright.sizing.arranged import Body
-from gearwright.sizing.places import IN_LINE, Run
+from gearwright.sizing import CarrierSizing, GearSizing
+from gearwright.sizing.mass import Cage, Plate
 
-CLEAR = 1.08
-"""Hole of a plate over a shaft that goes through it without being tied to it, an assumption [-]."""
 LEAST_RING = 5e-4
 """Room between pin and planet below which nothing is drawn in it [m]."""
 
 
-def plate_solid(
-    sizing: Sizing, carrier: CarrierSizing, body: Body, axes: Axes,
-    planets: Sequence[Stand], runs: Sequence[Run], segments: int,
-) -> Solid:  # fmt: skip
-    """Return the plate of a carrier: arms to its pins, with a hole for what goes through it.
+def held_at(cage: Cage, axes: Axes, planets: Sequence[Stand]) -> tuple[list[float], list[float]]:
+    """Return where a carrier holds pins, and where its bridges stand, about its axis [rad].
 
     Args:
-        sizing: As sized.
-        carrier: As sized.
-        body: Its envelope.
-        axes: Where it stands.
+        cage: As made.
+        axes: Of the carrier.
         planets: That it carries.
-        runs: Shafts as drawn.
-        segments: Corners of a circle.
     """
     pins = {(stand.node, stand.place): axes.angle(stand.axes.origin - axes.origin) for stand in planets}
-    fill = sizing.design.carriers.fill if len({node for node, _ in pins}) == 1 else 1.0
-    bore = max((_through(sizing, run, axes, body, carrier.shaft) for run in runs), default=0.0)
-    return arms(
-        list(pins.values()), body.radius, body.length, bore=min(bore, 0.8 * body.radius), fill=fill, segments=segments
-    )
+    angles = sorted(pins.values())
+    if cage.bridge is None:
+        return angles, []
+    following = [*angles[1:], angles[0] + 2.0 * math.pi]
+    return angles, [0.5 * (one + other) for one, other in zip(angles, following, strict=True)]
 
 
-def _through(sizing: Sizing, run: Run, axes: Axes, body: Body, own: str) -> float:
-    """Return the radius of the hole that a shaft needs in a plate; 0 where it does not reach it [m]."""
-    frame = sizing.arrangement.frames[run.shaft]
-    between = axes.origin - np.asarray(frame.origin)
-    place = float(between @ np.asarray(frame.along))
-    beside = float(np.linalg.norm(between - place * np.asarray(frame.along)))
-    if beside > IN_LINE or abs(abs(float(axes.along @ np.asarray(frame.along))) - 1.0) > IN_LINE:
-        return 0.0
-    half = body.length / 2.0
-    radii = [radius for low, high, radius in run.steps if low < place + half and place - half < high]
-    return max(radii, default=0.0) * (1.0 if run.shaft == own else CLEAR)
-
-
-def pin_solid(carrier: CarrierSizing, plate: Body, steps: Sequence[Stand], axes: Axes) -> Solid:
-    """Return a pin from the far end of its planet through the plate.
+def plate_solid(plate: Plate, held: Sequence[float], segments: int) -> Solid:
+    """Return a plate of a carrier: arms to what it holds, with a hole for what goes through it.
 
     Args:
-        carrier: As sized.
-        plate: The plate's envelope.
-        steps: Of the planet on it.
+        plate: As made.
+        held: Angles of pins and bridges [rad].
+        segments: Corners of a circle.
+    """
+    body = plate.body
+    return arms(held, body.radius, body.length, bore=plate.bore, fill=plate.fill, segments=segments)
+
+
+def pin_solid(cage: Cage, axes: Axes) -> Solid:
+    """Return a pin from plate to plate.
+
+    Args:
+        cage: As made.
         axes: Where it is drawn about.
     """
-    ends = [
-        float((step.axes.origin - axes.origin) @ axes.along) + sign * step.gear.face_width / 2.0
-        for step in steps for sign in (-1.0, 1.0)
-    ]  # fmt: skip
-    near = [float((np.asarray(plate.origin) + far * np.asarray(plate.direction) - axes.origin) @ axes.along)
-            for far in (0.0, plate.length)]  # fmt: skip
-    span = (min(*ends, *near), max(*ends, *near))
-    return tube(span, carrier.pin_diameter / 2.0, (carrier.pin_bore or 0.0) / 2.0)
+    return tube(_between(cage, axes), cage.pin_diameter / 2.0, cage.pin_bore / 2.0)
+
+
+def bridge_solid(cage: Cage) -> Solid | None:
+    """Return a bridge about its middle, away from the carrier's axis along x; None where there is none.
+
+    Args:
+        cage: As made.
+    """
+    if cage.bridge is None:
+        return None
+    return block(cage.bridge.width, cage.bridge.depth, cage.span[1] - cage.span[0])
+
+
+def bridge_axes(cage: Cage, axes: Axes, radius: float, angle: float) -> Axes:
+    """Return where a bridge stands.
+
+    Args:
+        cage: As made.
+        axes: Of the carrier.
+        radius: Of the pins' circle [m].
+        angle: About the carrier's axis [rad].
+    """
+    cosine, sine = math.cos(angle), math.sin(angle)
+    turned = axes.turned @ np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    middle = sum(_between(cage, axes)) / 2.0
+    return Axes(axes.origin + radius * turned[:, 0] + middle * axes.along, turned)
+
+
+def _between(cage: Cage, axes: Axes) -> tuple[float, float]:
+    """Return where the room between both plates begins and ends along an axis, from its origin [m]."""
+    body = cage.plates[0].body
+    ends = [float((np.asarray(body.origin) + far * np.asarray(body.direction) - axes.origin) @ axes.along)
+            for far in cage.span]  # fmt: skip
+    return min(ends), max(ends)
 
 
 def planet_bearing(carrier: CarrierSizing, gear: GearSizing, blank: Blank, halves: int) -> Solid | None:

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import NamedTuple
 
 from gearwright.identity import Role
 from gearwright.parts.bevel import Hand
-from gearwright.parts.gears import Blank, TransverseTooth, transverse_form, widest_rounding
+from gearwright.parts.gears import Blank, transverse_form
 from gearwright.shape.solids import Fineness, Solid, bevel_gear, disc_gear, face_wheel, loop_of, ring_gear
 from gearwright.shape.stands import Stand
-from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, hand_of, is_internal, kind_of, meshes_of
+from gearwright.shape.teeth import bevel_pair, halves_of, hand_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arrangement import helix_hand
-
-WALL = 0.6
-"""Metal left between a bore and the roots where a shaft is as thick as the roots, in modules [-]."""
+from gearwright.sizing.mass import bevel_web, ring_outside, tooth_of
 
 
 class Leaning(NamedTuple):
@@ -57,23 +54,6 @@ def leanings(sizing: Sizing, stands: tuple[Stand, ...]) -> dict[str, Leaning]:
     return found
 
 
-def tooth_of(sizing: Sizing, gear: GearSizing) -> TransverseTooth:
-    """Return what the outline of a cylindrical gear follows from; a ring's shaper has the teeth of its smallest mate.
-
-    Args:
-        sizing: As sized.
-        gear: One of its gears.
-    """
-    rack = cylindrical_gear(sizing, gear).rack
-    rack = replace(rack, fillet_radius=min(rack.fillet_radius, widest_rounding(rack)))
-    internal = is_internal(sizing, gear)
-    mates = [mesh.gears[0] for mesh, side in meshes_of(sizing, gear.name) if side == 1]
-    return TransverseTooth(
-        gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack,
-        -1 if internal else 1, min(sizing.teeth[mate] for mate in mates) if internal else 0.0,
-    )  # fmt: skip
-
-
 def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[str, Blank], *, fine: Fineness) -> Solid:
     """Return the solid of a gear.
 
@@ -87,7 +67,9 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
     gear, kind = stand.gear, kind_of(sizing, stand.gear.stage)
     if kind == "bevel":
         pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
-        return bevel_gear(pair, side, hand=leaning.hand, bore=_seated(sizing, stand, blanks).bore_radius, fine=fine)
+        bore = blanks[gear.name].bore_radius
+        web = bevel_web(sizing, gear, bore)
+        return bevel_gear(pair, side, hand=leaning.hand, bore=bore, web=web, fine=fine)
     if kind == "face" and gear.role is Role.WHEEL:
         pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
         bore, width = blanks[gear.name].bore_radius, pinion.face_width
@@ -96,9 +78,8 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
     loop = loop_of(transverse_form(tooth, fillet=fine.fillet, flank=fine.flank), gear.teeth)
     levels = _levels(gear, leaning, fine.layer, halves=halves_of(gear))
     if tooth.side < 0:
-        outside = max(gear.pitch_diameter / 2.0 + gear.rim, tooth.root_radius + WALL * gear.module)
-        return ring_gear(loop, levels, outside)
-    return disc_gear(loop, levels, _walled(_seated(sizing, stand, blanks), gear, halves_of(gear)))
+        return ring_gear(loop, levels, ring_outside(sizing, gear))
+    return disc_gear(loop, levels, _doubled(blanks[gear.name], halves_of(gear)))
 
 
 def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) -> list[tuple[float, float]]:
@@ -112,21 +93,6 @@ def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) ->
     return [(place, rate * (abs(place) if leaning.is_double else place)) for place in places]
 
 
-def _seated(sizing: Sizing, stand: Stand, blanks: Mapping[str, Blank]) -> Blank:
-    """Return the body of a gear with the bore of its seat, where its shaft is built by steps."""
-    blank = blanks[stand.gear.name]
-    steps = next((shaft.steps for shaft in sizing.built_shafts if shaft.name == stand.node), ())
-    place = sizing.arrangement.plans[stand.node].places[stand.gear.name] if steps else 0.0
-    half = stand.gear.face_width / 2.0
-    under = [step.diameter / 2.0 for step in steps if step.start < place + half and place - half < step.end]
-    if not under:
-        return blank
-    bore = max(under)
-    return blank._replace(bore_radius=bore, hub_radius=max(blank.hub_radius - blank.bore_radius, 0.0) + bore)
-
-
-def _walled(blank: Blank, gear: GearSizing, halves: int) -> Blank:
-    """Return a body as wide as all halves, with metal under its teeth where its shaft is as thick as their roots."""
-    bore = min(blank.bore_radius, blank.root_radius - WALL * gear.module)
-    width, web = halves * blank.width, halves * blank.web_width
-    return blank._replace(bore_radius=bore, hub_radius=max(blank.hub_radius, bore), width=width, web_width=web)
+def _doubled(blank: Blank, halves: int) -> Blank:
+    """Return a body as wide as all halves."""
+    return blank._replace(width=halves * blank.width, web_width=halves * blank.web_width)

@@ -7,9 +7,13 @@ from dataclasses import dataclass
 
 from gearwright.identity import Kind, PartId
 from gearwright.shape.record import Node, Scene
+from gearwright.shape.solids import surface_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass
 from gearwright.units import Mass
+
+CORNERS = 720
+"""Of circles whose volumes are taken: their chords lose 1.3e-5 [-]."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +24,7 @@ class SolidMass:
     bodies: int
     """Equal ones in the scene [-]."""
     solid: Mass
-    """Of one as drawn: its volume times the density of its material [kg]."""
+    """Of one as drawn: the volume of its solid, circles round, times the density of its material [kg]."""
     sized: Mass
     """Of one in the sizing's mass, by which designs are chosen [kg]."""
     weighed: Mass | None
@@ -35,17 +39,18 @@ def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
         scene: Of it.
     """
     weighed = {(item.group, item.part): item.each for item in complete_mass(sizing).parts}
+    exact = {name: surface_of(solid, CORNERS).volume for name, solid in scene.solids.items()}
     found = []
     for gear in sizing.gears:
         nodes = [node for node in scene.nodes if node.part.kind is Kind.GEAR and _of(node, gear.stage, gear.part)]
         density = sizing.design.material(sizing.design.rules(gear.stage).material).density
-        volume = sum(scene.surfaces[node.surface].volume for node in nodes) / gear.bodies
+        volume = sum(exact[node.surface] for node in nodes) / gear.bodies
         found.append(SolidMass(gear.part, gear.bodies, volume * density, gear.mass, weighed.get(("gears", gear.name))))
     density = sizing.design.shaft_material.density
     volumes: defaultdict[str, float] = defaultdict(float)
     for node in scene.nodes:
         if node.part.kind in (Kind.SHAFT, Kind.CARRIER):
-            volumes[str(node.part)] += scene.surfaces[node.surface].volume
+            volumes[str(node.part)] += exact[node.surface]
     for shaft in sizing.shafts:
         part = PartId(Kind.SHAFT, shaft.name)
         solid = volumes[shaft.name] * density

@@ -11,9 +11,9 @@ import numpy as np
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
-from gearwright.shape.carriers import pin_solid, planet_bearing, plate_solid
+from gearwright.shape.carriers import bridge_axes, bridge_solid, held_at, pin_solid, planet_bearing, plate_solid
 from gearwright.shape.contacts import contacts_of
-from gearwright.shape.gears import Leaning, gear_solid, leanings, tooth_of
+from gearwright.shape.gears import Leaning, gear_solid, leanings
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.shafts import bearing_bodies, bearing_solid, shaft_solid, tie_solid
@@ -22,7 +22,7 @@ from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, 
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import gear_blanks
+from gearwright.sizing.mass import Cage, cage_of, gear_blanks, tooth_of
 from gearwright.sizing.places import Run, runs, ties
 from gearwright.spec import GROUND
 from gearwright.verbs import verb
@@ -54,7 +54,8 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
     leaning, contacts = leanings(sizing, stands), contacts_of(sizing, stands)
     phases = phases_of(sizing, stands, contacts, {name: lean.turning for name, lean in leaning.items()})
     drawn, shortened = runs(sizing)
-    task = _Task(sizing, DETAILS[detail], stands, leaning, phases, gear_blanks(sizing), drawn)
+    cages = {carrier.stage: cage_of(sizing, carrier, drawn) for carrier in sizing.carriers}
+    task = _Task(sizing, DETAILS[detail], stands, leaning, phases, gear_blanks(sizing), drawn, cages)
     nodes = [*_carriers(task), *_gears(task), *_shafts(task), *_on_pins(task), *_bearings(task), *_ties(task)]
     words = (*approximations(sizing, phases), *shortened)
     return Scene(sizing.design.name, task.solids, task.fine.circle, tuple(nodes), tuple(sizing.flows), words)
@@ -71,6 +72,8 @@ class _Task:
     phases: Phases
     blanks: Mapping[str, Blank]
     runs: tuple[Run, ...]
+    cages: Mapping[str, Cage]
+    """Set -> its carrier as it is made."""
     solids: dict[str, Solid] = field(default_factory=dict)
 
     def spins(self, node: str, carrier: str = "") -> dict[str, float]:
@@ -81,15 +84,26 @@ class _Task:
 
 
 def _carriers(task: _Task) -> Iterator[Node]:
+    """Yield both plates of every carrier, then its bridges, which go round with the first plate."""
     sizing = task.sizing
     for carrier in sizing.carriers:
-        bodies = [body for body in sizing.arrangement.bodies if body.part == carrier.part]
+        frame, cage = set_frame(sizing, carrier.stage), task.cages[carrier.stage]
         own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
-        for k, body in enumerate(bodies):
-            axes = axes_at(set_frame(sizing, carrier.stage), middle_of(body))
+        axes = axes_at(frame, middle_of(cage.plates[0].body))
+        pins, bridges = held_at(cage, axes, own)
+        for k, plate in enumerate(cage.plates):
             label = str(carrier.part) if k == 0 else f"{carrier.part}, plate {k + 1}"
-            task.solids[label] = plate_solid(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
-            yield Node(label, carrier.part, "carrier", label, axes, 0.0, task.spins(carrier.shaft))
+            task.solids[label] = plate_solid(plate, [*pins, *bridges], task.fine.circle)
+            place = axes_at(frame, middle_of(plate.body))
+            yield Node(label, carrier.part, "carrier", label, place, 0.0, task.spins(carrier.shaft))
+        solid, key = bridge_solid(cage), f"{carrier.part} bridge"
+        if solid is None:
+            continue
+        task.solids[key] = solid
+        still, on = dict.fromkeys(sizing.flows, 0.0), str(carrier.part)
+        for k, angle in enumerate(bridges):
+            place = bridge_axes(cage, axes, carrier.radius, angle)
+            yield Node(f"{key} {k + 1}", carrier.part, "carrier", key, place, 0.0, still, on)
 
 
 def _gears(task: _Task) -> Iterator[Node]:
@@ -148,10 +162,8 @@ def _on_pins(task: _Task) -> Iterator[Node]:
         on, still = str(carrier.part), dict.fromkeys(sizing.flows, 0.0)
         if (stand.node, stand.place) not in seen:
             seen.add((stand.node, stand.place))
-            steps = [other for other in task.stands if (other.node, other.place) == (stand.node, stand.place)]
-            plate = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
             key = f"{stand.node} pin"
-            task.solids.setdefault(key, pin_solid(carrier, plate, steps, stand.axes))
+            task.solids.setdefault(key, pin_solid(task.cages[carrier.stage], stand.axes))
             yield Node(f"{stand.node} pin {stand.place + 1}", carrier.part, "pin", key, stand.axes, 0.0, still, on)
         blank = task.blanks[stand.gear.name]
         ring = planet_bearing(carrier, stand.gear, blank, halves_of(stand.gear))

@@ -6,13 +6,19 @@ from dataclasses import replace
 
 from gearwright.errors import by_name
 from gearwright.identity import SIDES
-from gearwright.parts.bevel import BevelPair, Hand
+from gearwright.parts.bevel import Hand
 from gearwright.parts.gears import CylindricalGear
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, tooth_shape
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.rating import Making, method_for, rating_of, standard_teeth
+from gearwright.sizing.mass import bevel_cones as bevel_pair
+from gearwright.sizing.rating import Making, method_for, rating_of
 from gearwright.spec import Pair
 from gearwright.train import Mesh
+
+__all__ = [
+    "bevel_pair", "cylindrical_gear", "gear_of", "halves_of", "hand_of", "is_internal", "kind_of", "making_of",
+    "meshes_of", "sized_mesh",
+]  # fmt: skip
 
 
 def gear_of(sizing: Sizing, name: str) -> GearSizing:
@@ -75,19 +81,6 @@ def cylindrical_gear(sizing: Sizing, gear: GearSizing) -> CylindricalGear:
     """
     teeth = tooth_shape.cylindrical_gear(sizing.design, gear)
     return replace(teeth, teeth=-gear.teeth) if is_internal(sizing, gear) else teeth
-
-
-def bevel_pair(sizing: Sizing, stage: str) -> BevelPair:
-    """Return the cones of a bevel pair; its gears are sized at their mean cones.
-
-    Args:
-        sizing: What was sized.
-        stage: The pair.
-    """
-    mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
-    pinion, wheel = (gear_of(sizing, name) for name in mesh.gears)
-    rating = rating_of(sizing.design, stage, sizing.teeth)
-    return standard_teeth.bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
 
 
 def meshes_of(sizing: Sizing, gear: str) -> list[tuple[Mesh, int]]:

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from gearwright.parts.gears import form_radius
-from gearwright.shape.gears import tooth_of
 from gearwright.shape.phases import Phases
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.sizing import Sizing
+from gearwright.sizing.mass import tooth_of
 
 ROUNDED = 1e-6
 """How far tips may reach below an involute by rounding [m]."""

@@ -8,7 +8,8 @@ from scipy.optimize import brentq
 from gearwright.parts.bearings import BearingGeometry, BearingKind
 from gearwright.parts.bearings.speed import reference_heat, thermal_reference_speed
 from gearwright.parts.bearings.weights import CERAMIC_DENSITY, rolling_weights, turning_inertia
-from gearwright.parts.gears import Blank, CylindricalGear, blank_volume, tooth_area
+from gearwright.parts.bevel import BevelPair, bevel_volume, lightened_web
+from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, face_crown, face_reach, revolved_volume
 from gearwright.parts.planetary.carrier import pin_bore, pin_diameter, pin_mass, pin_stress
 from gearwright.parts.shafts import AxialLoad, Concentration, ShaftSection, ShaftSteel, SteelGroup
 from gearwright.parts.shafts.din743 import SectionLoad, blank_factor, din743_safety
@@ -28,13 +29,29 @@ def test_a_webbed_blank_is_rim_hub_and_web():
     assert blank_volume(met._replace(bore_radius=0.06)) == 0.0
 
 
-@pytest.mark.parametrize("teeth", [200, -200])
-def test_teeth_with_straight_flanks_have_the_area_of_trapezia(teeth):
-    """A rack's tooth is π m/2 at mid height, h = 2.25 m with 1 m above: area h (π/2 − 2 (h_f − h_a)/2 tan 20°) m²."""
-    gear = CylindricalGear(teeth, 1e-3, 0.01)
-    inward = 0.5 * (1.25 - 1.0)
-    rack = 2.25 * (PI / 2.0 + 2.0 * inward * math.tan(math.radians(20.0)))
-    assert tooth_area(gear) / 200 == near(rack * 1e-6, rel=0.02)  # flanks and the arc's chord bend by 1/z
+def test_a_chain_of_lines_sweeps_frusta_of_cones():
+    """A frustum of 20 and 10 mm, 30 mm long, with a bore of 5 mm: π/3 · 30 · (400 + 200 + 100) − π 25 · 30 mm³."""
+    way = [(0.0, 0.005), (0.0, 0.020), (0.030, 0.010), (0.030, 0.005)]
+    for corners in (way, way[::-1]):
+        assert revolved_volume(corners) == near(PI * (10 * 700 - 25 * 30) * 1e-9)
+
+
+def test_teeth_of_face_gears_are_trapezia_as_high_as_the_pinion_is_deep():
+    """Half a pitch thick at half their height on the pitch cylinder, of which 3 mm are taken: z (π m/2) 2.25 m b."""
+    pinion, teeth = TransverseTooth(60, 2e-3), 240
+    thin = 3e-3
+    inner, outer = face_reach(pinion, teeth, thin)
+    assert (inner, outer) == near((0.24 - thin / 2.0, 0.24 + thin / 2.0))
+    half = 0.5 * (1.25 - 1.0) * math.tan(math.radians(20.0)) * 2.0  # 1.125 m of depth above the middle, 1 m of it tip
+    assert face_crown(pinion, teeth, thin) == near(teeth * (PI / 2.0 + half) * 2.25 * 4e-6 * thin, rel=5e-3)
+
+
+def test_a_wheel_lightened_by_its_web_fills_its_share_of_the_whole():
+    pair = BevelPair((14, 43), 9e-3, 0.06, math.radians(35.0))
+    whole = bevel_volume(pair, 1, 0.04, 2.0)
+    for share in (0.6, 0.8):
+        assert bevel_volume(pair, 1, 0.04, lightened_web(pair, 1, 0.04, share)) == near(share * whole, rel=1e-5)
+    assert bevel_volume(pair, 1, 0.04, lightened_web(pair, 1, 0.04, 0.01)) > 0.01 * whole  # the rim stays
 
 
 BALLS = BearingGeometry(BearingKind.DEEP_GROOVE, 9, 0.010, 0.0465)

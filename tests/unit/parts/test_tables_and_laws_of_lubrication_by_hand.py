@@ -5,7 +5,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
 
 from gearwright.parts.bearings import (
     Cleanliness,
@@ -15,7 +14,6 @@ from gearwright.parts.bearings import (
     deep_groove_factors,
 )
 from gearwright.parts.bearings.load import ISO281_2007, ISO_R281_1962
-from gearwright.parts.gears import CylindricalGear, half_angle_at, tooth_area
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.parts.losses import MeshDuty, OilState, anderson_loewenthal_part, iso_tr_14179_1_part, tooth_contact
 from gearwright.parts.micropitting import FilmMesh, OilGrade, film_of_test
@@ -75,23 +73,6 @@ def test_the_filter_of_an_oil_follows_its_printed_equation(name, slope, coarse):
     assert film < 1.0
     assert contamination_factor(OilFilter[name], 1.1, 0.064) == pytest.approx(film * (1.0 - coarse / 4.0))
     assert contamination_factor(OilFilter[name], 4000.0, 0.064) == pytest.approx(1.0 - coarse / 4.0)
-
-
-GEARS = (CylindricalGear(17, 2e-3, 0.02), CylindricalGear(60, 3e-3, 0.02, 0.3), CylindricalGear(-90, 2e-3, 0.02))
-
-
-@pytest.mark.parametrize("gear", GEARS)
-def test_the_area_of_teeth_is_the_integral_of_their_thickness(gear):
-    """z ∫ 2 ψ(r) r dr by adaptive quadrature; inside the base circle the half angle stays what it is there.
-
-    Simpson's strips leave 1e-3 where a flank begins at the base circle.
-    """
-    low, high = sorted((gear.root_radius, gear.tip_radius))
-    whole, _ = quad(
-        lambda r: 2.0 * max(half_angle_at(gear, max(r, gear.base_radius)), 0.0) * r, low, high, limit=200,
-        points=[min(max(gear.base_radius, low), high)],
-    )  # fmt: skip
-    assert tooth_area(gear) == pytest.approx(abs(gear.teeth) * whole, rel=1e-3)
 
 
 def test_the_sliding_and_rolling_of_anderson_and_loewenthal_point_by_point():

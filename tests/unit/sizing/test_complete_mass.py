@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import cache
 
 import pytest
 
 import gearwright as gw
-from gearwright.parts.gears import Blank, CylindricalGear, blank_volume, tooth_area
+from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.sizing.arranged import Body, Point, Station
 from gearwright.sizing.mass import complete_mass, shell_around, wall_of
 from gearwright.spec import edited
@@ -38,26 +37,19 @@ def test_the_sum_of_the_parts_is_the_whole(name):
 
 def test_a_tooth_space_is_as_large_as_a_tooth_near_the_pitch_circle():
     """Of many teeth, the area of the teeth between circles m/4 apart about the pitch circle is half the annulus."""
-    gear = CylindricalGear(400, 1e-3, 1.0, tip_alteration=-0.75, profile_shift=0.0)
-    gear = replace(gear, rack=replace(gear.rack, dedendum=0.25))
-    annulus = math.pi * (gear.tip_radius**2 - gear.root_radius**2)
-    assert tooth_area(gear) == pytest.approx(annulus / 2.0, rel=2e-3)  # flanks bend by 1/z
+    tooth = TransverseTooth(400, 1e-3, tip_alteration=-0.75, rack=BasicRack(dedendum=0.25, fillet_radius=1e-6))
+    annulus = math.pi * (tooth.tip_radius**2 - tooth.root_radius**2)
+    assert 400 * outline_area(tooth) == pytest.approx(annulus / 2.0, rel=2e-3)  # flanks bend by 1/z
 
 
-def test_teeth_of_a_rack_have_the_area_of_trapezia():
-    """Of very many teeth each is a trapezium: (s + (c − a) tan α) high h, s = π m/2 in the middle of the pitch line."""
-    gear, module = CylindricalGear(20_000, 1e-3, 1.0), 1e-3
+@pytest.mark.parametrize(("side", "near"), [(1, 1e-3), (-1, 5e-3)])  # a shaper of 40 teeth rounds roots more
+def test_teeth_of_a_rack_have_the_area_of_trapezia_and_of_their_roundings(side, near):
+    """Of very many teeth each is (s + (c − a) tan α) high h, s = π m/2, and ρ² (tan ½θ − ½θ) a root, θ = 90° − α."""
+    module, corner = 1e-3, math.radians(35.0)
+    tooth = TransverseTooth(4_000, module, side=side, shaper=40.0)
     width = math.pi / 2.0 * module + 2.0 * math.tan(math.radians(20.0)) * (1.25 - 2.25 / 2.0) * module
-    assert tooth_area(gear) / 20_000 == pytest.approx(width * 2.25 * module, rel=1e-3)
-
-
-def test_internal_and_external_teeth_fill_the_annulus_where_their_circles_agree():
-    """A tooth of a ring is the space of a gear with the same circles, without shift."""
-    outer = CylindricalGear(60, 2e-3, 1.0)
-    outer = replace(outer, rack=replace(outer.rack, dedendum=1.0))
-    inner = replace(outer, teeth=-60)
-    annulus = math.pi * (outer.tip_radius**2 - outer.root_radius**2)
-    assert tooth_area(outer) + tooth_area(inner) == pytest.approx(annulus, rel=1e-6)
+    roots = 2.0 * (0.38 * module) ** 2 * (math.tan(corner) - corner)
+    assert outline_area(tooth) == pytest.approx(width * 2.25 * module + roots, rel=near)
 
 
 def test_a_blank_by_hand():
@@ -84,12 +76,12 @@ def test_a_wheel_by_hand():
     module, width = wheel.module, wheel.face_width
     root = wheel.pitch_diameter / 2.0 - 1.25 * module
     rim, hub = root - 1.2 * 2.25 * module, 1.25 * shaft
-    teeth = tooth_area(CylindricalGear(wheel.teeth, module, width, wheel.helix_angle))
+    teeth = wheel.teeth * outline_area(TransverseTooth(wheel.teeth, module, wheel.helix_angle))
     body = (root**2 - rim**2 + hub**2 - shaft**2) + 0.3 * (rim**2 - hub**2)
     by_hand = STEEL * width * (teeth + math.pi * body)
     assert item(complete_mass(sizing), "second.wheel").each == pytest.approx(by_hand, rel=1e-9)
     middle = math.pi * ((root + 2.25 * module) ** 2 - root**2)
-    assert 0.5 < teeth / middle < 0.55  # of a rack 0.529: 1.25 m of thick teeth below the pitch line, 1 m of thin above
+    assert 0.5 < teeth / middle < 0.56  # of a rack 0.536: 1.25 m below the pitch line, 1 m above it, and roots
 
 
 def test_a_stated_web_ratio_is_that_of_the_whole_body():
@@ -98,7 +90,7 @@ def test_a_stated_web_ratio_is_that_of_the_whole_body():
     wheel = next(gear for gear in sizing.gears if gear.name == "second.wheel")
     bore = next(shaft.diameter for shaft in sizing.shafts if shaft.name == "output") / 2.0
     root = wheel.pitch_diameter / 2.0 - 1.25 * wheel.module
-    teeth = tooth_area(CylindricalGear(wheel.teeth, wheel.module, wheel.face_width, wheel.helix_angle))
+    teeth = wheel.teeth * outline_area(TransverseTooth(wheel.teeth, wheel.module, wheel.helix_angle))
     by_hand = STEEL * wheel.face_width * (teeth + 0.45 * math.pi * (root**2 - bore**2))
     assert part.each == pytest.approx(by_hand, rel=1e-9)
 

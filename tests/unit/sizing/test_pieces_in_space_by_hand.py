@@ -8,20 +8,22 @@ import pytest
 
 from designs import PAIR
 from gearwright.errors import DesignError
-from gearwright.identity import Kind, PartId, Role
+from gearwright.identity import Kind, PartId
 from gearwright.sizing import Body, Direction, Point, Station, size
 from gearwright.sizing.arrangement.layout import _moved
 from gearwright.sizing.bearings.planet_bodies import Fitting
 from gearwright.sizing.losses.bodies import seal_losses
-from gearwright.sizing.mass.gears import _internal
+from gearwright.sizing.mass import tooth_of
+from gearwright.sizing.mass.cages import PIN_BORE, cage_of
 from gearwright.sizing.mass.rolling_mass import bored_mass
-from gearwright.sizing.mass.rotating import PIN_BORE, _bored, _plate
 from gearwright.sizing.mass.shell import CLEARANCE, _Round
+from gearwright.sizing.places import PLATE_GAP, runs
 from gearwright.sizing.places.bodies import _free
 from gearwright.sizing.places.coaxial import _coaxial
 from gearwright.sizing.shafts.checks import _stiffness
 from gearwright.spec import parse
 from gearwright.train.flow.torques.statics import _inverse, _prepared
+from shipped_work import sized
 
 near = pytest.approx
 INTERNAL = PAIR + "internal = true\n"
@@ -66,21 +68,21 @@ def test_bearings_side_by_side_are_a_width_apart_unless_the_design_says_how_far(
     assert (fitting.spacing, fitting.width) == (near(spacing), near(width))
 
 
-def test_plates_and_bored_pins_of_a_carrier_by_hand():
-    """π (120 mm)² · 0.3 · 50 mm · 0.6 ρ; and the bores of three pins of 40 mm, of the widest planet's width."""
-    design = SimpleNamespace(
-        carriers=SimpleNamespace(plate_ratio=0.3, fill=0.6), shaft_material=SimpleNamespace(density=7800.0)
-    )
-    planets = [
-        SimpleNamespace(stage="set", role=Role.PLANET, face_width=width, bodies=3) for width in (0.05, 0.03)
-    ]  # fmt: skip
-    others = [SimpleNamespace(stage=stage, role=role, face_width=0.2, bodies=9)
-              for stage, role in (("set", Role.SUN), ("next", Role.PLANET))]  # fmt: skip
-    sizing = SimpleNamespace(design=design, gears=[*planets, *others])
-    carrier = SimpleNamespace(stage="set", radius=0.1, pin_diameter=0.04, pin_bore=None)
-    assert _plate(sizing, carrier) == near(math.pi * 0.12**2 * 0.3 * 0.05 * 0.6 * 7800.0)
-    assert _bored(sizing, carrier, planets) == near(math.pi / 4.0 * (PIN_BORE * 0.04) ** 2 * 3 * 0.05 * 7800.0)
-    assert _bored(sizing, SimpleNamespace(pin_diameter=0.04, pin_bore=0.01), planets) == 0.0
+def test_a_carrier_is_two_plates_with_hollow_pins_and_bridges_between_them():
+    """By hand: 0.6 π R² of plates, π/4 (d² − (0.6 d)²) of a pin, the chord less d_a and 1 mm each side by d_a/2."""
+    sizing = sized("in-line-h2")
+    (carrier,) = (one for one in sizing.carriers if one.stage == "first")
+    (planet,) = (gear for gear in sizing.gears if gear.name == "first.planet")
+    cage = cage_of(sizing, carrier, runs(sizing)[0])
+    apart = planet.face_width + 2.0 * PLATE_GAP
+    assert cage.span[1] - cage.span[0] == near(apart)
+    reach, tip = carrier.radius + carrier.pin_diameter / 2.0, planet.pitch_diameter + 2.0 * planet.module
+    second = sizing.design.carriers.plate_ratio * planet.face_width
+    plates = sizing.design.carriers.fill * math.pi * reach**2 * (carrier.plate_thickness + second)
+    pins = 3 * math.pi / 4.0 * (1.0 - PIN_BORE**2) * carrier.pin_diameter**2
+    width = carrier.radius * math.sqrt(3.0) - tip - 2e-3
+    assert width > 0.0
+    assert cage.volume == near(plates + (pins + 3 * width * tip / 2.0) * apart)
 
 
 def test_bearings_of_one_series_weigh_as_the_cube_of_their_bore():
@@ -119,9 +121,9 @@ def test_the_tooth_form_of_a_ring_has_its_teeth_inwards():
     """d_f = d + 2 · 1.25 m (less what is shifted): roots outside of the pitch circle, tips inside."""
     sizing = size(parse(INTERNAL))
     ring = next(gear for gear in sizing.gears if gear.name == "stage.wheel")
-    teeth = _internal(sizing, ring)
+    teeth = tooth_of(sizing, ring)
     pitch = ring.pitch_diameter / 2.0
-    assert teeth.teeth == -ring.teeth and teeth.tip_radius < pitch < teeth.root_radius
+    assert teeth.side == -1 and teeth.tip_radius < pitch < teeth.root_radius
     assert teeth.root_radius - teeth.tip_radius == near((1.25 + 1.0 - ring.tip_alteration) * ring.module, rel=1e-6)
 
 

@@ -5,6 +5,7 @@ Factors that ISO 10300 takes from ISO 6336 are in `iso6336`.
 
 from gearwright.parts.bevel.bending import bevel_bending, contact_ratio_factor_bending, spiral_angle_factor
 from gearwright.parts.bevel.blank import BevelBlank, bevel_blank, least_cutter_radius, mean_thickness
+from gearwright.parts.bevel.body import WEB, bevel_form, bevel_volume, bevel_way, lightened_web
 from gearwright.parts.bevel.geometry import (
     WIDEST,
     WIDEST_MODULES,
@@ -36,6 +37,7 @@ __all__ = [
     "LOW_CROWNING",
     "ONE_OVERHUNG",
     "STRADDLE",
+    "WEB",
     "WIDEST",
     "WIDEST_MODULES",
     "BevelBlank",
@@ -52,15 +54,19 @@ __all__ = [
     "bevel_bending",
     "bevel_blank",
     "bevel_forces",
+    "bevel_form",
     "bevel_load_factors",
     "bevel_pitch_tolerance",
     "bevel_pitting",
     "bevel_profile",
+    "bevel_volume",
+    "bevel_way",
     "cone_forces",
     "contact_ratio_factor_bending",
     "face_and_root",
     "gleason_profile_shift",
     "least_cutter_radius",
+    "lightened_web",
     "mean_thickness",
     "mid_zone_factor",
     "rate_bevel",

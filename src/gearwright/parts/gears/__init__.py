@@ -12,7 +12,8 @@ from gearwright.parts.gears.cylindrical_gear import (
     pressure_angle_at,
     tip_thickness,
 )
-from gearwright.parts.gears.gear_blank import Blank, blank_volume, tooth_area
+from gearwright.parts.gears.face_gear import face_crown, face_reach, face_thickness, face_way, way_behind
+from gearwright.parts.gears.gear_blank import Blank, blank_volume, revolved_volume
 from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
 from gearwright.parts.gears.gear_pair import GearPair, contact_radii, tip_clearances
 from gearwright.parts.gears.hertz import (
@@ -58,7 +59,13 @@ from gearwright.parts.gears.tooth_allowance import (
 )
 from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
 from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
-from gearwright.parts.gears.transverse_form import TransverseTooth, form_radius, transverse_form, widest_rounding
+from gearwright.parts.gears.transverse_form import (
+    TransverseTooth,
+    form_radius,
+    outline_area,
+    transverse_form,
+    widest_rounding,
+)
 from gearwright.parts.gears.working_centre import (
     UNSHIFTED,
     ToothShift,
@@ -97,6 +104,10 @@ __all__ = [
     "contact_stress",
     "disc_inertia",
     "disc_mass",
+    "face_crown",
+    "face_reach",
+    "face_thickness",
+    "face_way",
     "feed_grade",
     "form_radius",
     "half_angle_at",
@@ -113,9 +124,11 @@ __all__ = [
     "load_point",
     "module_hertz",
     "module_lewis",
+    "outline_area",
     "pressure_angle_at",
     "reduced_modulus",
     "reference_centre",
+    "revolved_volume",
     "ring_inertia",
     "ring_mass",
     "runout_tolerance",
@@ -131,11 +144,11 @@ __all__ = [
     "tip_room",
     "tip_shortening",
     "tip_thickness",
-    "tooth_area",
     "tooth_form",
     "transverse_form",
     "transverse_pressure_angle",
     "virtual_teeth",
+    "way_behind",
     "widest_rounding",
     "working_angle_at",
     "working_centre",

@@ -1,14 +1,11 @@
-"""What a gear's body weighs as it is made: teeth between root and tip, a rim that carries them, a web, a hub."""
+"""What a gear's body under its teeth weighs as it is made: a rim that carries them, a web, a hub."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
-
-from gearwright.parts.gears.cylindrical_gear import CylindricalGear, half_angle_at
-
-_STRIPS = 16
-"""Strips of equal height into which a tooth is cut, even for Simpson's rule [-]."""
 
 
 class Blank(NamedTuple):
@@ -33,23 +30,6 @@ class Blank(NamedTuple):
         return self.rim_radius <= self.hub_radius
 
 
-def tooth_area(gear: CylindricalGear) -> float:
-    """Return the area of all teeth of a gear between root and tip circle, in the transverse section [m²].
-
-    Args:
-        gear: The gear; a negative number of teeth is internal.
-
-    Source: area of a profile, A = z ∫ 2 ψ(r) r dr by Simpson's rule with the tooth's half angle ψ of ISO 21771:2007;
-        inside the base circle flanks are radial. Root fillets and tip relief are left out.
-    """
-    low, high = sorted((gear.root_radius, gear.tip_radius))
-    step = (high - low) / _STRIPS
-    radii = [low + k * step for k in range(_STRIPS + 1)]
-    chords = [2.0 * max(half_angle_at(gear, max(radius, gear.base_radius)), 0.0) * radius for radius in radii]
-    total = chords[0] + chords[-1] + 4.0 * sum(chords[1:-1:2]) + 2.0 * sum(chords[2:-1:2])
-    return abs(gear.teeth) * total * step / 3.0
-
-
 def blank_volume(blank: Blank) -> float:
     """Return the volume of the body under the teeth [m³].
 
@@ -67,3 +47,19 @@ def blank_volume(blank: Blank) -> float:
 
 def _annulus(outer: float, inner: float) -> float:
     return math.pi * (outer**2 - inner**2)
+
+
+def revolved_volume(corners: Sequence[tuple[float, float]]) -> float:
+    """Return the volume that a closed chain of straight lines sweeps about the axis [m³].
+
+    Args:
+        corners: Place along the axis and radius of each [m]; the last one is joined to the first.
+
+    Source: frusta of cones, V = π/3 Σ (z_2 − z_1)(r_1² + r_1 r_2 + r_2²), either way round.
+
+    >>> round(revolved_volume([(0.0, 0.0), (0.3, 0.0), (0.3, 0.1)]) / math.pi, 6)  # a cone, r² h/3
+    0.001
+    """
+    ends = pairwise([*corners, corners[0]])
+    swept = sum((high - low) * (one**2 + one * two + two**2) for (low, one), (high, two) in ends)
+    return abs(math.pi / 3.0 * swept)

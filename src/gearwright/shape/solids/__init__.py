@@ -3,8 +3,8 @@
 Which bodies a gearbox has, and where they stand, is for `shape`.
 """
 
-from gearwright.shape.solids.crossed import Fineness, bevel_form, bevel_gear, face_thickness, face_wheel, spiral_turn
-from gearwright.shape.solids.round_bodies import arms, bearing, bell, stepped, tube
+from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
+from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube
 from gearwright.shape.solids.solid import Section, Solid, surface_of
 from gearwright.shape.solids.surface import Edges, Surface, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
@@ -19,11 +19,10 @@ __all__ = [
     "arms",
     "bearing",
     "bell",
-    "bevel_form",
     "bevel_gear",
+    "block",
     "disc_gear",
     "edges_of",
-    "face_thickness",
     "face_wheel",
     "loop_of",
     "ring_gear",

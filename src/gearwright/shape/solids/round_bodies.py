@@ -15,8 +15,6 @@ RING = 0.28
 """Thickness of a bearing's ring over its section, an assumption [-]."""
 RECESS = 0.15
 """How far rolling elements and cage stand behind the faces of the rings over the width, an assumption [-]."""
-LEAST_HUB = 0.3
-"""Radius of a carrier's plate between its arms over its outer one, at least [-]."""
 
 
 def tube(span: tuple[float, float], outer: float, bore: float) -> Solid:
@@ -62,30 +60,45 @@ def bearing(bore: float, outer: float, width: float) -> Solid:
 
 
 def arms(angles: Sequence[float], reach: float, thickness: float, *, bore: float, fill: float, segments: int) -> Solid:
-    """Return the plate of a carrier, with as much of its disc left as its fill says.
+    """Return the plate of a carrier, with as much of its disc left as its fill says, beside its bore.
 
     Args:
-        angles: Of its pins [rad].
+        angles: Of what it holds [rad].
         reach: Outer radius [m].
         thickness: [m].
         bore: Radius of its bore; 0: none [m].
         fill: Share of the disc that is left [-].
-        segments: Corners of a circle, half as many as its outline has.
+        segments: Corners of a circle; its outline has as many, or eight an arm.
     """
-    count = max(4 * segments // 2, 24 * len(angles))
+    count = max(segments, 8 * len(angles))
     turn = circle(count)
     near = np.min(np.abs(np.angle(np.exp(1j * (turn[:, None] - np.asarray(angles)[None, :])))), axis=1)
-    share = np.clip(0.5 + 1.1 * np.cos(near * len(angles)), 0.0, 1.0)
-    low = max(LEAST_HUB * reach, min(1.3 * bore, 0.95 * reach))
-    high = reach
+    share = np.clip(0.5 + 1.1 * np.cos(np.minimum(near * len(angles), np.pi)), 0.0, 1.0)
+    low, high, left = min(1.05 * bore, 0.95 * reach), reach, min(fill + (bore / reach) ** 2, 1.0)
     for _ in range(40):
         middle = 0.5 * (low + high)
-        left = float(np.mean((middle + (reach - middle) * share) ** 2)) / reach**2
-        low, high = (low, middle) if left > fill else (middle, high)
-    radius = np.full(count, reach) if fill >= 1.0 else low + (reach - low) * share
+        radius = middle + (reach - middle) * share
+        area = float(np.mean(radius * np.roll(radius, -1))) * np.sinc(2.0 / count) / reach**2
+        low, high = (low, middle) if area > left else (middle, high)
+    radius = np.full(count, reach) if left >= 1.0 else low + (reach - low) * share
     loop = Loop(radius, turn, np.zeros(count, dtype=bool))
     blank = Blank(reach, 0.0, bore, bore, thickness, thickness)
     return disc_gear(loop, [(-thickness / 2.0, 0.0), (thickness / 2.0, 0.0)], blank)
+
+
+def block(width: float, depth: float, length: float) -> Solid:
+    """Return a block about the axis.
+
+    Args:
+        width: Along y [m].
+        depth: Along x [m].
+        length: Along the axis [m].
+    """
+    corners = np.array([complex(x, y) for x, y in ((1, -1), (1, 1), (-1, 1), (-1, -1))])
+    corners = 0.5 * (depth * corners.real + 1j * width * corners.imag)
+    loop = Loop(np.abs(corners), np.unwrap(np.angle(corners)), np.ones(4, dtype=bool))
+    blank = Blank(abs(corners[0]), 0.0, 0.0, 0.0, length, length)
+    return disc_gear(loop, [(-length / 2.0, 0.0), (length / 2.0, 0.0)], blank)
 
 
 def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub: float) -> Solid:

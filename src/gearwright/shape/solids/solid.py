@@ -42,8 +42,10 @@ class Solid(NamedTuple):
     """Whether the body lies around its teeth, as a ring's does."""
 
 
-RING_CORNERS = 3
+RING_CORNERS = 2
 """Corners of the outside of a ring over those of other circles: thin walls lose most by chords [-]."""
+TOUCHING = 3
+"""Corners of a circle that is one point [-]."""
 
 
 def surface_of(solid: Solid, segments: int) -> Surface:
@@ -57,6 +59,8 @@ def surface_of(solid: Solid, segments: int) -> Surface:
         return revolved(_widened(solid.profile, segments), segments)
     corners = segments * (RING_CORNERS if solid.inside else 1)
     profile = solid.profile if solid.inside else _widened(solid.profile, segments)
+    if not any(radius for _, radius in profile):
+        corners = TOUCHING
     # The way begins at the last section of an external gear, and at the first one of a ring.
     order = (0, -1) if solid.inside else (-1, 0)
     ends = []

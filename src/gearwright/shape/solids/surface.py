@@ -156,7 +156,7 @@ def revolved(profile: Sequence[tuple[float, float]], segments: int) -> Surface:
         second = np.stack([here, there + segments, here + segments], axis=1)
         triangles = second if inner == 0.0 else first if outer == 0.0 else np.concatenate([first, second])
         pieces.append(Surface(points, np.concatenate([normal, normal]), triangles))
-    return joined(pieces)
+    return joined(pieces) if pieces else Surface(np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 
 
 def strip(outer: Floats, inner: Floats) -> Ints:

@@ -4,37 +4,44 @@ The mass of gears, shafts and carriers by which designs are chosen is `Sizing.ma
 """
 
 from gearwright.sizing.mass.beside import Statistics, band_of, requirement_of, statistics_beside
+from gearwright.sizing.mass.bodies import bevel_cones, bevel_web, gear_blanks, ring_outside, tooth_of
+from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.gears import gear_blank, gear_blanks
 from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
-from gearwright.sizing.mass.rotating import BRIDGE
 from gearwright.sizing.mass.shell import Shell, shell_around
 
 __all__ = [
     "BRIDGE",
     "CALIBRATED",
     "GROUPS",
+    "Bridge",
+    "Cage",
     "Calibration",
     "CompleteMass",
     "MassGroup",
     "MassItem",
+    "Plate",
     "Shell",
     "Statistics",
     "Wall",
     "as_made",
     "band_of",
+    "bevel_cones",
+    "bevel_web",
+    "cage_of",
     "complete_mass",
-    "gear_blank",
     "gear_blanks",
     "oil_flow",
     "reaction_torque",
     "requirement_of",
+    "ring_outside",
     "shell_around",
     "statistics_beside",
     "summed",
+    "tooth_of",
     "wall_of",
 ]

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from gearwright.identity import Role
+from gearwright.sizing.mass.bodies import Seats, shaft_diameters
+from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.gears import gear_item
-from gearwright.sizing.mass.planet_bores import PlanetBore, named_bores
+from gearwright.sizing.mass.planet_bores import PlanetBore, named_bores, planet_bores
 from gearwright.sizing.result import PRELIMINARY, GearSizing, Sizing
 
 
@@ -18,14 +21,21 @@ def as_made(sizing: Sizing) -> Sizing:
     """
     if sizing.level != PRELIMINARY:
         return sizing
-    bores, shafts = named_bores(sizing), {shaft.name: shaft.diameter for shaft in sizing.shafts}
-    return replace(sizing, gears=tuple(_made(sizing, gear, bores, shafts) for gear in sizing.gears))
+    seats = Seats(_bores(sizing), shaft_diameters(sizing))
+    return replace(sizing, gears=tuple(_made(sizing, gear, seats) for gear in sizing.gears))
 
 
-def _made(sizing: Sizing, gear: GearSizing, bores: Mapping[str, PlanetBore], shafts: Mapping[str, float]) -> GearSizing:
+def _made(sizing: Sizing, gear: GearSizing, seats: Seats) -> GearSizing:
     """Return a gear with the mass of its body; its inertia goes with the mass, as rims lie outside and hubs inside."""
     if f"{gear.name}.mass" in sizing.given:
         return gear
-    mass = gear_item(sizing, gear, bores, shafts).each
+    mass = gear_item(sizing, gear, seats).each
     inertia = gear.inertia if f"{gear.name}.inertia" in sizing.given else gear.inertia * (mass / gear.mass)
     return replace(gear, mass=mass, inertia=inertia)
+
+
+def _bores(sizing: Sizing) -> Mapping[str, PlanetBore]:
+    """Return what planets turn on; of those on films, and where nothing fits, what their loads ask for."""
+    named = named_bores(sizing)
+    planets = {gear.name for gear in sizing.gears if gear.role is Role.PLANET}
+    return named if planets <= named.keys() else planet_bores(sizing, tuple(seat_duties(sizing)))

@@ -14,6 +14,7 @@ import numpy as np
 from gearwright.identity import Kind
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.arrangement import PLATE_GAP
+from gearwright.sizing.places.plates import plates_of
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec import GROUND
 
@@ -199,10 +200,11 @@ def ties(sizing: Sizing) -> Iterator[Tie]:
         middle = (span[0] + span[1]) / 2.0
         side = 1.0 if plans[shaft].length / 2.0 >= middle else -1.0
         beyond = span[1] if side > 0.0 else span[0]
-        for other in sizing.arrangement.bodies:  # past the carrier's plate and the other gears of the set
-            if other.part.name == ring.stage and other.part.kind in (Kind.CARRIER, Kind.GEAR):
-                ends = along(sizing, shaft, other)
-                beyond = max(beyond, ends[1]) if side > 0.0 else min(beyond, ends[0])
+        gears = [other for other in sizing.arrangement.bodies
+                 if other.part.name == ring.stage and other.part.kind is Kind.GEAR]  # fmt: skip
+        for other in (*gears, *plates_of(sizing, ring.stage)):  # past both plates and the other gears of the set
+            ends = along(sizing, shaft, other)
+            beyond = max(beyond, ends[1]) if side > 0.0 else min(beyond, ends[0])
         thick = max(TIE * ring.face_width, LEAST_TIE)
         first = beyond + side * PLATE_GAP
         yield Tie(ring, span[1] if side > 0.0 else span[0], (first, first + side * thick), middle)

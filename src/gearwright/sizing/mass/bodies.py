@@ -1,0 +1,239 @@
+"""The bodies of gears as they are made: teeth of the true tool over a rim, a web, a hub and the bore of their seat.
+
+What weighs them and what draws them take them from here.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from gearwright.identity import Role
+from gearwright.parts.bevel import WEB, BevelPair, bevel_volume, lightened_web
+from gearwright.parts.gears import (
+    Blank,
+    TransverseTooth,
+    blank_volume,
+    face_crown,
+    face_way,
+    outline_area,
+    revolved_volume,
+    widest_rounding,
+)
+from gearwright.sizing.mass.duties import seat_duties
+from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
+from gearwright.sizing.rating import rating_of, standard_teeth
+from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.sizing.tooth_shape import cylindrical_gear
+from gearwright.spec.design import GearRules, Pair
+
+BACKUP = 1.2
+"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
+AGMA 2001-D04, rim thickness factor."""
+HUBS = {"": 1.25, "integral": 1.0, "spline": 1.3, "key": 1.8, "press-fit": 1.8}
+"""Joint -> outside of the hub over the shaft's diameter [-]; estimates within what machine-element tables give for
+steel. Nothing said: flanged or splined."""
+PLANET_HUB = 1.1
+"""Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
+WALL = 0.6
+"""Metal left under the roots where a shaft is as thick as they are, and around the roots of a ring, in modules [-]."""
+
+
+class Seats(NamedTuple):
+    """What gears sit on."""
+
+    bores: Mapping[str, PlanetBore]
+    """Planet -> what it turns on."""
+    shafts: Mapping[str, float]
+    """Shaft -> diameter of its first sizing [m]."""
+
+
+def seats_of(sizing: Sizing) -> Seats:
+    """Return what gears sit on, planets on what their loads ask where the design names nothing.
+
+    Args:
+        sizing: As sized.
+    """
+    return Seats(planet_bores(sizing, tuple(seat_duties(sizing))), shaft_diameters(sizing))
+
+
+def shaft_diameters(sizing: Sizing) -> dict[str, float]:
+    """Return shaft -> diameter of its first sizing [m].
+
+    Args:
+        sizing: As sized.
+    """
+    return {shaft.name: shaft.diameter for shaft in sizing.shafts}
+
+
+def tooth_of(sizing: Sizing, gear: GearSizing) -> TransverseTooth:
+    """Return what the outline of a cylindrical gear follows from; a ring's shaper has the teeth of its smallest mate.
+
+    Args:
+        sizing: As sized.
+        gear: One of its gears.
+    """
+    rack = cylindrical_gear(sizing.design, gear).rack
+    rack = replace(rack, fillet_radius=min(rack.fillet_radius, widest_rounding(rack)))
+    internal = gear.name in sizing.train.internal
+    mates = [mesh.gears[0] for mesh in sizing.train.meshes if mesh.gears[1] == gear.name]
+    return TransverseTooth(
+        gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack,
+        -1 if internal else 1, min(sizing.teeth[mate] for mate in mates) if internal else 0.0,
+    )  # fmt: skip
+
+
+def bevel_cones(sizing: Sizing, stage: str) -> BevelPair:
+    """Return the cones of a bevel pair; its gears are sized at their mean cones.
+
+    Args:
+        sizing: What was sized.
+        stage: The pair.
+    """
+    mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
+    gears = {gear.name: gear for gear in sizing.gears}
+    pinion, wheel = (gears[name] for name in mesh.gears)
+    rating = rating_of(sizing.design, stage, sizing.teeth)
+    return standard_teeth.bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
+
+
+def gear_volume(sizing: Sizing, gear: GearSizing, seats: Seats) -> float:
+    """Return what one gear fills, teeth and body [m³].
+
+    Args:
+        sizing: As sized.
+        gear: Of it.
+        seats: What gears sit on.
+    """
+    kind = _kind(sizing, gear)
+    if kind == "bevel":
+        pair, side = bevel_cones(sizing, gear.stage), 0 if gear.role is Role.PINION else 1
+        bore = gear_blank(sizing, gear, seats).bore_radius
+        return bevel_volume(pair, side, bore, bevel_web(sizing, gear, bore))
+    if kind == "face" and gear.role is Role.WHEEL:
+        return _face_volume(sizing, gear, gear_blank(sizing, gear, seats).bore_radius)
+    tooth = tooth_of(sizing, gear)
+    crown = gear.teeth * outline_area(tooth) * gear.face_width
+    if gear.rim:
+        wall = ring_outside(sizing, gear) ** 2 - tooth.root_radius**2
+        return crown + math.pi * wall * gear.face_width
+    return crown + blank_volume(gear_blank(sizing, gear, seats))
+
+
+def _face_volume(sizing: Sizing, gear: GearSizing, bore: float) -> float:
+    """Return what the wheel of a face gear fills [m³]."""
+    pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
+    tooth, width = tooth_of(sizing, pinion), pinion.face_width
+    way, foot = face_way(tooth, gear.teeth, width=width, bore=bore), tooth.rack.dedendum * tooth.module
+    body = revolved_volume([*way, (foot, way[-1][1]), (foot, way[0][1])])
+    return face_crown(tooth, gear.teeth, width) + body
+
+
+def ring_outside(sizing: Sizing, gear: GearSizing) -> float:
+    """Return the outer radius of a ring [m].
+
+    Args:
+        sizing: As sized.
+        gear: A ring.
+    """
+    return max(gear.pitch_diameter / 2.0 + gear.rim, tooth_of(sizing, gear).root_radius + WALL * gear.module)
+
+
+def bevel_web(sizing: Sizing, gear: GearSizing, bore: float) -> float:
+    """Return the web of a bevel gear over its face width, by which a lightened wheel weighs its share [-].
+
+    Args:
+        sizing: As sized.
+        gear: A bevel gear.
+        bore: Radius of its bore [m].
+    """
+    share = sizing.design.rules(gear.stage).web_ratio
+    if gear.role is Role.PINION or share >= 1.0:
+        return WEB
+    return lightened_web(bevel_cones(sizing, gear.stage), 1, bore, share)
+
+
+def gear_blanks(sizing: Sizing) -> dict[str, Blank]:
+    """Return external gear -> the body under its teeth as it is weighed.
+
+    Args:
+        sizing: As sized.
+    """
+    seats = seats_of(sizing)
+    return {gear.name: gear_blank(sizing, gear, seats) for gear in sizing.gears if not gear.rim}
+
+
+def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
+    """Return the body of an external gear; a wheel that weighs a share of its disc has a web for it.
+
+    Args:
+        sizing: As sized.
+        gear: Of it.
+        seats: What gears sit on.
+    """
+    teeth, rules = cylindrical_gear(sizing.design, gear), sizing.design.rules(gear.stage)
+    blank = blank_by_rules(gear, rules, teeth.root_radius, seat=_seat(sizing, gear, seats))
+    return _lightened(blank, rules.web_ratio) if gear.role is Role.WHEEL and rules.web_ratio < 1.0 else blank
+
+
+def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tuple[float, float]) -> Blank:
+    """Return the body under the teeth of an external gear by the rules of its stage.
+
+    Args:
+        gear: As sized.
+        rules: Of its stage.
+        root: Radius of the root circle [m].
+        seat: Diameters of bore and hub [m].
+    """
+    height = 2.25 * gear.module
+    rim = root - (BACKUP if rules.rim_ratio is None else rules.rim_ratio) * height
+    bore = min(seat[0] / 2.0, root - WALL * gear.module)
+    hub = max(min(seat[1] / 2.0, root), bore)
+    return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)
+
+
+def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:
+    """Return bore and outside of a gear's hub, on a built shaft of the steps under the gear [m]."""
+    if gear.name in seats.bores:
+        outside = seats.bores[gear.name].bearing_diameter
+        return outside, PLANET_HUB * outside
+    sized = max((seats.shafts.get(shaft, 0.0) for shaft in gear.shafts), default=0.0)
+    joint = sizing.design.joints.get(gear.name)
+    wall = (HUBS["" if joint is None else joint.kind] - 1.0) * sized
+    bore = max((_under(sizing, gear, shaft) for shaft in gear.shafts), default=0.0) or sized
+    return bore, bore + wall
+
+
+def _under(sizing: Sizing, gear: GearSizing, shaft: str) -> float:
+    """Return the largest diameter of a built shaft under a gear; 0 of another one [m]."""
+    steps = next((built.steps for built in sizing.built_shafts if built.name == shaft), ())
+    if not steps:
+        return 0.0
+    place, half = sizing.arrangement.plans[shaft].places[gear.name], gear.face_width / 2.0
+    return max((step.diameter for step in steps if step.start < place + half and place - half < step.end), default=0.0)
+
+
+def _kind(sizing: Sizing, gear: GearSizing) -> str:
+    rules = sizing.design.stages[gear.stage]
+    return rules.kind if isinstance(rules, Pair) else "cylindrical"
+
+
+def _lightened(blank: Blank, share: float) -> Blank:
+    """Return a body with rim, hub and a web between them that weighs a share of the solid one."""
+    target = share * blank_volume(blank._replace(rim_radius=0.0))
+    if blank.hub_radius >= blank.root_radius:
+        return blank
+    blank = blank._replace(rim_radius=max(blank.rim_radius, blank.hub_radius))
+    web = blank.web_width
+    bare = blank_volume(blank._replace(web_width=0.0))
+    ring = math.pi * (blank.rim_radius**2 - blank.hub_radius**2)
+    if target > bare + 0.5 * web * ring:
+        return blank._replace(web_width=min((target - bare) / ring, blank.width))
+    # A rim by the rules weighs too much: a thinner one under half of the web.
+    web = 0.5 * web
+    hub = math.pi * (blank.hub_radius**2 - blank.bore_radius**2) * blank.width
+    squared = math.pi * (blank.root_radius**2 * blank.width - blank.hub_radius**2 * web) + hub - target
+    rim = math.sqrt(max(squared / (math.pi * (blank.width - web)), blank.hub_radius**2))
+    return blank._replace(rim_radius=min(rim, blank.root_radius), web_width=web)
