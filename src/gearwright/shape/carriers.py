@@ -11,7 +11,7 @@ from gearwright.parts.gears import Blank
 from gearwright.shape.solids import Solid, arms, bearing, block, tube
 from gearwright.shape.stands import Axes, Stand
 from gearwright.sizing import CarrierSizing, GearSizing
-from gearwright.sizing.mass import Cage, Plate
+from gearwright.sizing.mass import Bridge, Cage, Plate
 
 LEAST_RING = 5e-4
 """Room between pin and planet below which nothing is drawn in it [m]."""
@@ -55,24 +55,23 @@ def pin_solid(cage: Cage, axes: Axes) -> Solid:
     return tube(_between(cage, axes), cage.pin_diameter / 2.0, cage.pin_bore / 2.0)
 
 
-def bridge_solid(cage: Cage) -> Solid | None:
-    """Return a bridge about its middle, away from the carrier's axis along x; None where there is none.
+def bridge_solid(cage: Cage, bridge: Bridge) -> Solid:
+    """Return a bridge about its middle, away from the carrier's axis along x.
 
     Args:
         cage: As made.
+        bridge: Of it.
     """
-    if cage.bridge is None:
-        return None
-    return block(cage.bridge.width, cage.bridge.depth, cage.span[1] - cage.span[0])
+    return block(bridge.width, bridge.depth, cage.span[1] - cage.span[0])
 
 
-def bridge_axes(cage: Cage, axes: Axes, radius: float, angle: float) -> Axes:
+def bridge_axes(cage: Cage, radius: float, axes: Axes, angle: float) -> Axes:
     """Return where a bridge stands.
 
     Args:
         cage: As made.
+        radius: Of its middle [m].
         axes: Of the carrier.
-        radius: Of the pins' circle [m].
         angle: About the carrier's axis [rad].
     """
     cosine, sine = math.cos(angle), math.sin(angle)

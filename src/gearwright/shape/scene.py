@@ -96,13 +96,13 @@ def _carriers(task: _Task) -> Iterator[Node]:
             task.solids[label] = plate_solid(plate, [*pins, *bridges], task.fine.circle)
             place = axes_at(frame, middle_of(plate.body))
             yield Node(label, carrier.part, "carrier", label, place, 0.0, task.spins(carrier.shaft))
-        solid, key = bridge_solid(cage), f"{carrier.part} bridge"
-        if solid is None:
+        if cage.bridge is None:
             continue
-        task.solids[key] = solid
+        key = f"{carrier.part} bridge"
+        task.solids[key] = bridge_solid(cage, cage.bridge)
         still, on = dict.fromkeys(sizing.flows, 0.0), str(carrier.part)
         for k, angle in enumerate(bridges):
-            place = bridge_axes(cage, axes, carrier.radius, angle)
+            place = bridge_axes(cage, cage.bridge.radius, axes, angle)
             yield Node(f"{key} {k + 1}", carrier.part, "carrier", key, place, 0.0, still, on)
 
 

@@ -10,6 +10,7 @@ from gearwright.shape.phases import Phases
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import tooth_of
+from gearwright.sizing.places import plates_of
 
 ROUNDED = 1e-6
 """How far tips may reach below an involute by rounding [m]."""
@@ -41,13 +42,14 @@ def _teeth(sizing: Sizing) -> Iterator[str]:
 
 
 def _bodies(sizing: Sizing) -> Iterator[str]:
-    if sizing.carriers:
-        yield "carriers have the one plate that takes their torque; a second plate and bridges are not drawn"
+    for carrier in sizing.carriers:
+        if len(plates_of(sizing, carrier.stage)) == 1:
+            yield f"{carrier.part} has one plate: beyond its planets another body stands where a second one would"
     if any(gear.rim and gear.shafts[0] in sizing.arrangement.frames for gear in sizing.gears):
         yield "bells that tie turning rings to their shafts are assumed"
     if sizing.bearings:
         yield "bearings are envelopes with the rings and the row of rolling elements assumed"
-    yield "housing, seals, screws, machines and what holds rings are not drawn"
+    yield "housing, seals, screws, machines and what holds rings that stand still are not drawn"
 
 
 def _fillets(sizing: Sizing) -> Iterator[str]:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from meshing import deepest, planar_contacts
+from gearwright.shape.meshing import deepest, planar_contacts
 
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import scene, sized_mesh

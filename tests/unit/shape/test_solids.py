@@ -148,7 +148,7 @@ def test_solids_of_shipped_designs_weigh_as_the_complete_mass_has_them(name):
     assert len(rows) == len(sizing.gears) + len(sizing.shafts) + len(sizing.carriers)
     for row in rows:
         if str(row.part) not in given:
-            assert row.solid == pytest.approx(row.weighed, rel=NEAR), row.part
+            assert row.solid == pytest.approx(row.weighed or 0.0, rel=NEAR), row.part
 
 
 @pytest.mark.parametrize("name", ["in-line-h2", "wolfrom-reducer", "face-gear-split-torque"])

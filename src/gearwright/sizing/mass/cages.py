@@ -14,7 +14,8 @@ import numpy as np
 from gearwright.identity import Role
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.carrying import CarrierSizing
-from gearwright.sizing.places import IN_LINE, Run, along_body, plates_of
+from gearwright.sizing.mass.bodies import tooth_of
+from gearwright.sizing.places import IN_LINE, Run, along_body, planets_span, plates_of
 from gearwright.sizing.result import GearSizing, Sizing
 
 PIN_BORE = 0.6
@@ -51,17 +52,21 @@ class Bridge(NamedTuple):
     """What joins both plates between two planets; lengths [m]."""
 
     width: float
-    """Around the axis, at the pins' circle."""
+    """Around the axis."""
     depth: float
     """Away from the axis."""
+    radius: float
+    """Of its middle, on the chord between neighbouring pins."""
 
 
 class Cage(NamedTuple):
     """A carrier as it is made."""
 
-    plates: tuple[Plate, Plate]
+    plates: tuple[Plate, ...]
+    """One, or two where the second has room."""
     span: tuple[float, float]
-    """From the inner face of one plate to that of the other, along the first plate's axis from its origin [m]."""
+    """From the inner face of one plate to that of the other, or to the far end of the planets, along the first plate's
+    axis from its origin [m]."""
     pin_diameter: float
     """[m]"""
     pin_bore: float
@@ -95,33 +100,53 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
     bore = PIN_BORE * carrier.pin_diameter if carrier.pin_bore is None else carrier.pin_bore
     bodies = plates_of(sizing, carrier.stage)
     fill = sizing.design.carriers.fill
-    plates = (
-        Plate(bodies[0], plate_bore(sizing, bodies[0], runs), fill),
-        Plate(bodies[1], plate_bore(sizing, bodies[1], runs), fill),
-    )
-    bridge = bridge_between(carrier, planets)
-    return Cage(plates, _between(bodies), carrier.pin_diameter, bore, sum(pins.values()), bridge, max(pins.values()))
+    plates = tuple(Plate(body, plate_bore(sizing, body, runs), fill) for body in bodies)
+    bridge = bridge_between(sizing, carrier, planets) if len(plates) > 1 else None
+    span = _between(sizing, bodies)
+    return Cage(plates, span, carrier.pin_diameter, bore, sum(pins.values()), bridge, max(pins.values()))
 
 
-def _between(bodies: tuple[Body, Body]) -> tuple[float, float]:
-    """Return where the room between two plates begins and ends, along the first one's axis [m]."""
-    other = along_body(bodies[0], bodies[1])
-    return (bodies[0].length, other[0]) if other[0] > 0.0 else (other[1], 0.0)
+def _between(sizing: Sizing, plates: Sequence[Body]) -> tuple[float, float]:
+    """Return where pins begin and end along the axis of the first plate, from its origin [m]."""
+    first = plates[0]
+    if len(plates) > 1:
+        low, high = along_body(first, plates[1])
+        far = low if low > 0.0 else high
+    else:
+        low, high = planets_span(sizing, first)
+        far = high if low > 0.0 else low
+    return (first.length, far) if far > 0.0 else (far, 0.0)
 
 
-def bridge_between(carrier: CarrierSizing, planets: Sequence[GearSizing]) -> Bridge | None:
-    """Return a bridge, as wide as neighbouring planets of a simple set leave; None where they leave nothing.
+def bridge_between(sizing: Sizing, carrier: CarrierSizing, planets: Sequence[GearSizing]) -> Bridge | None:
+    """Return a bridge, as wide as neighbouring planets leave on their chord; None where they leave nothing.
 
     Args:
-        carrier: As sized.
+        sizing: As sized.
+        carrier: Of it.
         planets: On its pins.
+
+    Source: chord 2 r sin(π/N) less the tip diameter; between the tips of suns and rings away from the axis.
     """
     if len({gear.shafts[0] for gear in planets}) > 1:
         return None
     widest = max(planets, key=lambda gear: gear.pitch_diameter)
-    tip = widest.pitch_diameter + 2.0 * widest.module * (1.0 + widest.profile_shift + widest.tip_alteration)
+    tip = 2.0 * _tip(sizing, widest)
     width = 2.0 * carrier.radius * math.sin(math.pi / widest.bodies) - tip - 2.0 * BESIDE
-    return Bridge(width, BRIDGE * tip) if width > 0.0 and widest.bodies > 1 else None
+    own = [gear for gear in sizing.gears if gear.stage == carrier.stage]
+    suns = [_tip(sizing, gear) for gear in own if gear.role is Role.SUN]
+    rings = [_tip(sizing, gear) for gear in own if gear.rim]
+    middle = carrier.radius * math.cos(math.pi / widest.bodies)
+    inner = max([middle - BRIDGE * tip / 2.0, *(radius + BESIDE for radius in suns)])
+    within = [math.sqrt(max((radius - BESIDE) ** 2 - width**2 / 4.0, 0.0)) for radius in rings]
+    outer = min([middle + BRIDGE * tip / 2.0, *within])
+    if width <= 0.0 or outer <= inner or widest.bodies == 1:
+        return None
+    return Bridge(width, outer - inner, (outer + inner) / 2.0)
+
+
+def _tip(sizing: Sizing, gear: GearSizing) -> float:
+    return tooth_of(sizing, gear).tip_radius
 
 
 def plate_bore(sizing: Sizing, plate: Body, runs: Sequence[Run]) -> float:

@@ -29,6 +29,8 @@ def shaft_items(sizing: Sizing) -> Iterator[MassItem]:
             yield MassItem(shaft.name, "shafts", 1, given.value, 0.02, "given", given.origin or "the design")
             continue
         volume = sum(run.volume for run in reaches if run.shaft == shaft.name)
+        if volume == 0.0:  # the cage of planets, which is weighed as their carrier
+            continue
         sure, source = (0.08, "its steps") if shaft.name in built else (SURE_SHAFT, "its place on its axis")
         yield MassItem(shaft.name, "shafts", 1, density * volume, sure, "Σ π/4 (d² − d_i²) l ρ", source)
 

@@ -9,7 +9,7 @@ from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks,
 from gearwright.sizing.places.keep_out import keep_out_checks
 from gearwright.sizing.places.orders import hollow_checks, order_checks
 from gearwright.sizing.places.pins import pin_checks
-from gearwright.sizing.places.plates import along_body, plates_of
+from gearwright.sizing.places.plates import along_body, planets_span, plates_of
 from gearwright.sizing.places.reaches import IN_LINE, Run, Tie, runs, ties
 from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
 from gearwright.sizing.places.settle import Settled, settle
@@ -42,6 +42,7 @@ __all__ = [
     "order_checks",
     "pin_checks",
     "placed",
+    "planets_span",
     "plates_of",
     "room_between",
     "room_checks",

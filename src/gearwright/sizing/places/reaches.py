@@ -78,6 +78,9 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
     found, words = [], []
     for shaft in sizing.shafts:
         low, high = cut[shaft.name]
+        if shaft.name not in built and _is_cage(sizing, shaft.name):
+            words.append(f"shaft {shaft.name} is the cage of its planets alone: nothing else sits on it, none is drawn")
+            continue
         if shaft.name not in built and any(shaft.name in pair for pair in sizing.arrangement.within):
             found += [
                 Run(shaft.name, ((start, end, shaft.diameter / 2.0),), shaft.bore / 2.0, k + 1)
@@ -95,6 +98,12 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
                 f"shaft {shaft.name} is drawn {1e3 * less:.3g} mm shorter than sized: another one in line stands there"
             )
     return tuple(found), tuple(words)
+
+
+def _is_cage(sizing: Sizing, shaft: str) -> bool:
+    """Tell whether a shaft is a carrier's alone, so that nothing goes on from its plate."""
+    plan = sizing.arrangement.plans[shaft]
+    return len(plan.places) == 1 and any(stage.carrier == shaft for stage in sizing.design.sets.values())
 
 
 def _pieces(sizing: Sizing, shaft: str) -> list[Span]:

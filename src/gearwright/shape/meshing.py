@@ -1,33 +1,60 @@
-"""How deep two meshing gears stand in each other, by their outlines in polar coordinates."""
+"""How deep two meshing gears on parallel axes stand in each other, by their outlines in polar coordinates."""
+
+from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.parts.gears import transverse_form
-from gearwright.shape.contacts import contacts_of
-from gearwright.shape.gears import leanings, tooth_of
-from gearwright.shape.phases import helix_rate, phases_of
+from gearwright.arrays import Floats
+from gearwright.parts.gears import TransverseTooth, transverse_form
+from gearwright.shape.contacts import Contact, contacts_of
+from gearwright.shape.gears import Leaning, leanings
+from gearwright.shape.phases import Phases, helix_rate, phases_of
 from gearwright.shape.stands import stands_of
 from gearwright.shape.teeth import kind_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import tooth_of
 
 POINTS = 40
+"""Points on a fillet and on a flank [-]."""
 NEAR = np.arange(-6, 7)
 """Teeth beside the touching point that are looked at; no mesh has more in contact."""
 
 
-def planar_contacts(sizing):
-    """Return the meshes of parallel axes, with how their gears stand and lean."""
+class Planar(NamedTuple):
+    """The meshes of parallel axes, and how their gears stand and lean."""
+
+    contacts: tuple[Contact, ...]
+    phases: Phases
+    leaning: Mapping[str, Leaning]
+
+
+def planar_contacts(sizing: Sizing) -> Planar:
+    """Return the meshes of parallel axes, with how their gears stand and lean.
+
+    Args:
+        sizing: As sized.
+    """
     stands = stands_of(sizing)
     leaning, contacts = leanings(sizing, stands), contacts_of(sizing, stands)
     phases = phases_of(sizing, stands, contacts, {name: lean.turning for name, lean in leaning.items()})
-    planar = [contact for contact in contacts if kind_of(sizing, contact.mesh.stage) == "cylindrical"]
-    return planar, phases, leaning
+    planar = tuple(contact for contact in contacts if kind_of(sizing, contact.mesh.stage) == "cylindrical")
+    return Planar(planar, phases, leaning)
 
 
-def deepest(sizing, contact, phases, leaning, *, moments):
-    """Return how deep teeth stand in each other at moments of the case that speaks for the design [m]."""
-    pair = (contact.first, contact.second)
+def deepest(sizing: Sizing, contact: Contact, planar: Planar, moments: Sequence[float]) -> float:
+    """Return how deep teeth stand in each other at moments of the case that speaks for the design [m].
+
+    Args:
+        sizing: As sized.
+        contact: A mesh of parallel axes.
+        planar: Of the sizing.
+        moments: [s].
+    """
+    pair, phases = (contact.first, contact.second), planar.phases
     teeth = [tooth_of(sizing, stand.gear) for stand in pair]
     forms = [transverse_form(tooth, fillet=POINTS, flank=POINTS) for tooth in teeth]
     flow, carrier = sizing.reference, contact.mesh.nodes[2]
@@ -35,7 +62,7 @@ def deepest(sizing, contact, phases, leaning, *, moments):
     speeds = [phases.senses[stand.node] * flow.speeds[stand.node] - base for stand in pair]
     between = pair[1].axes.origin - pair[0].axes.origin
     apart = complex(*(float(between @ pair[0].axes.turned[:, k]) for k in (0, 1)))
-    lean = helix_rate(pair[1], leaning[pair[1].name].turning) * contact.offset
+    lean = helix_rate(pair[1], planar.leaning[pair[1].name].turning) * contact.offset
     worst = -1.0
     for moment in moments:
         turned = [phases.turned[stand.name] + speed * moment for stand, speed in zip(pair, speeds, strict=True)]
@@ -50,8 +77,8 @@ def deepest(sizing, contact, phases, leaning, *, moments):
     return worst
 
 
-def _depth(points, tooth, form):
-    """Return how deep points stand in the material of a gear whose tooth 0 stands about the angle 0 [m]."""
+def _depth(points: Floats, tooth: TransverseTooth, form: tuple[Floats, Floats]) -> float:
+    """Return how deep points, complex, stand in a gear whose tooth 0 stands about the angle 0 [m]."""
     radius, half = form
     order = np.argsort(radius)
     far, pitch = np.abs(points), 2.0 * math.pi / tooth.teeth
@@ -59,4 +86,4 @@ def _depth(points, tooth, form):
     between = (far >= radius.min()) & (far <= radius.max())
     flank = (np.interp(far, radius[order], half[order]) - beside) * far * math.cos(tooth.pressure_angle)
     root = tooth.side * (tooth.root_radius - far)
-    return max(np.max(flank[between], initial=-1.0), np.max(root, initial=-1.0))
+    return float(max(np.max(flank[between], initial=-1.0), np.max(root, initial=-1.0)))
