@@ -143,14 +143,14 @@ def _depth(sizing: Sizing, gear: GearSizing, hand: float) -> Depth:
 def _in_cone(pair: BevelPair, side: int, hand: float) -> Depth:
     form, half = bevel_form(pair, side, fillet=POINTS, flank=POINTS)
     cone, mean, order = pair.pitch_angles[side], pair.mean_cone_distance, np.argsort(form)
-    lean = math.cos(pair.pressure_angle) * math.cos(pair.spiral_angle)
+    lean, tiny = math.cos(pair.pressure_angle) * math.cos(pair.spiral_angle), 1e-3 * mean
 
     def depth(points: Floats) -> Floats:
         radius, angle = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
         far = radius * math.sin(cone) + points[:, 2] * math.cos(cone) + mean * math.cos(cone) ** 2
         above = (radius * math.cos(cone) - points[:, 2] * math.sin(cone)) - mean * math.sin(cone) * math.cos(cone)
         virtual = above * mean / far + mean * math.tan(cone)
-        turn = hand * np.array([spiral_turn(pair, side, float(one)) for one in far])
+        turn = hand * math.tan(pair.spiral_angle) * np.log(np.maximum(far, tiny) / mean) / math.sin(cone)
         wide = np.interp(virtual, form[order], half[order]) / math.cos(cone)
         deep = (wide - _beside(angle - turn, pair.teeth[side])) * radius * lean
         inside = (abs(far - mean) <= pair.face_width / 2.0) & (virtual <= form.max())
@@ -165,13 +165,13 @@ def _in_face(pinion: TransverseTooth, teeth: int, width: float) -> Depth:
 
     def depth(points: Floats) -> Floats:
         radius, angle = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
-        kept = np.clip(radius, inner, outer)
-        ends = np.array([face_thickness(pinion, teeth, float(one)) for one in kept])
-        share = np.clip((points[:, 2] - tip) / (foot - tip), 0.0, 1.0)
-        wide = ends[:, 0] + share * (ends[:, 1] - ends[:, 0])
+        found, here = np.full(len(points), -1.0), (radius >= inner) & (radius <= outer) & (points[:, 2] >= tip)
+        radius, angle, place = radius[here], angle[here], points[here, 2]
+        ends = np.array([face_thickness(pinion, teeth, float(one)) for one in radius]).reshape(-1, 2)
+        wide = ends[:, 0] + np.clip((place - tip) / (foot - tip), 0.0, 1.0) * (ends[:, 1] - ends[:, 0])
         deep = (wide - _beside(angle, teeth) * radius) * math.cos(pinion.pressure_angle)
-        deep = np.where(points[:, 2] > foot, points[:, 2] - foot, deep)
-        return np.where((radius >= inner) & (radius <= outer) & (points[:, 2] >= tip), deep, -1.0)
+        found[here] = np.where(place > foot, place - foot, deep)
+        return found
 
     return depth
 
