@@ -37,6 +37,7 @@ BEYOND_SIZING = (
     "wheel that grinds it",
     "assembly",
     "access to a nut",
+    "access to a screw",
     "bridges between planets",
 )
 """How the modes begin that only a review, a run or a flight judges: a sizing knows no check of them."""

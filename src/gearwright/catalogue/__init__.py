@@ -19,6 +19,7 @@ from gearwright.catalogue.bearings import (
     pressure_centre,
     with_ratings,
 )
+from gearwright.catalogue.centre_holes import CentreHole, centre_hole, centre_holes
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
@@ -95,6 +96,7 @@ __all__ = [
     "BearingDuty",
     "BearingOil",
     "BearingSpectrum",
+    "CentreHole",
     "DesignPoint",
     "Engine",
     "EngineTransient",
@@ -123,6 +125,8 @@ __all__ = [
     "bearings",
     "carried_on",
     "centre_allowance",
+    "centre_hole",
+    "centre_holes",
     "charted_point",
     "check_bearing",
     "compressed",

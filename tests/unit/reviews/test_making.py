@@ -22,7 +22,6 @@ from gearwright.reviews.making import (
     withdrawals,
 )
 from gearwright.reviews.making.bridges import bridge_needed, bridge_room
-from gearwright.spec.edit import edited
 from shipped_work import sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
@@ -193,15 +192,3 @@ def test_a_bearing_that_is_moved_eight_millimetres_towards_the_wheel_of_another_
     """input-rear from 80 to 88 mm leaves 2 mm of the 10 mm."""
     check = only(running_checks(replaced(r"(\[bearings\.input-rear\].*?position_mm = )[\d.]+", "88")))
     assert check.value == pytest.approx(0.002, abs=1e-6)
-
-
-def test_a_bearing_that_is_moved_eight_millimetres_into_the_hub_of_a_wheel_is_objected_to():
-    """The lower bearing of the mast stands 3.2 mm behind the back of the bevel wheel."""
-    moved = gw.size(edited(gw.read("ec120b"), {"bearings.mast-lower.position_m": 8e-3 + lower_place()}))
-    (room,) = (check for check in moved.checks if check.mode == "room on its shaft" and str(check.part) == "mast")
-    assert room.status is Status.FAILS
-    assert room.limit - room.value == pytest.approx(4.82e-3, abs=1e-4)
-
-
-def lower_place():
-    return gw.read("ec120b").bearings["mast-lower"].position

@@ -40,11 +40,23 @@ def test_a_ring_beside_the_four_point_bearing_of_the_input_holds_its_thrust():
     assert "DIN 471 - 30 x 1.5 beside input-axial" in check.place
 
 
-def test_thrust_of_a_bearing_that_has_no_room_for_a_groove_is_named():
-    """QJ 313 stands 3.5 mm from the end of its shaft; m + n of DIN 471 for 65 mm is 2.65 + 4.5 mm."""
+def test_an_end_plate_holds_a_bearing_that_has_no_room_for_a_groove():
+    """QJ 313 stands 3.5 mm from the end of its shaft, a groove takes 7.15; M20 of 8.8: 0.7 · 600 N/mm² · 245 mm²."""
     check = checks_of(sized("ec120b"))["intermediate"]
+    assert check.status is Status.PASSES and check.place == "end plate with M20 beside intermediate-axial"
+    assert check.value == pytest.approx(0.7 * 600.0 * 244.8, rel=1e-3)
+    assert check.limit == pytest.approx(33550.0, rel=1e-3)
+
+
+def test_what_no_end_plate_holds_is_named():
+    """Beyond the front bearing of the tail's shaft it goes on to the oil pump, and a hollow shaft has no centre."""
+    check = checks_of(sized("ec120b"))["tail"]
     assert check.status is Status.NOT_ASSESSED
-    assert "groove and collar need 7.15 mm beside it, and there are 3.5 mm" in check.why and "nut" in check.why
+    assert "groove and collar need 2.3 mm beside it, and there are 0 mm" in check.why and "nut" in check.why
+    (held,) = (held for held in retentions(sized("ec120b")) if held.shaft == "intermediate")
+    assert held.holds and held.has_plate
+    assert not held._replace(hole=None).holds
+    assert not held._replace(force=103e3).holds
 
 
 def test_a_shoulder_holds_what_pushes_against_it():

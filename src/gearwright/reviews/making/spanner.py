@@ -1,6 +1,6 @@
-"""Whether a spanner reaches the nut that an end of a shaft needs: a cylinder from it outwards, free of other bodies.
+"""Whether a spanner reaches the screw of an end plate, or the nut that an end needs: a free cylinder outwards.
 
-How large nuts are is not sized: their outside and their spanner's are estimates over the seat's diameter.
+Their outsides and the spanner's are estimates over the diameters of screw and seat.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from gearwright.sizing.places import room_between
 from gearwright.sizing.shafts import Retention, retentions
 
 NUT = 1.5
-"""Outside of a shaft nut over its thread, an estimate: small ones are the widest [-]."""
+"""Outside of a shaft nut or a head over its thread, an estimate: small ones are the widest [-]."""
 SPANNER = 5e-3
 """Wall of a socket spanner around a nut, an estimate [m]."""
 _HELP = "another order of parts, or a nut at the other end, would help"
@@ -29,15 +29,16 @@ def spanner_checks(sizing: Sizing) -> Iterator[Check]:
         sizing: As sized.
     """
     for held in retentions(sizing):
-        if held.holds:
+        if held.holds and not held.has_plate:
             continue
+        what, thread = ("screw", held.hole.thread) if held.has_plate and held.hole else ("nut", held.diameter)
         others = [body for body in sizing.arrangement.bodies if body.shaft != held.shaft]
-        axis, needed = _axis(sizing, held), NUT * held.diameter / 2.0 + SPANNER
+        axis, needed = _axis(sizing, held), NUT * thread / 2.0 + SPANNER
         free = [(room_between(axis, body, enough=2.0 * needed).gap, body.name) for body in others]
         if free:
             gap, name = min(free, key=lambda pair: round(pair[0], 9))
             yield Check(
-                PartId(Kind.SHAFT, held.shaft), f"access to a nut at its {ENDS[held.way]} end", "socket spanner",
+                PartId(Kind.SHAFT, held.shaft), f"access to a {what} at its {ENDS[held.way]} end", "socket spanner",
                 max(gap, 0.0), needed, "length", exponent=None, place=f"at {held.outermost}, past {name}",
                 why="" if gap >= needed else _HELP,
             )  # fmt: skip

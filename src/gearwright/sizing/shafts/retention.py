@@ -3,7 +3,9 @@
 Parts are slid on from both ends up to shoulders, or to spacers on what sits further in. What pushes a shaft against a
 shoulder is held by it; what would pull the shaft out of a bearing, or a gear off its seat, must be held beyond the
 outermost part of that end. There a ring of DIN 471 is tried: its groove must bear the force and have room. Where it
-does not, a nut or an end plate is needed, which nobody has sized: that is said.
+does not, an end plate is, whose screw in the centre hole of a solid shaft must clamp with more than the force; it lies
+on a spacer as long as what the shaft sticks out. Where neither can be, a nut is needed, which nobody has sized: that is
+said.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import NamedTuple
 
-from gearwright.catalogue import RetainingRing, retaining_ring
+from gearwright.catalogue import CentreHole, RetainingRing, centre_hole, retaining_ring
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import Kind, PartId, Role
 from gearwright.sizing.meshed import MeshSizing
@@ -22,6 +24,7 @@ from gearwright.spec.design import LOCATES
 from gearwright.units import text
 
 CLAUSE = "DIN 471, groove"
+PLATE = "ISO 898-1, preload of 8.8"
 _INSIDE = 1e-6
 """How far from an edge a place lies that is certainly on one side of it [m]."""
 ENDS = {-1: "first", 1: "second"}
@@ -67,11 +70,18 @@ class Retention(NamedTuple):
     """That fits the diameter."""
     place: float
     """End of the part that is held, from the shaft's first end [m]."""
+    hole: CentreHole | None = None
+    """In the end of the shaft, for the screw of an end plate; None where nothing can lie before that end."""
 
     @property
     def holds(self) -> bool:
-        """Whether the ring has room and bears the force."""
-        return not _lacking(self)
+        """Whether a ring has room and bears the force, or an end plate does."""
+        return not _lacking(self) or self.has_plate
+
+    @property
+    def has_plate(self) -> bool:
+        """Whether an end plate holds it, as no ring does."""
+        return bool(_lacking(self)) and self.hole is not None and self.hole.preload >= self.force
 
 
 def retentions(sizing: Sizing) -> Iterator[Retention]:
@@ -90,7 +100,8 @@ def retentions(sizing: Sizing) -> Iterator[Retention]:
                 continue
             force = max(part.pulls[way > 0] for part in held)
             if force > 0.0:
-                yield _retention(shaft, way, held[-1], stack, force=force)
+                found = _retention(shaft, way, held[-1], stack, force=force)
+                yield found._replace(hole=_hole(sizing, shaft, found))
 
 
 def retention_checks(sizing: Sizing) -> Iterator[Check]:
@@ -101,6 +112,12 @@ def retention_checks(sizing: Sizing) -> Iterator[Check]:
     """
     for held in retentions(sizing):
         part, mode = PartId(Kind.SHAFT, held.shaft), f"axial retention at its {ENDS[held.way]} end"
+        if held.has_plate and held.hole is not None:
+            yield Check(
+                part, mode, PLATE, held.hole.preload, held.force, "force",
+                symbol="F_V", place=f"end plate with {held.hole.screw} beside {held.outermost}",
+            )  # fmt: skip
+            continue
         lacking = _lacking(held)
         if lacking or held.ring is None:
             why = (
@@ -112,6 +129,19 @@ def retention_checks(sizing: Sizing) -> Iterator[Check]:
             part, mode, CLAUSE, held.ring.capacity, held.force, "force",
             symbol="F_N", place=f"{held.ring.designation} beside {held.outermost}",
         )  # fmt: skip
+
+
+def _hole(sizing: Sizing, shaft: BuiltShaft, held: Retention) -> CentreHole | None:
+    """Return the centre hole for an end plate; None of a hollow shaft, or where it goes on thinner or to a machine."""
+    end = shaft.steps[-1].end if held.way > 0 else shaft.steps[0].start
+    machines = [
+        place for name, place in sizing.arrangement.plans[shaft.name].places.items() if name in sizing.design.machines
+    ]
+    if shaft.bore or held.way * (end - held.place) > held.room + _INSIDE:
+        return None
+    if any(held.way * (place - held.place) > -_INSIDE for place in machines):
+        return None
+    return centre_hole(held.diameter)
 
 
 def _lacking(held: Retention) -> str:
