@@ -57,4 +57,4 @@ def _said(found: EngineTransient) -> str:
     if found.lowest_rotor is not None:
         said += f"; N2 falls to {100 * found.lowest_rotor:.1f} % at least"
     bound = f"; bound by {', '.join(found.bound)}" if found.bound else "; no limit is reached"
-    return f"{said}; T_45 up to {found.hottest:.0f} K{bound}."
+    return f"{said}.\nT_45 up to {found.hottest:.0f} K{bound}."
