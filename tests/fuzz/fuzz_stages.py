@@ -43,6 +43,7 @@ FLOWN = MappingProxyType({
     "strategies": ("in-line-h2",),
     "thesis": ("in-line-h1", "in-line-h2", "mixed-h2", "off-set-h3"),
     "thesis-chapter-4": ("in-line-h2", "mixed-h1", "off-set-h1"),
+    "ways-down": ("in-line-h2",),
 })  # fmt: skip
 """Shipped mission -> shipped designs that can fly it."""
 _ANYWHERE = Path("/nonexistent")

@@ -89,12 +89,19 @@ def _operating(flown: Flown, moment: Moment, asked: Asked, last: Point | None) -
     if asked.propeller is not None:
         return point.scaled(asked.propeller / point.work)
     at = given if gearbox.demand else lambda power: point.scaled(power / TRIAL_POWER)
-    left = (moment.power or 0.0) - asked.spin_up - sum(drag(gearbox, at(moment.power or 0.0)))
-    left -= supply.dragged(gearbox, point, asked.parts)
+    rubbed, dragged = sum(drag(gearbox, at(moment.power or 0.0))), supply.dragged(gearbox, point, asked.parts)
+    left = (moment.power or 0.0) - asked.spin_up - rubbed - dragged
     if left <= 0.0:
-        message = f"{(moment.power or 0.0) / 1e3:.4g} kW only spin the train up; give more, or a longer ramp_s"
-        raise DesignError([Problem("power", message)])
+        raise DesignError([Problem("power", _eaten(moment.power or 0.0, asked.spin_up, rubbed, dragged))])
     return at(left)
+
+
+def _eaten(power: float, spin_up: float, rubbed: float, dragged: float) -> str:
+    """Return what takes a power before it reaches the propeller."""
+    parts = (("bearings and oil", rubbed), ("motors that are dragged", dragged), ("spinning the train up", spin_up))
+    taken = ", ".join(f"{name} {1e-3 * value:.3g} kW" for name, value in parts if value > 0.0)
+    fix = "give more, or a longer ramp_s" if spin_up > 0.0 else "give more"
+    return f"of {1e-3 * power:.4g} kW nothing reaches the propeller: {taken}; {fix}"
 
 
 def _met(given: Callable[[float], Point], wanted: float, power: float) -> Point:

@@ -214,7 +214,7 @@ def test_an_airspeed_at_the_start_is_given_once():
         ("energy_kwh = 100", "energy_kwh = 10\nstart_charge = 1", "overloaded"),
         ("power_kw = 900", "pitch_deg = 12", "blade angle 12°: outside the map"),
         ("cas_kt = 170", "cas_kt = 650", "Mach"),
-        ("power_kw = 900", "power_kw = 0.1", "only spin the train up"),
+        ("power_kw = 900", "power_kw = 0.1", "of 0.1 kW nothing reaches the propeller: bearings and oil"),
         ('name = "test"', 'name = "test"\npropeller_map = "nonsense"', "no shipped map"),
     ],
 )

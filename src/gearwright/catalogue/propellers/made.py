@@ -15,7 +15,7 @@ from gearwright.catalogue.propellers.maps import COLUMNS, MOST_POINTS, map_of
 from gearwright.catalogue.propellers.shipped import MAPS, propeller_map
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import Blades, MachMap, PropellerMap
-from gearwright.machines.propellers import BladeShape, continued, element_map, generic_blade
+from gearwright.machines.propellers import BladeShape, Feathered, continued, element_map, feathered, generic_blade
 from gearwright.showing import Shown
 from gearwright.units import Angle, Origin, Quantity, Ratio
 from gearwright.verbs import verb
@@ -83,6 +83,11 @@ class MadePropeller(Shown):
         if isinstance(self.chart, PropellerMap):
             return ((0.0, self.chart),)
         return tuple(zip(self.chart.tip_mach.tolist(), self.chart.maps, strict=True))
+
+    @property
+    def feather(self) -> Feathered | None:
+        """Where it stands still, and what it drags there; None of charts, and of blades that always turn."""
+        return None if self.blades is None else feathered(self.blades)
 
     @property
     def rows(self) -> tuple[RatioRow, ...]:

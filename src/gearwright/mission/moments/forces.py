@@ -29,14 +29,14 @@ class Attitude(NamedTuple):
 
 
 def polar_of(aircraft: Aircraft, phase: Phase) -> Polar:
-    """Return the drag polar with the flaps and the gear of a phase.
+    """Return the drag polar with the flaps, the gear and the extra drag of a phase.
 
     Args:
         aircraft: Of the mission.
         phase: With its kind.
     """
     flaps = aircraft.flaps(setting_of(phase))
-    extra = flaps.extra_drag if flaps is not None else 0.0
+    extra = (flaps.extra_drag if flaps is not None else 0.0) + phase.extra_drag
     return Polar(aircraft.wing_area, aircraft.zero_lift_drag + extra, aircraft.induced)
 
 

@@ -154,7 +154,7 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     weight = borne.weight
     slope = moment.climb / moment.true_airspeed
     lift = weight * math.sqrt(1.0 - slope**2) / dynamic
-    drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced * lift**2)
+    drag_force = dynamic * (aircraft.zero_lift_drag + phase.extra_drag + aircraft.induced * lift**2)
     return (drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
 
 

@@ -97,7 +97,7 @@ def _row(stretch: Stretch) -> tuple[float, ...]:
         aircraft.mass,
         math.inf if aircraft.fuel is None else aircraft.fuel,
         drag.area,
-        aircraft.zero_lift_drag if plain else drag.zero_lift,
+        aircraft.zero_lift_drag + phase.extra_drag if plain else drag.zero_lift,
         drag.induced,
         friction_of(aircraft, phase),
         aircraft.roll_lift,

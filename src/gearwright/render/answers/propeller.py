@@ -34,6 +34,10 @@ class PropellerAnswer:
     activity_factor: Annotated[float | None, Quantity("number")]
     design_lift: Annotated[float | None, Quantity("number")]
     """Integrated."""
+    feather_angle: Annotated[float | None, Quantity("angle")]
+    """Blade angle at which it stands still; null of charts."""
+    feather_drag: Annotated[float | None, Quantity("number")]
+    """Drag there over dynamic pressure and D²."""
     advance_ratios: tuple[RatioRow, ...]
     """What stands out at each."""
     flight: PropellerLoads | None
@@ -62,12 +66,14 @@ def propeller_answer(made: MadePropeller, flight: PropellerLoads | None) -> Prop
         made: The map.
         flight: Loads at a point of flight, if there is one.
     """
-    shape = made.blades
+    shape, feather = made.blades, made.feather
     return PropellerAnswer(
         by=made.by,
         blades=shape.number if shape else None,
         activity_factor=activity_factor(shape) if shape else None,
         design_lift=integrated_lift(shape) if shape else None,
+        feather_angle=feather.angle if feather else None,
+        feather_drag=feather.drag_area if feather else None,
         advance_ratios=made.rows,
         flight=flight,
         rows=tuple(map_points(made)),

@@ -6,7 +6,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.catalogue import MadePropeller, PropellerLoads
-from gearwright.machines.propellers import BladeShape, activity_factor, integrated_lift
+from gearwright.machines.propellers import BladeShape, Feathered, activity_factor, integrated_lift
 from gearwright.render.tables.propeller import propeller_table
 from gearwright.render.words.text import table_text
 from gearwright.units import text
@@ -32,7 +32,16 @@ def made_text(made: MadePropeller) -> RenderableType:
     source = "by blade elements" if made.by == "elements" else "by the Hamilton Standard charts"
     lines = [] if made.blades is None else [Text(blades_line(made.blades))]
     size = f"{len(chart.advance_ratio)} advance ratios by {len(chart.blade_angle)} blade angles{machs}, {source}"
-    return Group(*lines, Text(size), Text(), table_text(propeller_table(made)))
+    feather = made.feather
+    stands = [] if feather is None else [Text(), Text(_stands(feather))]
+    return Group(*lines, Text(size), Text(), table_text(propeller_table(made)), *stands)
+
+
+def _stands(feather: Feathered) -> str:
+    return (
+        f"In feather at {text(feather.angle, 'angle')} it stands still, and drags q D² times {feather.drag_area:.4f}:\n"
+        f"  for the phases of a mission, extra_drag = {feather.drag_area:.4f} D²/S"
+    )
 
 
 def loads_text(found: PropellerLoads) -> RenderableType:

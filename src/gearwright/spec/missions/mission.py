@@ -68,6 +68,9 @@ class Phase(Record):
     end_speed: Velocity | None = Field(
         None, ge=0, le=340, description="True airspeed at which a landing's roll ends; left out: 5 m/s"
     )
+    extra_drag: Ratio = Field(
+        0.0, ge=0, le=1, description="C_D0 beyond that of flaps and gear: propellers that stand or windmill, ice, doors"
+    )
     reserve: bool = Field(False, description="Flown for its fuel, which is a reserve and no part of the block fuel")
 
 
