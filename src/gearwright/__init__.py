@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.vibration import answer as response
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.dynamics.vibration import run_up as runup
+    from gearwright.enumeration import architectures
     from gearwright.errors import DesignError, Problem, SolveError
     from gearwright.exchange import from_rexs, to_fmu, to_rexs
     from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
@@ -94,6 +95,7 @@ _VERBS = {
     "SolveError": "errors",
     "StoredRun": "store",
     "Wishes": "closure",
+    "architectures": "enumeration",
     "assemble": "dynamics.assembly",
     "at_level": "spec",
     "campbell": "dynamics",
@@ -192,6 +194,7 @@ __all__ = [
     "SolveError",
     "StoredRun",
     "Wishes",
+    "architectures",
     "assemble",
     "at_level",
     "campbell",

@@ -17,6 +17,7 @@ from typing import Annotated, TextIO
 import typer
 
 from gearwright.cli.commands.app import app as app_
+from gearwright.cli.commands.architectures import architectures
 from gearwright.cli.commands.closure import close
 from gearwright.cli.commands.design import check, modes, report, simulate, size
 from gearwright.cli.commands.draw import draw
@@ -49,7 +50,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty, propeller, rotor, turboshaft),
-    "Studies": (compare, study, status, resume, cluster),
+    "Studies": (compare, architectures, study, status, resume, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),
 }

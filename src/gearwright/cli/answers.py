@@ -38,6 +38,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),
+    "architectures": (f"{_ROOM}architectures:ArchitecturesAnswer", ""),
     "study": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "resume": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "status": (f"{_ROOM}study:StatusAnswer", ""),

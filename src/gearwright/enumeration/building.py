@@ -1,0 +1,194 @@
+"""An architecture with numbers becomes a design: ratios of its stages, speed of its motor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gearwright.enumeration.kinds import HELIX, Link, Tables, branches, halved
+from gearwright.enumeration.requirement import Requirement
+from gearwright.enumeration.trains import Architecture, Seat
+from gearwright.errors import DesignError, Problem
+from gearwright.spec import Design, edited
+from gearwright.units import RPM
+
+_ORDINALS: tuple[str, ...] = ("first", "second", "third", "fourth")
+_ENGINE, _PROPELLER, _MOTOR = "input", "output", "motor"
+_MOTOR_STAGE = "motor-stage"
+SLOWER, FASTER = 0.7, 6.0
+"""Ratios between which a pair may reduce a motor's speed [-]."""
+_PLACED = ("layout", "keep_out", "supports", "errors", "bearings", "joints", "waivers", "overrides", "origins")
+_STAGES = ("pairs", "planetaries", "epicyclics", "clutches", "dampers")
+_STANDS = (Seat.SHAFT, Seat.BRANCH)
+
+
+@dataclass(frozen=True)
+class Built:
+    """A design of an architecture."""
+
+    design: Design
+    ratios: tuple[float, ...]
+    """Of its stages, one after the other [-]."""
+    motor_speed: float | None
+    """[rad/s]; None where there is no motor."""
+
+
+def freedoms(architecture: Architecture) -> int:
+    """Return how many numbers an architecture has: ratios that are not left over, and perhaps the speed of its motor.
+
+    Args:
+        architecture: Of any kinds.
+    """
+    return architecture.stages - 1 + (architecture.motor.seat in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS))
+
+
+def built(requirement: Requirement, architecture: Architecture, places: Sequence[float]) -> Built:
+    """Return the design of an architecture at a place in the range of its numbers.
+
+    Args:
+        requirement: Machines, cases and rules.
+        architecture: That is to serve it.
+        places: Of every number within its range, from 0 to 1 [-].
+
+    Raises:
+        DesignError: Where no motor's speed is within reach, or the design cannot be.
+    """
+    ratios = _ratios(architecture, requirement.ratio, places)
+    shafts, links = _links(requirement, architecture, ratios)
+    speeds = _speeds(requirement, architecture, ratios)
+    motor = _motor_speed(requirement, architecture, speeds, places)
+    if architecture.motor.seat in _STANDS:
+        links = _left_open(architecture, links)
+    tables = _together([kind.tables(link) for kind, link in zip(architecture.members, links, strict=True)])
+    stage = _motor_stage(architecture, links, shafts)
+    tables = _together([tables, stage])
+    if stage:
+        shafts = [*shafts, _MOTOR]
+    named = [*shafts, *(name for link in links if len(link.names) > 1 for name in branches(link))]
+    changes: dict[str, Any] = {name: {} for name in (*_PLACED, *_STAGES)} | dict(tables)
+    changes |= {"shafts": named, "name": f"{requirement.design.name}: {architecture.name}"}
+    changes[f"turbines.{requirement.engine}.shaft"] = _ENGINE
+    changes[f"propellers.{requirement.propeller}.shaft"] = _PROPELLER
+    if requirement.motor is not None and motor is not None:
+        changes[f"motors.{requirement.motor}.shaft"] = _motor_shaft(architecture, links, shafts)
+        changes[f"motors.{requirement.motor}.speed_rpm"] = motor / RPM
+    return Built(edited(requirement.design, changes), ratios, motor)
+
+
+def _ratios(architecture: Architecture, ratio: float, places: Sequence[float]) -> tuple[float, ...]:
+    """Return the ratio of every stage: each within its kind's range and where the others can give what is left."""
+    kinds = [kind for kind in architecture.members for _ in range(kind.stages)]
+    chosen, left = list[float](), ratio
+    for number, kind in enumerate(kinds[:-1]):
+        following = kinds[number + 1 :]
+        least = max(kind.least, left / math.prod(after.most for after in following))
+        most = min(kind.most, left / math.prod(after.least for after in following))
+        chosen.append(least * (most / least) ** places[number])
+        left /= chosen[-1]
+    return (*chosen, left)
+
+
+def _links(
+    requirement: Requirement, architecture: Architecture, ratios: Sequence[float]
+) -> tuple[list[str], list[Link]]:
+    """Return the shafts from engine to propeller, and where each kind stands between them."""
+    members = architecture.members
+    inner = [f"shaft-{number + 1}" for number in range(len(members) - 1)]
+    shafts = [_ENGINE, *inner, _PROPELLER]
+    asked: list[float | None] = [*ratios[:-1], None]
+    links, first = list[Link](), 0
+    for number, kind in enumerate(members):
+        own = slice(first, first + kind.stages)
+        links.append(
+            Link(_ORDINALS[own], shafts[number], shafts[number + 1], tuple(asked[own]), requirement.helix or HELIX)
+        )
+        first += kind.stages
+    return shafts, links
+
+
+def _speeds(requirement: Requirement, architecture: Architecture, ratios: Sequence[float]) -> list[float]:
+    """Return the speed of every shaft from engine to propeller, in size [rad/s]."""
+    speeds, first = [requirement.engine_speed], 0
+    for kind in architecture.members:
+        speeds.append(speeds[-1] / math.prod(ratios[first : first + kind.stages]))
+        first += kind.stages
+    return speeds
+
+
+def _branch_speed(architecture: Architecture, speeds: Sequence[float], ratios: Sequence[float]) -> float:
+    """Return the speed of the branches of the split path beside which the motor is [rad/s]."""
+    at = architecture.motor.at
+    return speeds[at] / ratios[sum(kind.stages for kind in architecture.members[:at])]
+
+
+def _motor_speed(
+    requirement: Requirement, architecture: Architecture, speeds: Sequence[float], places: Sequence[float]
+) -> float | None:
+    """Return the speed of the motor [rad/s]: its shaft's, or within what a pair can reduce."""
+    seat, at = architecture.motor.seat, architecture.motor.at
+    if seat is Seat.NONE:
+        return None
+    ratios = _ratios(architecture, requirement.ratio, places)
+    if seat is Seat.SHAFT:
+        turned = speeds[at]
+    elif seat in (Seat.BRANCH, Seat.PINIONS) or (seat is Seat.WHEEL and architecture.members[at].stages > 1):
+        turned = _branch_speed(architecture, speeds, ratios)
+    else:
+        turned = speeds[at + (seat is Seat.WHEEL)]
+    if seat in _STANDS:
+        return _within(turned, requirement.fastest)
+    least, most = SLOWER * turned, min(FASTER * turned, requirement.fastest)
+    if least > most:
+        raise DesignError([Problem("motors", f"no pair brings at most {requirement.fastest / RPM:.0f} rpm there")])
+    place: float = places[-1]
+    return least * math.pow(most / least, place)
+
+
+def _within(speed: float, fastest: float) -> float:
+    if speed > fastest * (1.0 + 1e-9):
+        turns = f"its shaft turns at {speed / RPM:.0f} rpm, a motor may at {fastest / RPM:.0f}"
+        raise DesignError([Problem("motors", turns)])
+    return speed
+
+
+def _left_open(architecture: Architecture, links: list[Link]) -> list[Link]:
+    """Return links of which the stage before the motor's shaft asks for no ratio: the motor's speed does."""
+    seat, at = architecture.motor.seat, architecture.motor.at
+    if seat is Seat.SHAFT and not 0 < at < len(links):
+        return links
+    link = links[at] if seat is Seat.BRANCH else links[at - 1]
+    open_one = 0 if seat is Seat.BRANCH else len(link.ratios) - 1
+    ratios = tuple(None if number == open_one else ratio for number, ratio in enumerate(link.ratios))
+    changed = Link(link.names, link.driving, link.driven, ratios, link.helix)
+    return [changed if one is link else one for one in links]
+
+
+def _motor_stage(architecture: Architecture, links: Sequence[Link], shafts: Sequence[str]) -> Tables:
+    """Return the motor's own pair; nothing where it sits on a shaft that is there."""
+    seat, at = architecture.motor.seat, architecture.motor.at
+    if seat not in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS):
+        return {}
+    wheel = {
+        Seat.PAIR: lambda: shafts[at], Seat.WHEEL: lambda: f"{links[at].names[0]}.wheel",
+        Seat.PINIONS: lambda: f"{links[at].names[1]}.pinion",
+    }[seat]()  # fmt: skip
+    stated: dict[str, Any] = {"pinion": _MOTOR, "wheel": wheel, **halved(links[0].helix)}
+    if seat is Seat.PINIONS:
+        del stated["halves"]
+    return {"pairs": {_MOTOR_STAGE: stated}}
+
+
+def _motor_shaft(architecture: Architecture, links: Sequence[Link], shafts: Sequence[str]) -> str:
+    """Return the shaft that the motor drives."""
+    seat, at = architecture.motor.seat, architecture.motor.at
+    if seat is Seat.SHAFT:
+        return shafts[at]
+    return branches(links[at])[1] if seat is Seat.BRANCH else _MOTOR
+
+
+def _together(tables: Sequence[Tables]) -> Tables:
+    """Return the tables of several as one."""
+    kinds = dict.fromkeys(name for table in tables for name in table)
+    return {name: {key: row for table in tables for key, row in table.get(name, {}).items()} for name in kinds}

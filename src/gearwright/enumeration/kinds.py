@@ -1,0 +1,124 @@
+"""Kinds of stages that a train may be made of: what each takes, which ratios it gives, and its tables in a design."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from gearwright.spec import GROUND
+
+Tables = Mapping[str, Mapping[str, Any]]
+"""Kind of table (``pairs``, ``planetaries``) -> name of a stage -> what it states, in SI."""
+HELIX = math.radians(20.0)
+"""Helix angle of double-helical pairs whose design states none [rad] (Pulvirenti 2023, table 3.2)."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of stage, or of several that belong together."""
+
+    name: str
+    """In words of the trade."""
+    stages: int
+    """How many stages it counts as [-]."""
+    least: float
+    """Smallest ratio of each of its stages [-]."""
+    most: float
+    """Largest ratio of each of them [-]."""
+    senses: int
+    """1: its output turns as its input does; -1: the other way."""
+    tables: Callable[[Link], Tables]
+    """What it is between two shafts."""
+    toothed: bool = False
+    """Whether a motor's pinion may mesh with its wheel."""
+
+
+@dataclass(frozen=True)
+class Link:
+    """Where a kind stands in a train."""
+
+    names: tuple[str, ...]
+    """Of its stages."""
+    driving: str
+    """Shaft that turns it."""
+    driven: str
+    """Shaft that it turns."""
+    ratios: tuple[float | None, ...]
+    """Asked ratio of each of its stages [-]; None: what is left."""
+    helix: float
+    """Helix angle of pairs [rad]."""
+
+
+def halved(helix: float) -> dict[str, Any]:
+    """Return what a double-helical pair states.
+
+    Args:
+        helix: Helix angle [rad].
+    """
+    return {"halves": 2, "gears": {"helix_angle": helix}}
+
+
+def _asked(table: dict[str, Any], ratio: float | None) -> dict[str, Any]:
+    return table if ratio is None else {**table, "ratio": ratio}
+
+
+def _pair(link: Link) -> Tables:
+    stated = {"pinion": link.driving, "wheel": link.driven, **halved(link.helix)}
+    return {"pairs": {link.names[0]: _asked(stated, link.ratios[0])}}
+
+
+def branches(link: Link) -> list[str]:
+    """Return the two shafts between the meshes of a split path.
+
+    Args:
+        link: Where it stands.
+    """
+    return [f"{link.names[0]}-left", f"{link.names[0]}-right"]
+
+
+def _split(link: Link) -> Tables:
+    first, second = link.names
+    between = branches(link)
+    return {
+        "pairs": {
+            first: _asked({"pinion": link.driving, "wheel": between, **halved(link.helix)}, link.ratios[0]),
+            second: _asked({"pinion": between, "wheel": link.driven, **halved(link.helix)}, link.ratios[1]),
+        }
+    }
+
+
+def _set(sun: str, ring: str, carrier: str) -> Callable[[Link], Tables]:
+    """Return how a planetary set is written whose members are the driving shaft, the driven one and the ground.
+
+    Args:
+        sun: ``driving``, ``driven`` or ``ground``, as the others.
+        ring: As the sun.
+        carrier: As the sun.
+    """
+
+    def tables(link: Link) -> Tables:
+        shafts = {"driving": link.driving, "driven": link.driven, GROUND: GROUND}
+        stated = {"sun": shafts[sun], "ring": shafts[ring], "carrier": shafts[carrier]}
+        asked = link.ratios[0]
+        return {"planetaries": {link.names[0]: _asked(stated, None if asked is None else basic[carrier, sun](asked))}}
+
+    return tables
+
+
+basic: Mapping[tuple[str, str], Callable[[float], float]] = {
+    ("driven", "driving"): lambda ratio: ratio,
+    (GROUND, "driving"): lambda ratio: ratio + 1.0,
+    ("driven", GROUND): lambda ratio: ratio / (ratio - 1.0),
+}
+"""(carrier, sun) -> 1 + z_r/z_s, which a design asks of a planetary set, from the ratio of its speeds [-] (Willis)."""
+
+PAIR = Kind("pair", 1, 1.3, 7.0, -1, _pair, toothed=True)
+SPLIT = Kind("split path", 2, 1.3, 7.0, 1, _split, toothed=True)
+PLANETARY = Kind("planetary set", 1, 2.9, 11.0, 1, _set("driving", GROUND, "driven"))
+STAR = Kind("star", 1, 1.9, 10.0, -1, _set("driving", "driven", GROUND))
+SOLAR = Kind("solar set", 1, 1.12, 1.52, 1, _set(GROUND, "driving", "driven"))
+KINDS = {kind.name: kind for kind in (PAIR, SPLIT, PLANETARY, STAR, SOLAR)}
+"""By name. Ratios: 1 + z_r/z_s of planetary sets lies between 2.9 and 11, where three planets stand beside each other
+(z_p < 6.4 z_s) and are not smaller than the sun's own teeth allow."""

@@ -1,0 +1,85 @@
+"""Enumerated architectures as one page: the answer, what the best look like, all that were looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.enumeration import Ranking
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    Verdict,
+    quantity,
+    set_page,
+)
+from gearwright.render.schematic.schematic import schematic_figure
+from gearwright.render.style import theme
+from gearwright.render.tables.study.architectures import SHOWN, architectures_table
+from gearwright.render.tables.study.equal_life import equal_life_table, group_table
+from gearwright.render.words.architectures import ranking_sentences
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.mass import complete_mass
+from gearwright.spec import parse
+from gearwright.study import EqualLife
+from gearwright.units import text
+
+DRAWN = 12
+"""Closed designs that are drawn, the lightest first [-]."""
+_HEAD = 5
+"""Designs in the head [-]."""
+
+
+def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
+    """Return the ranking as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        ranking: From `architectures`.
+        stamp: Date of the page.
+    """
+    sized = {row.title: size(parse(row.file)) for row in ranking.closed if row.file}
+    said = tuple(ranking_sentences(ranking))
+    life = text(ranking.life, "life", 3)
+    sections = (
+        Section("At equal life", tables=(equal_life_table(ranking.closed, f"Closed for {life}"),), listed=said),
+        Section("What they look like", figures=tuple(_drawn(ranking, sized))),
+        Section("Where the mass is", tables=(group_table({name: complete_mass(one) for name, one in sized.items()}),)),
+        Section(
+            f"The {SHOWN} most promising of {len(ranking.candidates)}",
+            tables=(architectures_table(ranking.candidates[:SHOWN], ""),),
+        ),
+    )
+    description = "Every train of pairs and planetary sets that can give the ratio, with every place for the motor."
+    return set_page(
+        Page("Architectures", ranking.requirement, description, _verdict(ranking, said), tuple(_numbers(ranking)),
+             sections, stamp=stamp)
+    )  # fmt: skip
+
+
+def _verdict(ranking: Ranking, said: tuple[str, ...]) -> Verdict:
+    """Return whether any meets everything; that others do not is told beside."""
+    passing, closed = len(ranking.passing), len(ranking.closed)
+    if not passing:
+        return Verdict(Tone.BAD, "None meets everything", said[-1])
+    return Verdict(Tone.OPEN, f"{passing} of {closed} closed designs pass as far as assessed", said[1])
+
+
+def _numbers(ranking: Ranking) -> Iterator[Number]:
+    """Yield the lightest that pass, with the band of the gearbox."""
+    for row in ranking.passing[:_HEAD]:
+        yield quantity(f"{row.title}, with machines", row.with_machines or 0.0, "mass", digits=3)
+
+
+def _drawn(ranking: Ranking, sized: dict[str, Sizing]) -> Iterator[Figure]:
+    """Yield the skeletons of the lightest."""
+    for row in [row for row in ranking.closed if row.title in sized][:DRAWN]:
+        svg = theme.to_svg(schematic_figure(sized[row.title]), row.title)
+        yield Figure(svg, f"{row.title}: {_weight(row)}, {row.verdict}.")
+
+
+def _weight(row: EqualLife) -> str:
+    return f"{text(row.with_machines or 0.0, 'mass', 3)} with machines"

@@ -1,0 +1,77 @@
+"""Ranking of architectures: the numbers of each, what is kept, what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from gearwright.enumeration import Architecture, Place, Seat, lighter, requirement_of
+from gearwright.enumeration import ranked as module
+from gearwright.enumeration.building import built
+from gearwright.enumeration.ranking import PLANETS, _lightest
+from gearwright.errors import DesignError
+
+LIFE = 20000.0 * 3600.0
+
+
+def small():
+    """Return a requirement that one stage serves: 500 kW from 6000 to 1212 rpm, no motor."""
+    conventional = gw.read("in-line")
+    return gw.edited(conventional, {"turbines.gas-turbine.speed_rpm": 6000, "turbines.gas-turbine.power_kw": 500})
+
+
+def test_the_ratio_that_is_found_weighs_nearly_as_little_as_the_best_of_a_grid():
+    """Steps of teeth make the mass jump, so that a search of eight points may miss the best of forty by 3 %."""
+    asked = requirement_of(gw.read("in-line"))
+    one = Architecture(("pair", "planetary set"), Place(Seat.NONE))
+    mass, _ = _lightest(asked, one)
+    designs = [built(asked, one, [place]).design for place in np.linspace(0.0, 1.0, 40)]
+    grid = [gw.size(gw.edited(design, {"planetaries.second.planets": PLANETS})).mass for design in designs]
+    assert mass <= 1.03 * min(grid)
+
+
+def test_a_journal_is_gone_on_with_and_gives_the_same(tmp_path, monkeypatch):
+    design, journal = small(), tmp_path / "kept.json"
+    whole = gw.architectures(design, life=LIFE, stages=(1,), closed=1)
+    calls = []
+    original = module.candidate
+
+    def stopping(asked, one, *, life):
+        calls.append(one.slug)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        return original(asked, one, life=life)
+
+    monkeypatch.setattr(module, "candidate", stopping)
+    with pytest.raises(KeyboardInterrupt):
+        gw.architectures(design, life=LIFE, stages=(1,), closed=1, journal=journal)
+    first = calls[0]
+    calls[:] = ["", "", ""]
+    again = gw.architectures(design, life=LIFE, stages=(1,), closed=1, journal=journal)
+    assert first not in calls
+    assert again == whole
+    assert len(whole.candidates) == 3
+    with pytest.raises(DesignError, match="was begun with another design, life"):
+        gw.architectures(design, life=2 * LIFE, stages=(1,), journal=journal)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"life": 0.0}, "life: 0 h is asked"),
+        ({"stages": (0,)}, r"stages: \[0\] are asked"),
+        ({"closed": -1}, "closed: -1 are asked"),
+        ({"fastest": -5.0}, "fastest: a motor of -5 rad/s"),
+    ],
+)
+def test_what_cannot_be_asked_is_refused_before_anything_is_computed(wrong, said):
+    with pytest.raises(DesignError, match=said):
+        gw.architectures(small(), **{"life": LIFE, **wrong})
+
+
+def test_a_gearbox_is_as_likely_lighter_than_its_equal_as_heavier():
+    row = gw.equal_life({"in-line-star": gw.read("in-line-star")}, wishes=gw.Wishes(LIFE))[0]
+    assert lighter(row, row) == 0.5
+    heavier = replace(row, with_machines=row.with_machines + 1.0)
+    assert lighter(row, heavier) == 1.0
