@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gearwright.enumeration.kinds import HELIX, Link, Tables, branches, halved
@@ -97,12 +97,19 @@ def _links(
     members = architecture.members
     inner = [f"shaft-{number + 1}" for number in range(len(members) - 1)]
     shafts = [_ENGINE, *inner, _PROPELLER]
-    asked: list[float | None] = [*ratios[:-1], None]
+    asked = [True] * (len(ratios) - 1) + [False]
     links, first = list[Link](), 0
     for number, kind in enumerate(members):
         own = slice(first, first + kind.stages)
         links.append(
-            Link(_ORDINALS[own], shafts[number], shafts[number + 1], tuple(asked[own]), requirement.helix or HELIX)
+            Link(
+                _ORDINALS[own],
+                shafts[number],
+                shafts[number + 1],
+                tuple(ratios[own]),
+                tuple(asked[own]),
+                requirement.helix or HELIX,
+            )
         )
         first += kind.stages
     return shafts, links
@@ -160,8 +167,8 @@ def _left_open(architecture: Architecture, links: list[Link]) -> list[Link]:
         return links
     link = links[at] if seat is Seat.BRANCH else links[at - 1]
     open_one = 0 if seat is Seat.BRANCH else len(link.ratios) - 1
-    ratios = tuple(None if number == open_one else ratio for number, ratio in enumerate(link.ratios))
-    changed = Link(link.names, link.driving, link.driven, ratios, link.helix)
+    asked = tuple(number != open_one and is_asked for number, is_asked in enumerate(link.asked))
+    changed = replace(link, asked=asked)
     return [changed if one is link else one for one in links]
 
 

@@ -45,8 +45,10 @@ class Link:
     """Shaft that turns it."""
     driven: str
     """Shaft that it turns."""
-    ratios: tuple[float | None, ...]
-    """Asked ratio of each of its stages [-]; None: what is left."""
+    ratios: tuple[float, ...]
+    """Of each of its stages [-]."""
+    asked: tuple[bool, ...]
+    """Whether each is asked for; else the speeds beside it give it."""
     helix: float
     """Helix angle of pairs [rad]."""
 
@@ -60,13 +62,14 @@ def halved(helix: float) -> dict[str, Any]:
     return {"halves": 2, "gears": {"helix_angle": helix}}
 
 
-def _asked(table: dict[str, Any], ratio: float | None) -> dict[str, Any]:
-    return table if ratio is None else {**table, "ratio": ratio}
+def _asked(table: dict[str, Any], link: Link, stage: int, ratio: float) -> dict[str, Any]:
+    """Return a table with the ratio that a stage is asked for."""
+    return {**table, "ratio": ratio} if link.asked[stage] else table
 
 
 def _pair(link: Link) -> Tables:
     stated = {"pinion": link.driving, "wheel": link.driven, **halved(link.helix)}
-    return {"pairs": {link.names[0]: _asked(stated, link.ratios[0])}}
+    return {"pairs": {link.names[0]: _asked(stated, link, 0, link.ratios[0])}}
 
 
 def branches(link: Link) -> list[str]:
@@ -83,8 +86,8 @@ def _split(link: Link) -> Tables:
     between = branches(link)
     return {
         "pairs": {
-            first: _asked({"pinion": link.driving, "wheel": between, **halved(link.helix)}, link.ratios[0]),
-            second: _asked({"pinion": between, "wheel": link.driven, **halved(link.helix)}, link.ratios[1]),
+            first: _asked({"pinion": link.driving, "wheel": between, **halved(link.helix)}, link, 0, link.ratios[0]),
+            second: _asked({"pinion": between, "wheel": link.driven, **halved(link.helix)}, link, 1, link.ratios[1]),
         }
     }
 
@@ -101,13 +104,28 @@ def _set(sun: str, ring: str, carrier: str) -> Callable[[Link], Tables]:
     def tables(link: Link) -> Tables:
         shafts = {"driving": link.driving, "driven": link.driven, GROUND: GROUND}
         stated = {"sun": shafts[sun], "ring": shafts[ring], "carrier": shafts[carrier]}
-        asked = link.ratios[0]
-        return {"planetaries": {link.names[0]: _asked(stated, None if asked is None else basic[carrier, sun](asked))}}
+        ratio = BASIC[carrier, sun](link.ratios[0])
+        counted: dict[str, Any] = {**stated, "planets": planets_beside(ratio)}
+        return {"planetaries": {link.names[0]: _asked(counted, link, 0, ratio)}}
 
     return tables
 
 
-basic: Mapping[tuple[str, str], Callable[[float], float]] = {
+def planets_beside(ratio: float) -> int:
+    """Return how many planets stand beside each other in a set, five at most [-].
+
+    Their tips clear each other where sin(π/N) (z_s + z_p) > z_p + 2, here of a sun of 25 teeth.
+
+    Args:
+        ratio: 1 + z_r/z_s [-].
+    """
+    planet = ratio / 2.0 - 1.0
+    return next((count for count in (5, 4) if math.sin(math.pi / count) * (1.0 + planet) > planet + _TIPS), 3)
+
+
+_TIPS = 2.0 / 25.0
+"""Two tooth heights over the sun's teeth [-]."""
+BASIC: Mapping[tuple[str, str], Callable[[float], float]] = {
     ("driven", "driving"): lambda ratio: ratio,
     (GROUND, "driving"): lambda ratio: ratio + 1.0,
     ("driven", GROUND): lambda ratio: ratio / (ratio - 1.0),

@@ -13,10 +13,7 @@ from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, at_level, edited
-from gearwright.spec.edit import Value
 
-PLANETS = 4
-"""Planets of every set while ratios are looked for [-]: between the three and five of the thesis."""
 _STEPS = (0.25, 0.12)
 """Of every number within its range, up and down [-]."""
 PRELIMINARY = "preliminary"
@@ -75,7 +72,7 @@ def candidate(requirement: Requirement, architecture: Architecture, *, life: flo
     try:
         first, best = _lightest(requirement, architecture)
         design = for_life(at_level(best.design, PRELIMINARY), life)
-        sizing = size(edited(design, _planets(design, PLANETS)))
+        sizing = size(design)
     except GearwrightError as error:
         return Candidate(architecture, refused=_words(error))
     return Candidate(
@@ -104,7 +101,7 @@ def _lightest(requirement: Requirement, architecture: Architecture) -> tuple[flo
             if around not in tried:
                 try:
                     made = built(requirement, architecture, around)
-                    tried[around] = (_first_mass(size(edited(made.design, _planets(made.design, PLANETS)))), made)
+                    tried[around] = (_first_mass(size(made.design)), made)
                 except GearwrightError as error:
                     problems = problems or [Problem(architecture.name, _words(error))]
         if not tried:
@@ -121,10 +118,6 @@ def _star(places: Sequence[float], step: float) -> Iterator[tuple[float, ...]]:
         for moved in (place - step, place + step):
             if 0.0 <= moved <= 1.0:
                 yield (*places[:number], moved, *places[number + 1 :])
-
-
-def _planets(design: Design, count: int) -> dict[str, Value]:
-    return {f"planetaries.{name}.planets": count for name in design.planetaries}
 
 
 def _first_mass(sizing: Sizing) -> float:
