@@ -106,3 +106,27 @@ def test_levels_that_there_are_not_and_what_a_preliminary_design_lacks_are_told(
 
 def read_text(name):
     return shipped_design(name).read_text(encoding="utf-8")
+
+
+def test_planets_of_a_simple_set_have_bearings_beside_a_stepped_set_that_names_none():
+    """The stepped planet has 27 + 48 = 93 - 18 teeth between sun and ring."""
+    stepped = {
+        "carrier": "output",
+        "suns": {"sun": {"shaft": "intermediate", "teeth": 27}},
+        "rings": {"ring": {"shaft": "ground", "teeth": 93}},
+        "planets": {
+            "large": {"teeth": 48, "meshes": ["sun"]},
+            "small": {"teeth": 18, "meshes": ["ring"], "in_one_piece_with": "large"},
+        },
+    }
+    first = {"sun": "input", "ring": "ground", "carrier": "intermediate", "planets": 3, "sun_teeth": 57}
+    mixed = edited(
+        read("in-line"),
+        {
+            "planetaries": {"first": {**first, "planet_teeth": 21}},
+            "epicyclics": {"second": stepped},
+            "propellers.propeller.speed_rpm": 717,
+        },
+    )
+    sizing = size(at_level(mixed, "preliminary"))
+    assert {gear.stage for gear in sizing.gears if gear.runs_on is not None} == {"first"}

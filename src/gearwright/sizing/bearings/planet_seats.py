@@ -72,15 +72,17 @@ class Borne(NamedTuple):
 
 
 def planet_seats(context: Context, gears: tuple[GearSizing, ...], carriers: Sequence[Carrying]) -> Iterator[Seat]:
-    """Yield the bearing seats inside planets.
+    """Yield the bearing seats inside planets of some carriers.
 
     Args:
         context: With a flow for each sign of a unit torque on each mesh row, by the sign and the name of the row.
-        gears: As sized.
+        gears: As sized, those on the carriers at least.
         carriers: As sized.
     """
     sized = {carrier.stage: carrier for carrier in carriers}
     for body in planet_bodies(context.design, gears):
+        if body.stage not in sized:
+            continue
         carrier, own = sized[body.stage], {gear.name: gear for gear in gears if gear.stage == body.stage}
         borne = _in_compound(context, body, own) if body.part.own else _in_simple(context, body, carrier, own)
         for support in body.supports or (None,):
