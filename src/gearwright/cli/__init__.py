@@ -32,7 +32,7 @@ from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.review import review
 from gearwright.cli.commands.rotor import rotor
 from gearwright.cli.commands.run import run
-from gearwright.cli.commands.runs import cluster, resume, status
+from gearwright.cli.commands.runs import cluster, merge, resume, status
 from gearwright.cli.commands.sharing import sharing
 from gearwright.cli.commands.study import compare, study
 from gearwright.cli.commands.turboshaft import turboshaft
@@ -50,7 +50,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty, propeller, rotor, turboshaft),
-    "Studies": (compare, architectures, study, status, resume, cluster),
+    "Studies": (compare, architectures, study, status, resume, merge, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),
 }

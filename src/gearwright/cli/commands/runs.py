@@ -26,11 +26,14 @@ if TYPE_CHECKING:
 
     from gearwright.spec import Design, Study
     from gearwright.study import Table
-    from gearwright.study.running import Progress, Start
+    from gearwright.study.running import Part, Progress, Start
 
 JournalArgument = Annotated[Path, typer.Argument(help="Journal that a study writes", metavar="JOURNAL")]
 WorkersOption = Annotated[
     int | None, typer.Option(help="Processes that compute; 0: none beside this one; left out: as many as cores", min=0)
+]
+ShardOption = Annotated[
+    str | None, typer.Option(help="Compute only this part, such as 2/8: for machines that know nothing of each other")
 ]
 ClusterOption = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786")]
 TlsOption = Annotated[
@@ -48,16 +51,17 @@ SMALL = 200
 
 def run_shown(
     study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int | None, start: Start,
-    origin: str, jsonl: bool = False,
+    origin: str, jsonl: bool = False, shard: str | None = None,
 ) -> Table:  # fmt: skip
     """Run a study, show its progress on a terminal, and print its rows as they are finished if they are asked for."""
     from gearwright.spec import case_count
     from gearwright.study.running import run_study
 
-    count = _workers(workers, case_count(study))
+    part = _part(shard, journal)
+    count = _workers(workers, len(part.cases(case_count(study))))
     with _stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
         return run_study(
-            study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start
+            study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start, part=part
         )  # fmt: skip
 
 
@@ -115,6 +119,7 @@ def resume(
     workers: WorkersOption = None,
     cluster: ClusterOption = None,
     tls: TlsOption = None,
+    shard: ShardOption = None,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Go on although designs or gearwright have changed since")
     ] = False,
@@ -135,21 +140,54 @@ def resume(
         _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = _workers(workers, known.total)
     with _stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
-        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls))
+        table = go_on(
+            journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls),
+            part=_part(shard, journal),
+        )  # fmt: skip
     show_table("resume", table, known.study, csv=csv, json=json, jsonl=jsonl)
     if not (json or jsonl):
         show_reviews(known.study, table, known.designs)
     write_files(known.study, table, known.designs, export=export, report=report)
 
 
+def _part(shard: str | None, journal: Path | None) -> Part:
+    """Return the part of a study that is asked for; a part without a journal would be lost."""
+    from gearwright.errors import DesignError, Problem
+    from gearwright.study.running import Part, part_of
+
+    if shard is not None and journal is None:
+        raise DesignError(
+            [Problem("--shard", "a part is for a journal, which `gearwright merge` joins; give --journal")]
+        )
+    return Part() if shard is None else part_of(shard)
+
+
+def merge(
+    journals: Annotated[list[Path], typer.Argument(help="Journals of parts of one study", metavar="JOURNAL...")],
+    into: Annotated[Path, typer.Option(help="New journal that has what all of them have")],
+) -> None:
+    """Make the journals of parts of one study a single one, which `resume` completes and shows."""
+    from gearwright.study.running import merge as merged
+
+    done, total = merged(journals, into)
+    show(f"{done:,} of {total:,} cases in {into}")
+    show(f"next: gearwright resume {into}")
+
+
 def cluster(
     host: Annotated[str, typer.Option(help="Name or address of the machine of the scheduler")] = "127.0.0.1",
     processes: Annotated[int | None, typer.Option(help="Workers on one machine; left out: its cores", min=1)] = None,
     tls: TlsOption = None,
+    slurm: Annotated[int | None, typer.Option(help="Print a Slurm script for so many parts instead", min=1)] = None,
+    study: Annotated[Path, typer.Option(help="Study that the script runs")] = Path("STUDY.toml"),
 ) -> None:
-    """Print the commands that start a Dask cluster for studies; each machine needs the extra `cluster`."""
+    """Print the commands that start a Dask cluster for studies, or a script that runs one in parts under Slurm."""
     from gearwright.study.running import commands
+    from gearwright.study.running import slurm as script
 
+    if slurm is not None:
+        show_commands(script(study, slurm))
+        return
     scheduler, workers, start = commands(host, processes or os.cpu_count() or 1, tls)
     show_commands(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 

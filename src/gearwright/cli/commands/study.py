@@ -14,6 +14,7 @@ from gearwright.cli.commands.runs import (
     ClusterOption,
     CsvOption,
     ExportOption,
+    ShardOption,
     StudyReportOption,
     TlsOption,
     WorkersOption,
@@ -52,6 +53,7 @@ def study(
     ] = None,
     changes: SetOption = None,
     journal: JournalOption = None,
+    shard: ShardOption = None,
     workers: WorkersOption = None,
     cluster: ClusterOption = None,
     tls: TlsOption = None,
@@ -83,6 +85,7 @@ def study(
         start=start_of(cluster, tls),
         origin=str(path.parent),
         jsonl=jsonl,
+        shard=shard,
     )
     show_table("study", table, read, csv=csv, json=json, jsonl=jsonl)
     if not (json or jsonl):

@@ -8,6 +8,7 @@ from gearwright.study.running.compare import compare
 from gearwright.study.running.fly_many import fly_many
 from gearwright.study.running.journal import begin, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.running.parts import Part, merge, part_of, slurm
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, resume, run_study
 from gearwright.study.running.search import generations
@@ -15,6 +16,7 @@ from gearwright.study.running.workers import local
 
 __all__ = [
     "Cluster",
+    "Part",
     "Progress",
     "Start",
     "begin",
@@ -25,12 +27,15 @@ __all__ = [
     "generations",
     "local",
     "made_with",
+    "merge",
     "opened",
+    "part_of",
     "recorded",
     "resume",
     "rows_of",
     "run",
     "run_study",
+    "slurm",
     "status",
     "table_of",
     "verify",

@@ -15,6 +15,7 @@ from gearwright.study.answers import Blocks, Row, Table, blocks_of
 from gearwright.study.cases import Case, refuse_unknown_paths
 from gearwright.study.running.journal import Journal, Recorded, begin, in_memory, opened, recorded
 from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.running.parts import WHOLE, Part, refuse_part
 from gearwright.study.running.run import batches, table_of
 from gearwright.study.running.workers import Compute, local
 
@@ -52,7 +53,7 @@ Watch = Callable[[Progress], None]
 
 def run_study(
     study: Study, designs: Mapping[str, Design], *, workers: int = 0, journal: Path | None = None, origin: str = "",
-    watch: Watch | None = None, start: Start = local,
+    watch: Watch | None = None, start: Start = local, part: Part = WHOLE,
 ) -> Table:  # fmt: skip
     """Return the table of a study; the same for one seed, bit for bit, whatever computes it.
 
@@ -64,25 +65,27 @@ def run_study(
         origin: Folder in which the names of designs were looked up.
         watch: Called with the progress each time that cases are finished.
         start: What holds workers; left out: processes of this machine.
+        part: Of the study, for several machines; left out: all of it. `merge` makes the journals of parts one.
 
     Raises:
         DesignError: If paths do not exist, cases are too many, all of them fail, or the journal is there already.
         SolveError: If the journal cannot be written, or no worker starts.
     """
     case_count(study)
+    refuse_part(study, part)
     refuse_unknown_paths(study, designs)
     if journal is None:
         book = in_memory(study, designs)
         with closing(book.database), start(study, designs, workers) as compute:
-            return _run(book, study, workers, watch, compute)
+            return _run(book, study, workers, watch, compute, part)
     begin(journal, study, designs, origin=origin)
     with opened(journal) as book, start(study, designs, workers) as compute:
-        return _run(book, study, workers, watch, compute)
+        return _run(book, study, workers, watch, compute, part)
 
 
 def resume(
     journal: Path, *, workers: int = 0, designs: Mapping[str, Design] | None = None, anyway: bool = False,
-    watch: Watch | None = None, start: Start = local,
+    watch: Watch | None = None, start: Start = local, part: Part = WHOLE,
 ) -> Table:  # fmt: skip
     """Return the table of a study that was stopped, after computing what is missing, from the journal alone.
 
@@ -93,16 +96,18 @@ def resume(
         anyway: Continue with the designs in the journal even if they, or what computes, have changed since.
         watch: Called with the progress each time that cases are finished.
         start: What holds workers; left out: processes of this machine.
+        part: Of the study that is computed; left out: all that is missing.
 
     Raises:
         DesignError: If it is no journal, another runner is at it, or designs or versions have changed.
         SolveError: If the journal cannot be written, or no worker starts.
     """
     known = recorded(journal)
+    refuse_part(known.study, part)
     if not anyway:
         refuse_changes(journal, known, designs or {})
     with opened(journal) as book, start(known.study, known.designs, workers) as compute:
-        return _run(book, known.study, workers, watch, compute)
+        return _run(book, known.study, workers, watch, compute, part)
 
 
 def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]) -> None:
@@ -129,10 +134,11 @@ def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]
     refuse(problems, str(journal))
 
 
-def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute: Compute) -> Table:
-    """Compute what the journal lacks, batch after batch."""
-    done = book.finished()
-    meter = _Meter(case_count(study), len(done), sum(done.values()), watch)
+def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute: Compute, part: Part) -> Table:
+    """Compute what the journal lacks of a part, batch after batch."""
+    own = part.cases(case_count(study))
+    done = {number: failed for number, failed in book.finished().items() if number in own}
+    meter = _Meter(len(own), len(done), sum(done.values()), watch)
     searches = study.sampling.method == "nsga2"
     known = dict(zip(sorted(done), book.rows(done), strict=True)) if done and (searches or watch is not None) else {}
     if watch is not None and done:
@@ -141,7 +147,7 @@ def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute
     book.begin_run(workers)
     for batch, answer in batches(study):
         wanted: list[int] = []
-        missing = _missing(batch, done, wanted)
+        missing = _missing((case for case in batch if case.number in own), done, wanted)
         for finished in compute(missing, meter.total - len(done)):
             together = blocks_of(finished)
             book.append(together)
@@ -149,7 +155,7 @@ def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute
             if searches:
                 known.update(together)
         answer([known[number] for number in wanted if number in known])
-    rows = book.rows(range(meter.total))
+    rows = book.rows(own)
     if len(rows) < meter.total:
         raise SolveError(
             f"{meter.total - len(rows)} of {meter.total} cases were not computed; `gearwright resume` does"
