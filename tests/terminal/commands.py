@@ -68,6 +68,7 @@ COMMANDS = (
     Command("fly in-line-h2"),
     Command("window in-line-h2"),
     Command("compare in-line star"),
+    Command("architectures pair.toml --stages 1 --close 0 --workers 0"),
     Command("close pair.toml --life-h 1000"),
     Command("study"),
     Command("study small.toml --workers 0"),

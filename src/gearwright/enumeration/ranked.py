@@ -110,6 +110,11 @@ def architectures(
     refuse(_problems(life, stages, closed, workers))
     asked = requirement_of(design, fastest=fastest)
     every = list(trains(asked.ratio, stages=tuple(sorted(set(stages))), motor=asked.motor is not None))
+    if not every:
+        message = (
+            f"no train of {' or '.join(map(str, stages))} stages gives a ratio of {asked.ratio:.4g}; ask for others"
+        )
+        refuse([Problem("stages", message)], design.name)
     kept = _begun(journal, _digest(asked, life, beside or {}))
     say = tell or _quiet
     with _keeping(journal, kept) as book:

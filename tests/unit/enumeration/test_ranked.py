@@ -60,13 +60,14 @@ def test_a_journal_is_gone_on_with_and_gives_the_same(tmp_path, monkeypatch):
     [
         ({"life": 0.0}, "life: 0 h is asked"),
         ({"stages": (0,)}, r"stages: \[0\] are asked"),
+        ({"design": gw.read("in-line"), "stages": (1,)}, "no train of 1 stages gives a ratio of 16.5"),
         ({"closed": -1}, "closed: -1 are asked"),
         ({"fastest": -5.0}, "fastest: a motor of -5 rad/s"),
     ],
 )
 def test_what_cannot_be_asked_is_refused_before_anything_is_computed(wrong, said):
     with pytest.raises(DesignError, match=said):
-        gw.architectures(small(), **{"life": LIFE, **wrong})
+        gw.architectures(**{"design": small(), "life": LIFE, **wrong})
 
 
 def test_a_gearbox_is_as_likely_lighter_than_its_equal_as_heavier():

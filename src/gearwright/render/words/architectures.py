@@ -18,8 +18,8 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     yield f"{count} architectures can give the ratio; {refused} of them cannot be sized, each with its reason."
     passing = ranking.passing
     if not passing:
-        looked = f"{len(ranking.closed)} that were closed" if ranking.closed else "none was closed"
-        yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}: {looked}."
+        looked = f"of {len(ranking.closed)} that were closed" if ranking.closed else "as none was closed"
+        yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}, {looked}."
         return
     best = passing[0]
     yield f"The lightest that passes its review for {text(ranking.life, 'life', 3)}: {best.title}, {_weighs(best)}."
