@@ -11,6 +11,7 @@ from gearwright.enumeration.kinds import HELIX, Link, Tables, branches, halved
 from gearwright.enumeration.requirement import Requirement
 from gearwright.enumeration.trains import Architecture, Seat
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import Role, gear_part
 from gearwright.spec import Design, edited
 from gearwright.units import RPM
 
@@ -178,8 +179,8 @@ def _motor_stage(architecture: Architecture, links: Sequence[Link], shafts: Sequ
     if seat not in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS):
         return {}
     wheel = {
-        Seat.PAIR: lambda: shafts[at], Seat.WHEEL: lambda: f"{links[at].names[0]}.wheel",
-        Seat.PINIONS: lambda: f"{links[at].names[1]}.pinion",
+        Seat.PAIR: lambda: shafts[at], Seat.WHEEL: lambda: str(gear_part(links[at].names[0], Role.WHEEL)),
+        Seat.PINIONS: lambda: str(gear_part(links[at].names[1], Role.PINION)),
     }[seat]()  # fmt: skip
     stated: dict[str, Any] = {"pinion": _MOTOR, "wheel": wheel, **halved(links[0].helix)}
     if seat is Seat.PINIONS:

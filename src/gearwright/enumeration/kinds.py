@@ -21,6 +21,8 @@ class Kind:
 
     name: str
     """In words of the trade."""
+    short: str
+    """In the names of files."""
     stages: int
     """How many stages it counts as [-]."""
     least: float
@@ -132,11 +134,11 @@ BASIC: Mapping[tuple[str, str], Callable[[float], float]] = {
 }
 """(carrier, sun) -> 1 + z_r/z_s, which a design asks of a planetary set, from the ratio of its speeds [-] (Willis)."""
 
-PAIR = Kind("pair", 1, 1.3, 7.0, -1, _pair, toothed=True)
-SPLIT = Kind("split path", 2, 1.3, 7.0, 1, _split, toothed=True)
-PLANETARY = Kind("planetary set", 1, 2.9, 11.0, 1, _set("driving", GROUND, "driven"))
-STAR = Kind("star", 1, 1.9, 10.0, -1, _set("driving", "driven", GROUND))
-SOLAR = Kind("solar set", 1, 1.12, 1.52, 1, _set(GROUND, "driving", "driven"))
+PAIR = Kind("pair", "pair", 1, 1.3, 7.0, -1, _pair, toothed=True)
+SPLIT = Kind("split path", "split", 2, 1.3, 7.0, 1, _split, toothed=True)
+PLANETARY = Kind("planetary set", "planetary", 1, 2.9, 11.0, 1, _set("driving", GROUND, "driven"))
+STAR = Kind("star", "star", 1, 1.9, 10.0, -1, _set("driving", "driven", GROUND))
+SOLAR = Kind("solar set", "solar", 1, 1.12, 1.52, 1, _set(GROUND, "driving", "driven"))
 KINDS = {kind.name: kind for kind in (PAIR, SPLIT, PLANETARY, STAR, SOLAR)}
 """By name. Ratios: 1 + z_r/z_s of planetary sets lies between 2.9 and 11, where three planets stand beside each other
 (z_p < 6.4 z_s) and are not smaller than the sun's own teeth allow."""

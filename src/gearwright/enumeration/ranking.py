@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from gearwright.checks import Check
@@ -133,7 +133,4 @@ def _lacks(checks: Sequence[Check]) -> Iterator[tuple[str, float]]:
 
 def _words(error: GearwrightError) -> str:
     problems = error.problems if isinstance(error, DesignError) else ()
-    return "; ".join(f"{problem.path}: {problem.message}" for problem in problems) or " ".join(str(error).split())
-
-
-Tell = Callable[[str], None]
+    return "; ".join(f"{problem.path}: {problem.message}" for problem in problems) or str(error)

@@ -73,7 +73,7 @@ class Architecture:
     def slug(self) -> str:
         """Name of its file."""
         motor = "" if self.motor.seat is Seat.NONE else f"-motor-{self.motor.seat.name.lower()}-{self.motor.at}"
-        return "-".join(name.split()[0] for name in self.kinds) + motor
+        return "-".join(kind.short for kind in self.members) + motor
 
 
 def trains(ratio: float, *, stages: Sequence[int] = (2, 3), motor: bool = True) -> Iterator[Architecture]:

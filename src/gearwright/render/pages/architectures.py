@@ -49,7 +49,7 @@ def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
         Section("What they look like", figures=tuple(_drawn(ranking, sized))),
         Section("Where the mass is", tables=(group_table({name: complete_mass(one) for name, one in sized.items()}),)),
         Section(
-            f"The {SHOWN} most promising of {len(ranking.candidates)}",
+            f"The {min(SHOWN, len(ranking.candidates))} most promising of {len(ranking.candidates)}",
             tables=(architectures_table(ranking.candidates[:SHOWN], ""),),
         ),
     )
