@@ -68,6 +68,7 @@ def test_concrete_classes_do_not_inherit_from_each_other():
         "Mark",  # of a figure: layer and name in the legend, which all marks have
         "Console",  # of rich, and
         "TypeError",
+        "str",  # of which the names of lanes are one, as words take them, and
         "InLanes",  # of which there is one, whose operators need functions of it
         "NodeTransformer",
         "SourceFileLoader",

@@ -7,6 +7,6 @@ from gearwright.lanes.builtin import chosen
 from gearwright.lanes.lanes import Lanes, lanes_of
 from gearwright.lanes.rebound import rebound
 from gearwright.lanes.twins import CHANGES, twin
-from gearwright.lanes.work import Diverged, Unsupported
+from gearwright.lanes.work import Diverged, Unsupported, each
 
-__all__ = ["CHANGES", "Diverged", "Lanes", "Unsupported", "chosen", "lanes_of", "rebound", "twin"]
+__all__ = ["CHANGES", "Diverged", "Lanes", "Unsupported", "chosen", "each", "lanes_of", "rebound", "twin"]

@@ -155,7 +155,24 @@ def power(one: Any, other: Any) -> Any:
         return _powers(one, other)
     if type(other) in (int, float) and other == 2 and not is_complex(one):
         return np.square(one.data)
-    return per_lane(operator.pow, one, other)
+    return _array_powers(one, other)
+
+
+_SPECIAL = (-1.0, 0.0, 0.5, 1.0, 2.0)
+"""Exponents for which numpy calls other functions of arrays."""
+
+
+def _array_powers(one: Any, other: Any) -> Any:
+    """Return powers of arrays of real numbers, entry by entry, over all lanes as over one long array."""
+    base, exponent = (data_of(value).dtype.kind for value in (one, other))
+    if base != "f" or exponent not in "fi":
+        return per_lane(operator.pow, one, other)
+    if is_number(other) and np.isin(data_of(other), _SPECIAL).any():
+        return per_lane(operator.pow, one, other)
+    if isinstance(other, InLanes):
+        parts = np.broadcast_arrays(*aligned(one, other))
+        return np.power(*(np.ascontiguousarray(part, dtype=float) for part in parts))
+    return np.power(np.ascontiguousarray(one.data), np.asarray(other, dtype=float))
 
 
 def _powers(one: Any, other: Any) -> Any:

@@ -10,11 +10,9 @@ import numpy as np
 
 from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import DesignError, refuse
-from gearwright.identity import Kind
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.face_load import face_load_checks
-from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.mass import as_made
@@ -29,20 +27,15 @@ from gearwright.sizing.places import (
     settle,
 )
 from gearwright.sizing.planets import film_checks, fit_planets
-from gearwright.sizing.rating import Known, context_of, demands_of
+from gearwright.sizing.rating import Known
 from gearwright.sizing.result import PRELIMINARY, Sizing
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
-from gearwright.sizing.stages import compound_sizes, gear_checks, pass_checks, size_gears, size_meshes, stage_sizes
-from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
-from gearwright.spec import Design, edited
+from gearwright.sizing.stages import Geared, geared
+from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
+from gearwright.spec import Design
 from gearwright.spec.design import Given, given_values
-from gearwright.train import Train, Turning, build_train, power_flows
+from gearwright.train import Train, build_train
 from gearwright.verbs import verb
-
-LOCAL = (Kind.GEAR, Kind.MESH, Kind.STAGE)
-"""Parts whose checks tooth numbers decide: roots, flanks, scuffing, contact ratio, undercut, tips, sliding, rims."""
-LOOKED_AT = 6
-"""Combinations of the lightest gears of which a preliminary sizing takes the first whose gears pass [-]."""
 
 
 @verb
@@ -51,7 +44,7 @@ def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
     Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does; at a
-    preliminary level the first of the lightest whose gears pass theirs.
+    preliminary level that with the lightest gears that pass theirs, or come nearest to it.
 
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
@@ -61,14 +54,20 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
+    train = build_train(design)
+    if design.level == PRELIMINARY and design.teeth.sized == 1:
+        return _of_nearest_gears(design, train, given.values)
+    return _lightest(design, train, given.values)
+
+
+def _lightest(design: Design, train: Train, given: Mapping[str, Given]) -> Sizing:
+    """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
     best = dict[bool, Sizing]()
     masses: Mapping[bool, list[float]] = {True: [], False: []}
     refused, known = list[DesignError](), Known()
-    train = build_train(design)
-    lazily = design.level == PRELIMINARY and design.teeth.sized == 1
-    for choice in choose_teeth(_looked_at(design) if lazily else design, train):
+    for choice in choose_teeth(design, train):
         try:
-            sizing = sized_with(design, train, choice, given=given.values, known=known)
+            sizing = sized_with(design, train, choice, given=given, known=known)
         except DesignError as error:
             refused.append(error)
             continue
@@ -76,8 +75,6 @@ def size(design: Design) -> Sizing:
         masses[passes].append(sizing.mass)
         if passes not in best or sizing.mass < best[passes].mass * (1.0 - EQUAL):
             best[passes] = sizing
-        if lazily and passes:
-            break
     if not best:
         raise refused[0]
     taken, alike = best.get(True) or best[False], masses[True] or masses[False]
@@ -94,15 +91,45 @@ def size(design: Design) -> Sizing:
     return replace(taken, search=search)
 
 
-def _looked_at(design: Design) -> Design:
-    """Return a design of which as many combinations are sized as a preliminary sizing looks at."""
-    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": LOOKED_AT})})
-
-
 def _passes(sizing: Sizing) -> bool:
-    """Tell whether teeth may be taken: nothing fails; at a preliminary level, nothing of the gears themselves."""
-    local = sizing.level == PRELIMINARY
-    return not any(check.fails and (not local or check.part.kind in LOCAL) for check in sizing.checks)
+    """Tell whether nothing fails."""
+    return not any(check.fails for check in sizing.checks)
+
+
+def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given]) -> Sizing:
+    """Return the transmission of the teeth whose gears come nearest to meeting everything, the lightest of equals."""
+    choices = choose_teeth(considering(design), train)
+    trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
+    known, refused, found = Known(), list[DesignError](), dict[int, Geared]()
+    while (place := trying.next()) is not None:
+        try:
+            gears = geared(design, train, choices[place], given=given, known=known)
+        except DesignError as error:
+            refused.append(error)
+            continue
+        found[place] = gears
+        trying.note(place, gears.nearness, gears.heaviness, mass=gears.mass)
+    for tried in trying.ranked():
+        try:
+            sizing = completed(found[tried.place], given)
+        except DesignError as error:
+            refused.append(error)
+            continue
+        if sizing.search is None:
+            return sizing
+        failing = sum(one.nearness < 1.0 for one in trying.tried)
+        search = replace(sizing.search, sized=len(found), failing=failing, refused=len(refused))
+        return replace(sizing, search=search)
+    raise refused[0]
+
+
+def considering(design: Design) -> Design:
+    """Return a design of which the search tells as many combinations as a preliminary sizing considers.
+
+    Args:
+        design: As read.
+    """
+    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": CONSIDERED})})
 
 
 def sized_with(
@@ -117,24 +144,23 @@ def sized_with(
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes have given with other teeth of the design, and are to give.
     """
-    teeth = choice.teeth
-    if choice.planets:
-        design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})
-        train = build_train(design)
-    efficiency = design.efficiencies
-    flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
-    refuse_contradictions(design, flows)
-    refuse_beyond(design, flows)
-    context = context_of(design, train, teeth, flows, given, known=known)
-    demands = demands_of(context)
-    sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
-    gears = fit_planets(context, size_gears(context, sizes))
-    meshes = size_meshes(context, gears, demands)
+    return completed(geared(design, train, choice, given=given, known=known), given)
+
+
+def completed(found: Geared, given: Mapping[str, Given]) -> Sizing:
+    """Return the transmission of sized gears: what planets turn on, what carries gears, and where all stands.
+
+    Args:
+        found: Gears and meshes.
+        given: Path -> value that the user gives instead of the computed one.
+    """
+    context, meshes = found.context, found.meshes
+    design, train, flows = context.design, context.train, context.flows
+    gears = fit_planets(context, found.gears)
     settled = settle(context, gears)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [
-        *gear_checks(context, gears, meshes, sizes),
-        *pass_checks(context),
+        *found.checks,
         *(check for shaft in shafts for check in shaft_checks(shaft)),
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in settled.built for check in built_checks(shaft, design)),
@@ -149,14 +175,14 @@ def sized_with(
         *order_checks(context, arrangement),
         *beside_checks(context, arrangement),
         *keep_out_checks(design, arrangement.bodies),
-        *locking_checks(design, train, teeth, flows),
+        *locking_checks(design, train, context.teeth, flows),
         *machine_checks(context),
     ]
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
     sizing = Sizing(
         design=design,
         train=train,
-        teeth=teeth,
+        teeth=context.teeth,
         flows=flows,
         gears=gears,
         meshes=meshes,
@@ -169,7 +195,7 @@ def sized_with(
         joints=settled.joints,
         checks=accepted(checks, design.waivers),
         given=given,
-        search=choice.search,
+        search=found.choice.search,
     )
     dipping(sizing, design.losses.dip, "losses.dip")
     return refuse_no_numbers(as_made(sizing))

@@ -3,13 +3,16 @@
 import math
 from functools import cache
 
+import numpy as np
 import pytest
 
-from designs import PAIR, problem
+from designs import ONE_SET, PAIR, problem
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
+from gearwright.render.tables.sizing.teeth import chosen_teeth
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size, size_many
+from gearwright.sizing.answers import total_results
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import at_level, design_text, edited, parse, read
 
@@ -87,6 +90,36 @@ def test_many_preliminary_sizings_are_those_of_each_alone():
     many = size_many(design, {"turbines.turbine.power_kw": powers})
     alone = [size(edited(design, {"turbines.turbine.power_kw": power})).mass for power in powers]
     assert many.columns["mass"].tolist() == alone
+
+
+def test_many_preliminary_sets_are_computed_together_with_bearings_of_their_own():
+    """Propeller speeds: other teeth and other bearings of planets from row to row, with the bits of each alone."""
+    text = ONE_SET.format(speed=1900) + 'sun = "fast"\nring = "ground"\ncarrier = "slow"\nplanets = 3\n'
+    design = edited(at_level(parse(text), "preliminary"), LIFE)
+    many = size_many(design, {"propellers.propeller.speed_rpm": [1850.0 + 20.0 * k for k in range(14)]})
+    assert int(many.together.sum()) > 7
+    for row in np.flatnonzero(many.together)[::5].tolist():
+        alone = total_results(many.at(row))
+        assert {name: values[row] for name, values in many.columns.items()} == {
+            name: alone[name].value for name in many.columns
+        }
+
+
+def test_a_gear_of_two_stages_bears_what_both_ask_of_it():
+    """The motor of Off-Set H2 meshes with a pinion of the second stage: one module and face for both."""
+    sizing = size(edited(at_level(read(shipped_design("off-set-h2")), "preliminary"), LIFE))
+    assert [check.name for check in sizing.checks if check.fails and check.part.kind in GEARS] == []
+    gears = {gear.name: gear for gear in sizing.gears}
+    assert gears["motor-stage.pinion"].face_width <= gears["second.pinion"].face_width
+
+
+def test_a_standard_module_near_a_resonance_gives_way_to_teeth_that_have_none():
+    """At 1204 rpm the lightest teeth ask for 4 mm, 40 % heavier than others whose gears pass with 3.5 mm."""
+    text = {"propellers.propeller.speed_rpm": 1187.5, "motors.electric.power_kw": 1050.0}
+    sizing = size(edited(at_level(read(shipped_design("in-line-h2")), "preliminary"), {**LIFE, **text}))
+    assert sizing.search.failing == 0 and sizing.search.sized > 1
+    assert "gears of" in chosen_teeth(sizing) and "fall short" not in chosen_teeth(sizing)
+    assert sizing.mass < 80.0
 
 
 def test_levels_that_there_are_not_and_what_a_preliminary_design_lacks_are_told():

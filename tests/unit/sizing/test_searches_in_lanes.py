@@ -10,7 +10,7 @@ from gearwright.parts.iso6336 import StressBin, Treatment, bending_life_curve, c
 from gearwright.sizing.many import size_many
 from gearwright.sizing.many.by_lane import each_lane, of_lane, stacked_lanes
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.rating.widths import narrowest, next_standard, under_spectrum
+from gearwright.sizing.rating.widths import narrowest, next_standard, strong_enough, under_spectrum
 
 assert size_many  # which changes the twins
 
@@ -45,6 +45,21 @@ def test_modules_under_a_spectrum_are_those_of_each_lane(is_rounded):
     rows = zip(start.data.tolist(), power.data.tolist(), strict=True)
     alone = [under_spectrum(at, 10.0, lambda module, width, p=p: (module / 4e-3) ** p, rounded[1]) for at, p in rows]
     assert found.data.tolist() == alone
+
+
+def test_modules_beyond_a_resonance_are_those_of_each_lane():
+    """A gap that dips at a module of its own in every lane: none, one or more steps up, and some in vain."""
+    start, dip = next_standard_of(lanes(1e-3, 9e-3)), lanes(1e-3, 1.2e-2, seed=5)
+    twin = twinned("gearwright.sizing.rating.widths")
+    found = twin.strong_enough(start, 10.0, lambda module, width: (module / dip) ** 2, twin.next_standard)
+    rows = zip(start.data.tolist(), dip.data.tolist(), strict=True)
+    alone = [strong_enough(at, 10.0, lambda module, width, d=d: (module / d) ** 2, next_standard) for at, d in rows]
+    assert found.data.tolist() == alone
+    assert len({value / at for value, at in zip(alone, start.data.tolist(), strict=True)}) > 3
+
+
+def next_standard_of(needed):
+    return Lanes(np.array([next_standard(value) for value in needed.data.tolist()]))
 
 
 @pytest.mark.parametrize("curve_of", [contact_life_curve, bending_life_curve])

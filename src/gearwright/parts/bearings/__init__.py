@@ -39,6 +39,7 @@ from gearwright.parts.bearings.load import (
     taper_static_factors,
 )
 from gearwright.parts.bearings.modified_life import (
+    THINNEST,
     Cleanliness,
     OilFilter,
     cleanliness_factor,
@@ -90,6 +91,7 @@ __all__ = [
     "FOUR_POINT_STATIC",
     "ISO_R281_1962",
     "STEEL_DENSITY",
+    "THINNEST",
     "BearingGeometry",
     "BearingKind",
     "Cleanliness",

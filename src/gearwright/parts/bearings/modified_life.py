@@ -25,6 +25,8 @@ class _Modification(NamedTuple):
     last: float
 
 
+THINNEST = 0.1
+"""Least viscosity ratio κ for which ISO 281 gives a life [-]."""
 _BALL = _Modification(2.5671, (2.2649, 1.9987), 0.83, 1.0 / 3.0, 9.3)
 _ROLLER = _Modification(1.5859, (1.3993, 1.2348), 1.0, 0.4, 9.185)
 _FILM_EXPONENTS = ((0.4, 0.054381), (1.0, 0.19087), (math.inf, 0.071739))
@@ -127,7 +129,7 @@ def life_modification(clean_share: float, viscosity_ratio: float, kind: BearingK
     Raises:
         DesignError: If the oil is too thin for the standard.
     """
-    if viscosity_ratio < 0.1:
+    if viscosity_ratio < THINNEST:
         message = f"κ = {viscosity_ratio:.3g} is below 0.1, where ISO 281 gives no life; take a thicker oil"
         raise DesignError([Problem("viscosity_ratio", message)])
     law, kappa = (_BALL if kind.is_ball else _ROLLER), min(viscosity_ratio, 4.0)

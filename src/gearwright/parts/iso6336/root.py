@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -213,17 +213,23 @@ def _corner(loaded: LoadedTooth, tooth: ToothProportions) -> Value:
 
 
 def _tangent_angle(drop: Value, constant: Value, teeth: Value) -> Value:
-    """Solve ϑ = 2 G/z_n tan ϑ − H by Newton's iteration, for all variants at once."""
+    """Solve ϑ = 2 G/z_n tan ϑ − H by Newton's iteration, for all variants at once; each stops where it is found."""
     theta = -constant
+    moving: Any = 1.0
     for _ in range(_STEPS):
         slope = 1.0 - 2.0 * drop / (teeth * np.cos(theta) ** 2)
-        step = (theta - 2.0 * drop / teeth * np.tan(theta) + constant) / slope
+        step = moving * (theta - 2.0 * drop / teeth * np.tan(theta) + constant) / slope
         theta = theta - step
-        if np.all(np.abs(step) < 1e-14):
+        moving = np.abs(step) >= 1e-14
+        if not _any(moving):
             break
     if not np.all((theta > 0.0) & (theta < 0.5 * np.pi)):
         raise SolveError(_NO_TOOTH)
     return theta
+
+
+def _any(moving: Any) -> bool:
+    return bool(np.any(moving))
 
 
 def _load_angle(loaded: LoadedTooth) -> tuple[Value, Value]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from gearwright.lanes import CHANGES, Diverged, Lanes, chosen, lanes_of
 from gearwright.lanes.twins import PREFIX
+from gearwright.sizing.many.planet_bearings import friction, lives, of_catalogue
 from gearwright.spec import Record
 from gearwright.spec.edit import replaced
 
@@ -32,6 +33,15 @@ def each_lane(function: Callable[..., Any], usual: Callable[..., Any]) -> Callab
         return stacked_lanes([function(*(of_lane(value, k) for value in values)) for k in range(max(counts))])
 
     return computed
+
+
+def holds_lanes(value: Any) -> bool:
+    """Tell whether there are lanes in a value.
+
+    Args:
+        value: A number, or a collection or record.
+    """
+    return next(_lanes_in(value), None) is not None
 
 
 def _lanes_in(value: Any) -> Iterator[Lanes]:
@@ -70,11 +80,11 @@ def of_lane(value: Any, k: int) -> Any:
     if isinstance(value, dict):
         return {name: of_lane(part, k) for name, part in value.items()}
     if isinstance(value, Record):
-        varied = {name: part for name, part in value.__dict__.items() if next(_lanes_in(part), None) is not None}
+        varied = {name: part for name, part in value.__dict__.items() if holds_lanes(part)}
         return replaced(value, {(name,): of_lane(part, k) for name, part in varied.items()}) if varied else value
     if is_dataclass(value) and not isinstance(value, type):
         own = {part.name: getattr(value, part.name) for part in fields(value)}
-        varied = {name: part for name, part in own.items() if next(_lanes_in(part), None) is not None}
+        varied = {name: part for name, part in own.items() if holds_lanes(part)}
         return replace(value, **{name: of_lane(part, k) for name, part in varied.items()}) if varied else value
     return value
 
@@ -149,6 +159,18 @@ def _widths(module: ModuleType) -> None:
                 break
         return size
 
+    def strong_enough(module_: Any, ratio: Any, gap: Any, rounded: Any) -> Any:
+        tried, left, found = module_, lanes_of(np.True_), module_
+        for _ in range(module.STEPS_UP):
+            met = left & lanes_of(gap(tried, ratio * tried) >= 1.0 - module.JUST)
+            found, left = chosen(met, tried, found), left & ~met
+            following = chosen(left, rounded(tried * (1.0 + module.NEXT)), tried)
+            left = left & lanes_of(following > tried * (1.0 + 2.0 * module.NEXT))
+            if not left.data.any():
+                break
+            tried = following
+        return found
+
     def narrowest(least: Any, widest: Any, gap: Any) -> Any:
         least, widest = np.broadcast_arrays(lanes_of(least).data, lanes_of(widest).data)
         low = Lanes(np.ceil(np.minimum(least, widest) / module._MM - 1e-9).astype(np.int64))
@@ -159,7 +181,7 @@ def _widths(module: ModuleType) -> None:
             high, low = chosen(active & met, middle, high), chosen(active & ~met, middle + 1, low)
         return high * module._MM
 
-    for changed in (next_standard, under_spectrum, narrowest):
+    for changed in (next_standard, under_spectrum, strong_enough, narrowest):
         setattr(module, changed.__name__, changed)
 
 
@@ -245,6 +267,11 @@ def _rooms(module: ModuleType) -> None:
     module._meetings, module.room_checks = meetings_of, room_checks  # type: ignore[attr-defined]
 
 
+def _roots(module: ModuleType) -> None:
+    """Go on with tangent points until those of all lanes are found."""
+    module._any = lambda moving: bool(lanes_of(moving).data.any())  # type: ignore[attr-defined]
+
+
 def _alone_known(module: ModuleType) -> None:
     """Keep nothing of meshes: lanes are no keys."""
     module.once = lambda _context, _rating, _key, computed: computed()  # type: ignore[attr-defined]
@@ -259,9 +286,13 @@ CHANGES.update({
     "gearwright.sizing.rating.context": _alone_known,
     "gearwright.sizing.stages.stage_sizes": _whole,
     "gearwright.sizing.places.room": _rooms,
+    "gearwright.parts.iso6336.root": _roots,
     "gearwright.parts.iso6336.steels.life": _lives,
     "gearwright.parts.iso6336.steels.damage": _damages,
     "gearwright.sizing.rating.widths": _widths,
     "gearwright.sizing.rating.search": _rated,
+    "gearwright.sizing.planets.choice": of_catalogue,
+    "gearwright.catalogue.bearing_oil": friction,
+    "gearwright.parts.bearings.modified_life": lives,
     "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
 })  # fmt: skip

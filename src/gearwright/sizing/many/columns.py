@@ -16,10 +16,12 @@ import numpy as np
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import GearwrightError
 from gearwright.lanes import Diverged, Lanes, Unsupported
-from gearwright.sizing.many.search import Rows, choose_rows
+from gearwright.sizing.many.nearest import Looked, nearest_rows
+from gearwright.sizing.many.search import Rows, choose_rows, consider_rows
 from gearwright.sizing.many.sizings import Structure, structure_of
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.teeth import Chosen
+from gearwright.sizing.result import PRELIMINARY
+from gearwright.sizing.teeth import CONSIDERED, Chosen
 from gearwright.spec import Design, edited
 from gearwright.spec.design import given_values
 from gearwright.spec.edit import entry_of, replaced
@@ -191,14 +193,18 @@ def _python(cell: Any) -> Any:
 def _size(group: Group, place: Ints, found: Found, results: Sequence[str] | None) -> None:
     """Size some rows of a group, and note their results."""
     for part, rows in _parting(place, partial(_teeth, group)):
-        planets = np.stack([*rows.planets.values(), np.zeros(len(part))]) if rows.planets else np.zeros((1, len(part)))
-        for counts in np.unique(planets[:, rows.found], axis=1).T:
-            own = np.flatnonzero(rows.found & (planets == counts[:, None]).all(axis=0))
-            given = dict(zip(rows.planets, counts.astype(int).tolist(), strict=False))
-            teeth = {gear: numbers[own] for gear, numbers in rows.teeth.items()}
-            sized = partial(_numbers, group, part[own], teeth, given, results)
-            for some, numbers in _parting(np.arange(len(own)), sized):
-                found.add(group.rows[part[own[some]]], numbers)
+        for some, numbers in _at_once(rows, partial(_numbers, group, part, results)):
+            found.add(group.rows[part[some]], numbers)
+
+
+def _at_once(rows: Rows, computed: Callable[[Rows, Mapping[str, int], Ints], Any]) -> Iterator[tuple[Ints, Any]]:
+    """Yield what is computed of rows with teeth, those of equal numbers of planets at once."""
+    count = len(rows.found)
+    planets = np.stack([*rows.planets.values(), np.zeros(count)]) if rows.planets else np.zeros((1, count))
+    for counts in np.unique(planets[:, rows.found], axis=1).T:
+        own = np.flatnonzero(rows.found & (planets == counts[:, None]).all(axis=0))
+        given = dict(zip(rows.planets, counts.astype(int).tolist(), strict=False))
+        yield from _parting(own, partial(computed, rows, given))
 
 
 def _teeth(group: Group, place: Ints) -> Rows:
@@ -208,20 +214,40 @@ def _teeth(group: Group, place: Ints) -> Rows:
         raise Unsupported("built shafts with gears that a standard rates")
     if twinned("gearwright.spec.checks.design").reference_problems(design) or given_values(design).problems:
         raise TypeError("a design that is refused")
-    return choose_rows(design, twinned("gearwright.train").build_train(design), len(place))
+    train = twinned("gearwright.train").build_train(design)
+    if design.level != PRELIMINARY or design.teeth.sized != 1:
+        return choose_rows(design, train, len(place))
+    considered = consider_rows(design, train, len(place), kept=CONSIDERED)
+
+    def look(rows: Ints, teeth: Rows) -> Iterator[tuple[Ints, Looked]]:
+        yield from _at_once(teeth, partial(_looked, group, place[rows]))
+
+    return nearest_rows(train, considered, look, count=len(place))
 
 
-def _numbers(
-    group: Group, place: Ints, teeth: Mapping[str, Ints], planets: Mapping[str, int], results: Sequence[str] | None,
-    some: Ints,
-) -> Mapping[str, Any]:  # fmt: skip
-    """Return the results of some of the rows whose teeth are chosen."""
+def _in_lanes(group: Group, place: Ints, rows: Rows, planets: Mapping[str, int], some: Ints) -> tuple[Any, Any, Any]:
+    """Return design, train and teeth of some rows in lanes."""
     base = edited(group.design, {f"planetaries.{name}.planets": count for name, count in planets.items()})
     design = group.lanes(place[some], base)
     train = twinned("gearwright.train").build_train(design)
-    in_every: Any = {gear: Lanes(numbers[some]) for gear, numbers in teeth.items()}
+    return design, train, Chosen({gear: Lanes(numbers[some]) for gear, numbers in rows.teeth.items()}, {})  # type: ignore[misc]
+
+
+def _looked(group: Group, place: Ints, rows: Rows, planets: Mapping[str, int], some: Ints) -> Looked:
+    """Return what comes of the gears of some of the rows with some teeth."""
+    design, train, choice = _in_lanes(group, place, rows, planets, some)
+    geared = twinned("gearwright.sizing.stages.geared").geared
+    gears = geared(design, train, choice, given=given_values(design).values)
+    return Looked(gears.nearness, gears.heaviness, gears.mass)
+
+
+def _numbers(
+    group: Group, place: Ints, results: Sequence[str] | None, rows: Rows, planets: Mapping[str, int], some: Ints
+) -> Mapping[str, Any]:
+    """Return the results of some of the rows whose teeth are chosen."""
+    design, train, choice = _in_lanes(group, place, rows, planets, some)
     given = given_values(design).values
-    sizing = twinned("gearwright.sizing.size").sized_with(design, train, Chosen(in_every, {}), given=given)
+    sizing = twinned("gearwright.sizing.size").sized_with(design, train, choice, given=given)
     named = twinned("gearwright.sizing.answers.named")
     if results is None:
         return dict(named.total_results(sizing))

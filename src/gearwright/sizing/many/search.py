@@ -6,17 +6,18 @@ row of a choice stands among its teeth, so that choices of different rows never 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.lanes import Lanes, Unsupported, lanes_of
-from gearwright.sizing.many.by_lane import of_lane
+from gearwright.lanes import Lanes, Unsupported
+from gearwright.sizing.many.batch import ROW, Batch, batch_of, rows_of
+from gearwright.sizing.many.by_lane import holds_lanes
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.result import PRELIMINARY
+from gearwright.sizing.rating import ELEMENTWISE
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
 from gearwright.sizing.teeth.forbidden import clear
 from gearwright.sizing.teeth.front import Front
@@ -31,12 +32,8 @@ from gearwright.sizing.teeth.stage import (
     tooth_ratio,
     weighed_front,
 )
-from gearwright.sizing.teeth.states import EQUAL, Needs, needs_of, states_of
+from gearwright.sizing.teeth.states import EQUAL, Needs, needs_of, ranks_of, states_of
 from gearwright.spec import Design
-from gearwright.spec.edit import replaced
-
-ROW = "\0row"
-"""Under which name the row of a choice stands among its teeth."""
 
 AT_ONCE = 128
 """Rows that are searched at once, so that memory is bounded [-]."""
@@ -53,74 +50,17 @@ class Rows(NamedTuple):
     """Rows whose teeth are chosen; the others are to be searched alone."""
 
 
-def rows_of(value: Any, count: int) -> Any:
-    """Return a number of every row.
+class Considered(NamedTuple):
+    """Combinations of teeth of many designs, one after the other, those of a design together, its lightest first."""
 
-    Args:
-        value: Lanes, or a number that all rows have.
-        count: Rows [-].
-    """
-    return np.broadcast_to(lanes_of(value).data, (count,))
-
-
-def _spread(rating: Any, row: Ints) -> Any:
-    """Return rules whose numbers that are lanes are those of the row of every choice."""
-    rules, material = rating.rules, rating.material
-    own = {name: value for name, value in rules.__dict__.items() if type(value) is Lanes}
-    steel = {name: value for name, value in vars(material).items() if type(value) is Lanes}
-    if own:
-        rules = replaced(rules, {(name,): rows_of(value, len(value.data))[row] for name, value in own.items()})
-    if steel:
-        material = replace(material, **{name: value.data[row] for name, value in steel.items()})
-    return replace(rating, rules=rules, material=material) if own or steel else rating
-
-
-def _banned(ban: Any, row: Ints) -> Any:
-    """Return a ban whose numbers that are lanes are those of the row of every choice."""
-    ends: dict[tuple[str, ...], Any] = {
-        (name,): end.data[row] for name in ("lowest", "highest") if type(end := getattr(ban.band, name)) is Lanes
-    }
-    band = replaced(ban.band, ends) if ends else ban.band
-    factors = lanes_of(ban.factor).data
-    return ban._replace(band=band, factor=factors[row] if len(factors) > 1 else float(factors[0]))
-
-
-class _Given(NamedTuple):
-    """What the search of a batch reads."""
-
-    design: Design
-    """As the case holds it that asks for the speeds; its numbers may be lanes."""
-    tasks: Sequence[Any]
-    nominal: Any
-    speeds: Mapping[str, Floats]
-    """Shaft -> asked speed in every row [rad/s]."""
-    asked: Mapping[str, Floats]
-    """Machine -> asked speed in every row [rad/s]."""
-    numbers: Mapping[str, tuple[Floats, Floats, Floats]]
-    """Stage -> torque, speed and rolling speed of its task in every row."""
-    alone: dict[tuple[str, int], Any]
-    """Stage and row -> its task there, as far as asked for."""
-
-    def task(self, task: Any, front: Front) -> Any:
-        """Return a task with the numbers of every choice of a front."""
-        row = front.teeth[ROW]
-        torque, speed, rolling = (numbers[row] for numbers in self.numbers[task.name])
-        bans = tuple(_banned(ban, row) for ban in task.bans)
-        rating = _spread(task.rating, row)
-        return replace(task, torque=torque, speed=speed, rolling=rolling, rating=rating, bans=bans)
-
-    def row(self, task: Any, row: int) -> Any:
-        """Return a task with the numbers of one row."""
-        if (task.name, row) not in self.alone:
-            torque, speed, rolling = (float(numbers[row]) for numbers in self.numbers[task.name])
-            own = of_lane(task, row)
-            self.alone[task.name, row] = replace(own, torque=torque, speed=speed, rolling=rolling, known={}, closed={})
-        return self.alone[task.name, row]
-
-    def targets(self, front: Front) -> Any:
-        """Return the asked speeds of every choice of a front."""
-        row = front.teeth[ROW]
-        return replace(self.nominal, speeds={shaft: speed[row] for shaft, speed in self.speeds.items()})
+    teeth: dict[str, Ints]
+    """Gear -> tooth number in every combination."""
+    planets: dict[str, Ints]
+    """Planetary set whose number of planets is open -> that number in every combination."""
+    mass: Floats
+    """What the gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
+    row: Ints
+    """Design that each is of."""
 
 
 def choose_rows(design: Design, train: Any, count: int) -> Rows:
@@ -134,50 +74,59 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
     Raises:
         Unsupported: If its rows have to be searched one by one.
     """
+    every = consider_rows(design, train, count, kept=1)
+    found = np.bincount(every.row, minlength=count) > 0
+    place = np.zeros(count, dtype=np.int64)
+    place[every.row] = np.arange(len(every.row))
+    teeth, planets = ({name: values[place] for name, values in of.items()} for of in (every.teeth, every.planets))
+    return Rows(teeth, planets, found)
+
+
+def consider_rows(design: Design, train: Any, count: int, *, kept: int) -> Considered:
+    """Return so many of the lightest combinations of teeth of every row of a design whose numbers are lanes.
+
+    Args:
+        design: With lanes.
+        train: Its graph.
+        count: Rows [-].
+        kept: How many of each [-].
+
+    Raises:
+        Unsupported: If its rows have to be searched one by one.
+    """
     search = twinned("gearwright.sizing.teeth.search")
     if all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
         teeth = search.given_teeth(design)
-        every = np.ones(count, dtype=bool)
-        return Rows({gear: rows_of(number, count) for gear, number in teeth.items()}, {}, every)
-    rules = design.teeth
-    if rules.sized != 1 or design.level == PRELIMINARY or rules.split != "equal" or rules.ring_deviation:
-        raise Unsupported("teeth that are searched in another way")
-    nominal = search.targets(design)
-    if any(not is_given(stage) and nominal.tooth_ratios[name] <= 1.0 for name, stage in design.planetaries.items()):
-        raise Unsupported("a ring no larger than its sun")
-    flow, kept = search.nominal_flow(design, train, nominal)
-    given_design, design = design, nominal.design
-    tasks = [search.task_of(name, design, train, nominal, flow) for name in design.simple_stages]
-    bans = search.banned(tasks, given_design, train, nominal, flow)
-    if bans.whole:
-        raise Unsupported("bands of frequencies that only whole trains are held against")
-    tasks = search.with_twins(bans.tasks, design, nominal)
-    given = _Given(
-        design, tasks, nominal,
-        {shaft: rows_of(speed, count) for shaft, speed in nominal.speeds.items()},
-        {name: rows_of(machine.asked_speed, count) for name, machine in design.machines.items()
-         if machine.asked_speed is not None},
-        {task.name: tuple(rows_of(number, count) for number in (task.torque, task.speed, task.rolling))
-         for task in tasks},
-        {},
-    )  # fmt: skip
+        return Considered(
+            {gear: rows_of(number, count) for gear, number in teeth.items()}, {}, np.zeros(count), np.arange(count)
+        )
+    given = batch_of(design, train, count, search)
     fronts = []
     for first in range(0, count, AT_ONCE):
         row = np.arange(first, min(first + AT_ONCE, count))
-        start = Front({ROW: row}, {shaft: given.speeds[shaft][row] for shaft in kept}, {}, {})
-        fronts.append(_searched(given, start))
-    return _chosen(given, search, fronts[0].joined(fronts[1:]), count)
+        start = Front({ROW: row}, {shaft: given.speeds[shaft][row] for shaft in given.kept}, {}, {})
+        fronts.append(_searched(given, start, kept))
+    return _considered(given, search, fronts[0].joined(fronts[1:]), kept=kept, count=count)
 
 
-def _chosen(given: _Given, search: Any, front: Front, count: int) -> Rows:
-    """Return of every row the first of its lightest choices."""
+def _considered(given: Batch, search: Any, front: Front, *, kept: int, count: int) -> Considered:
+    """Return of every row its lightest choices, the first of those that are as light as any before the others."""
     mass, row = aligned(front, given.design).mass, front.teeth[ROW]
-    place = _first_lightest(row, mass, count)
-    found = place >= 0
-    teeth = {name: values[place] for name, values in front.teeth.items() if name != ROW}
-    teeth |= {gear: rows_of(number, count) for gear, number in search.compound_teeth(given.design).items()}
+    first = _first_lightest(row, mass, count)
+    order = first[first >= 0]
+    if kept > 1:
+        leads = np.ones(len(row), dtype=bool)
+        leads[order] = False
+        ordered = np.lexsort((ranks_of(mass), leads, row))
+        begin = np.flatnonzero(np.diff(row[ordered], prepend=-1))
+        order = ordered[np.arange(len(row)) - np.repeat(begin, np.diff(begin, append=len(row))) < kept]
+    taken = front.take(order)
+    teeth = {name: values for name, values in taken.teeth.items() if name != ROW}
+    compound = search.compound_teeth(given.design)
+    teeth |= {gear: rows_of(number, count)[taken.teeth[ROW]] for gear, number in compound.items()}
     left_out = {name for name, stage in given.design.planetaries.items() if stage.planets_given is None}
-    return Rows(teeth, {name: values[place] for name, values in front.planets.items() if name in left_out}, found)
+    planets = {name: values for name, values in taken.planets.items() if name in left_out}
+    return Considered(teeth, planets, mass[order], taken.teeth[ROW])
 
 
 def _first_lightest(row: Ints, mass: Floats, count: int) -> Ints:
@@ -192,7 +141,7 @@ def _first_lightest(row: Ints, mass: Floats, count: int) -> Ints:
     return place
 
 
-def _searched(given: _Given, front: Front) -> Front:
+def _searched(given: Batch, front: Front, kept: int) -> Front:
     """Return whole combinations of every row, as far as they are found here."""
     later = list(given.tasks)
     front = carried_over(given.design, front)
@@ -201,7 +150,7 @@ def _searched(given: _Given, front: Front) -> Front:
         if task is None:
             raise Unsupported("stages to which no known speed leads")
         later.remove(task)
-        front = _extended(given, front, task, needs_of(later, given.design), last=not later)
+        front = _extended(given, front, task, needs_of(later, given.design, kept=kept), last=not later)
         front = carried_over(given.design, _not_too_many(front))
     return front
 
@@ -215,7 +164,7 @@ def _not_too_many(front: Front) -> Front:
     return front.take(~many[row]) if many.any() else front
 
 
-def _extended(given: _Given, front: Front, task: Any, needs: Needs, *, last: bool) -> Front:
+def _extended(given: Batch, front: Front, task: Any, needs: Needs, *, last: bool) -> Front:
     """Multiply every row's choices by a stage's candidates; those that find none look further."""
     grown, waiting = list[Front](), front
     for reach in REACHES:
@@ -233,7 +182,7 @@ def _extended(given: _Given, front: Front, task: Any, needs: Needs, *, last: boo
     return whole.take(np.argsort(whole.teeth[ROW], kind="stable")) if len(grown) > 1 else whole
 
 
-def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None:
+def _grown(given: Batch, front: Front, task: Any, reach: Reach) -> Front | None:
     """Return the choices that a stage's candidates make of those of a front."""
     if is_open(front, task, given.design) and len(front) == 1:
         raise Unsupported("a ratio that is the search's own choice")
@@ -252,6 +201,8 @@ def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None
     own = given.task(task, grown)
     if task.rating.proportions is None:
         grown = weighed_front(grown, own, given.design, small, large)
+    elif task.rating.method in ELEMENTWISE and task.rating.kind != "bevel" and not holds_lanes(task.rating):
+        grown = weighed_front(grown, replace(own, row=grown.teeth[ROW]), given.design, small, large)
     else:
         grown = _weighed_by_rows(given, grown, task, small, large)
     if not own.bans:
@@ -260,7 +211,7 @@ def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None
     return grown.take(good) if good.any() else None
 
 
-def _weighed_by_rows(given: _Given, front: Front, task: Any, small: Ints, large: Ints) -> Front:
+def _weighed_by_rows(given: Batch, front: Front, task: Any, small: Ints, large: Ints) -> Front:
     """Add a stage that a standard rates, whose modules are found for the loads of each row."""
     row, parts = front.teeth[ROW], list[Front]()
     starts = np.flatnonzero(np.r_[True, row[1:] != row[:-1]])
@@ -272,7 +223,7 @@ def _weighed_by_rows(given: _Given, front: Front, task: Any, small: Ints, large:
     return parts[0].joined(parts[1:])
 
 
-def _speeds_hold(given: _Given, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:
+def _speeds_hold(given: Batch, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:
     """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
     good = np.ones(len(row), dtype=bool)
     if is_given(task.stage):
@@ -287,6 +238,8 @@ def _speeds_hold(given: _Given, task: Any, speeds: Mapping[str, Floats], row: In
 def _lightest(front: Front, needs: Needs, *, last: bool) -> Front:
     """Return the lightest of the choices of each row that leave the same to the stages after them."""
     mass = front.mass
+    if needs.kept > 1:
+        return _several(front, states_of(front, needs._replace(gears=needs.gears | {ROW})), mass, needs.kept)
     if last and not needs.gears and not needs.groups:
         place = _first_lightest(front.teeth[ROW], mass, int(front.teeth[ROW].max()) + 1)
         return front.take(place[place >= 0])
@@ -298,4 +251,12 @@ def _lightest(front: Front, needs: Needs, *, last: bool) -> Front:
     return front if len(chosen) == len(front) else front.take(chosen)
 
 
-__all__ = ["Chosen", "Lanes", "Rows", "choose_rows"]
+def _several(front: Front, state: Ints, mass: Floats, kept: int) -> Front:
+    """Return so many of the lightest of every state."""
+    order = np.lexsort((mass, state))
+    begin = np.flatnonzero(np.diff(state[order], prepend=-1))
+    light = np.arange(len(order)) - np.repeat(begin, np.diff(begin, append=len(order))) < kept
+    return front if light.all() else front.take(np.sort(order[light]))
+
+
+__all__ = ["Chosen", "Considered", "Lanes", "Rows", "choose_rows", "consider_rows"]

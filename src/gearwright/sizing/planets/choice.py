@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from gearwright.catalogue import bearings, check_bearing
+from gearwright.catalogue import Bearing, bearings, check_bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import BearingKind, life_exponent, pair_factor
 from gearwright.sizing.bearings import as_made, oiled_life, planet_duty, running_of
@@ -23,6 +24,8 @@ SLIMMEST = 0.1
 _HALVINGS = 16
 """Between the last that does not serve and the first that does [-]."""
 _NARROW = 1e-9
+ROLLERS = "cylindrical roller bearing of the catalogue"
+"""What has no room, in the words of a refusal."""
 
 Made = Callable[[float], PlanetBearingSizing | None]
 """Diameter of a pin -> the bearing on it; None where there is none."""
@@ -55,22 +58,32 @@ def chosen(task: Task) -> PlanetBearingSizing:
 
 def _of_catalogue(task: Task) -> PlanetBearingSizing:
     """Return the first cylindrical roller bearing that serves, by outside and width."""
-    count, bore = (
-        task.asked.side_by_side,
-        task.asked.diameter or task.context.given.get(f"{task.planet.stage}.pin_diameter"),
-    )
-    fitting = [
-        on_rollers(task.asked.kind, size, count)
-        for size in sorted(bearings().values(), key=lambda size: (size.outer_diameter, size.width, size.bore))
-        if size.kind is BearingKind.CYLINDRICAL
-        and size.outer_diameter <= task.room + _NARROW
-        and count * size.width <= task.width + _NARROW
-        and (bore is None or abs(size.bore - bore) < _NARROW)
-    ]
+    count = task.asked.side_by_side
+    fitting = [on_rollers(task.asked.kind, size, count) for size in cylindrical() if fits(task, size)]
     if not fitting:
-        _refuse_room(task, "cylindrical roller bearing of the catalogue")
+        _refuse_room(task, ROLLERS)
     tried = (Tried(size, margin(task, size)) for size in fitting)
     return _first(list(_until_one_serves(tried)))
+
+
+@cache
+def cylindrical() -> tuple[Bearing, ...]:
+    """Return the cylindrical roller bearings of the catalogue, by outside, width and bore."""
+    rollers = [size for size in bearings().values() if size.kind is BearingKind.CYLINDRICAL]
+    return tuple(sorted(rollers, key=lambda size: (size.outer_diameter, size.width, size.bore)))
+
+
+def fits(task: Task, size: Bearing) -> bool:
+    """Tell whether bearings have room in a planet, on the pin that the design gives.
+
+    Args:
+        task: The planet.
+        size: Of the bearings.
+    """
+    bore = task.asked.diameter or task.context.given.get(f"{task.planet.stage}.pin_diameter")
+    width = task.asked.side_by_side * size.width
+    within = (size.outer_diameter <= task.room + _NARROW) & (width <= task.width + _NARROW)
+    return within if bore is None else within & (abs(size.bore - bore) < _NARROW)
 
 
 def _by_diameter(task: Task, made: Made) -> PlanetBearingSizing:
@@ -102,6 +115,16 @@ def _until_one_serves(tried: Iterator[Tried]) -> Iterator[Tried]:
         yield one
         if one.margin >= 1.0:
             return
+
+
+def min_margin(task: Task, runs_on: PlanetBearingSizing) -> float:
+    """Return the margin of a bearing, none above 1: what serves is as good as any [-].
+
+    Args:
+        task: The planet.
+        runs_on: Its bearing.
+    """
+    return min(margin(task, runs_on), 1.0)
 
 
 def _first(tried: list[Tried]) -> PlanetBearingSizing:

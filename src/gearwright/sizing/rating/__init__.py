@@ -14,7 +14,7 @@ from gearwright.sizing.rating.context import (
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
-from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
+from gearwright.sizing.rating.methods import ELEMENTWISE, METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
     ClassDamage,
@@ -43,15 +43,18 @@ from gearwright.sizing.rating.standard_teeth import (
 from gearwright.sizing.rating.widths import (
     CORRECTIONS,
     STANDARD_MODULES,
+    Gap,
     bevel_width,
     narrowest,
     next_standard,
     overlap_width,
+    strong_enough,
     under_spectrum,
 )
 
 __all__ = [
     "CORRECTIONS",
+    "ELEMENTWISE",
     "LEAST_TORQUE",
     "METHODS",
     "STANDARD_MODULES",
@@ -61,6 +64,7 @@ __all__ = [
     "Damage",
     "Demand",
     "Factor",
+    "Gap",
     "Known",
     "Load",
     "LoadedMesh",
@@ -93,6 +97,7 @@ __all__ = [
     "row_ask",
     "row_reserve",
     "stage_width_ratio",
+    "strong_enough",
     "under_spectrum",
     "width_ratio",
     "working_radii",

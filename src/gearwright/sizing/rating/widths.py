@@ -19,6 +19,12 @@ STANDARD_MODULES = (
 _MM = 1e-3
 CORRECTIONS = 6
 """Corrections of a module under the load spectrum; each closes most of what is left."""
+STEPS_UP = 4
+"""Rounded modules of which the first that is strong enough is taken [-]."""
+JUST = 1e-6
+"""Part by which a gap may miss: what an exact module leaves of rounding and of its last correction [-]."""
+NEXT = 1e-6
+"""Part by which more is asked than a module to have the next one rounded [-]."""
 LEFT = 2.0
 """How far later corrections may lead, over the last one [-]: twice as far as where each closed but half."""
 
@@ -48,6 +54,28 @@ def under_spectrum(module: float, ratio: float, gap: Gap, rounded: Callable[[flo
         before, module = module, module / math.cbrt(gap(module, ratio * module))
         left = LEFT * abs(module - before)
         if rounded is not None and left < module / 2.0 and rounded(module - left) == rounded(module + left):
+            break
+    return module
+
+
+def strong_enough(module: float, ratio: float, gap: Gap, rounded: Callable[[float], float]) -> float:
+    """Return a rounded module, or the next one that meets the safeties at its greatest face width [m].
+
+    Near a resonance of the mesh a standard module may bear less than the smaller one that is needed. The first stays
+    where none of the next few bears more than is asked, and where rounding gives it whatever is needed.
+
+    Args:
+        module: Rounded up from what is needed [m].
+        ratio: λ = b/m_n of the greatest face width [-].
+        gap: Of the stage.
+        rounded: To what a module is rounded.
+    """
+    tried = module
+    for _ in range(STEPS_UP):
+        if gap(tried, ratio * tried) >= 1.0 - JUST:
+            return tried
+        before, tried = tried, rounded(tried * (1.0 + NEXT))
+        if tried <= before * (1.0 + 2.0 * NEXT):
             break
     return module
 

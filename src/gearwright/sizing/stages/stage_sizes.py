@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
 from gearwright.sizing.rating import (
     Context,
     Demand,
+    Gap,
     bevel_pair,
     bevel_width,
     cone_ratio,
@@ -19,6 +20,7 @@ from gearwright.sizing.rating import (
     next_standard,
     overlap_width,
     row_reserve,
+    strong_enough,
     under_spectrum,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
@@ -71,7 +73,10 @@ def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSiz
     """Return the size of a stage that has its owner's module, and its own face width."""
     if stage == owner:
         return size
-    width = context.given.get(f"{stage}.face_width", context.width_ratios[stage] * size.module)
+    width = context.width_ratios[stage] * size.module
+    if context.ratings[stage].width_is_open:  # a gear of both is as wide as its owner's
+        width = min(width, size.face_width)
+    width = context.given.get(f"{stage}.face_width", width)
     return StageSize(size.module, width, width)
 
 
@@ -109,10 +114,12 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
     if rating.kind != "bevel" and {f"{stage}.module", f"{stage}.face_width"} <= given.keys():
         width = given[f"{stage}.face_width"]
         return StageSize(given[f"{stage}.module"], width, width)
-    bevel, gap = rating.kind == "bevel", partial(_gap, context, stage)
+    bevel, gap = rating.kind == "bevel", _of_group(context, stage, _gap)
     made = partial(_outer_module if bevel else _made_module, context, stage)
     module = made(under_spectrum(needed, ratio, gap, made))
-    return _bevel_size(context, stage, module, ratio) if bevel else _cylinder(context, stage, module, ratio)
+    if bevel:
+        return _bevel_size(context, stage, module, ratio)
+    return _cylinder(context, stage, strong_enough(module, ratio, gap, made), ratio)
 
 
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
@@ -120,6 +127,18 @@ def _gap(context: Context, stage: str, module: float, width: float) -> float:
     rows = [mesh for mesh in context.train.meshes if mesh.stage == stage]
     reserves = [row_reserve(context, mesh, module, width) for mesh in rows]
     return min((reserve for reserve in reserves if reserve is not None), default=1.0)
+
+
+def _of_group(context: Context, stage: str, alone: Callable[[Context, str, float, float], float]) -> Gap:
+    """Return the gap of a stage and of those that have its module, whose gears mesh with its own."""
+    others = [name for name, owner in module_owners(context.design).items() if owner == stage != name]
+
+    def gap(module: float, width: float) -> float:
+        size = StageSize(module, width, width)
+        rest = (alone(context, name, module, _like(context, name, stage, size).face_width) for name in others)
+        return min(alone(context, stage, module, width), *rest)
+
+    return gap if others else partial(alone, context, stage)
 
 
 def _room(context: Context, stage: str, module: float, width: float) -> float:
@@ -142,7 +161,7 @@ def _cylinder(context: Context, stage: str, module: float, ratio: float) -> Stag
     """Return a module and the whole millimetres of face width that meet the safeties with it."""
     rating, width = context.ratings[stage], ratio * module
     if rating.width_is_open:
-        width = narrowest(overlap_width(rating, module), width, partial(_room, context, stage, module))
+        width = narrowest(overlap_width(rating, module), width, partial(_of_group(context, stage, _room), module))
     width = context.given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
 

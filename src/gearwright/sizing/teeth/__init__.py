@@ -3,8 +3,20 @@
 How large the teeth become is for `stages`.
 """
 
+from gearwright.sizing.teeth.masses import made_share
 from gearwright.sizing.teeth.refusal import refuse_contradictions
 from gearwright.sizing.teeth.search import Chosen, choose_teeth
 from gearwright.sizing.teeth.states import EQUAL
+from gearwright.sizing.teeth.trying import CONSIDERED, StageTeeth, Trying, stage_teeth
 
-__all__ = ["EQUAL", "Chosen", "choose_teeth", "refuse_contradictions"]
+__all__ = [
+    "CONSIDERED",
+    "EQUAL",
+    "Chosen",
+    "StageTeeth",
+    "Trying",
+    "choose_teeth",
+    "made_share",
+    "refuse_contradictions",
+    "stage_teeth",
+]

@@ -92,6 +92,8 @@ class Task:
     """z_r − (z_s + 2 z_p) of a ring that is chosen [-]."""
     bans: tuple[Ban, ...] = ()
     """Bands of frequencies at which nothing of it passes."""
+    row: Ints | None = None
+    """Of many designs, that which every choice belongs to; torque, speed and rolling are then those of every choice."""
     known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
     [-] at nominal load, as far as found."""

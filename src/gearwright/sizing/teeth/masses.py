@@ -15,12 +15,14 @@ from gearwright.sizing.teeth.bevels import bevel_size
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary
-from gearwright.spec.design import module_owners
+from gearwright.spec.design import GearRules, module_owners
 from gearwright.train import gears_of
 
 RIM = 1.25 + 1.2 * 2.25
 """Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
 of 1.2 tooth heights (AGMA 2001-D04)."""
+_TEETH = 1 << 16
+"""More than any gear has [-]."""
 _BEARING_GAP = 0.5
 """Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
 
@@ -53,6 +55,8 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     )
     if rating.proportions is None:
         cube = _cubes(ask, task)
+    elif task.row is not None:
+        cube = _cubes_of_rows(ask, task, task.row, reference) * (task.speed / speed)
     else:
         cube, width_ratio = _known_sizes(ask, task, reference, speed)
     group = task.group
@@ -84,6 +88,20 @@ def _cubes(ask: Ask, task: Task) -> Floats:
     """Return the cube of the module that each mesh asks for [m³]."""
     module = np.maximum(*modules(ask, task.rating))
     return np.asarray(module * module * module)
+
+
+def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints) -> Floats:
+    """Return the same at nominal load where a standard rates many designs: of each pair of teeth of a design once."""
+    small, large = (np.asarray(teeth) for teeth in ask.teeth)
+    keys, planets = (row * _TEETH + small) * _TEETH + large, int(ask.passes[0])
+    _, first, place = np.unique(keys, return_index=True, return_inverse=True)
+    nominal = ask._replace(
+        per_tooth=np.asarray(_torque(task, planets))[first] / reference[first] / planets,
+        speed=np.asarray(task.rolling)[first],
+        teeth=(small[first], large[first]),
+        width_ratio=np.asarray(ask.width_ratio)[first],
+    )
+    return np.asarray(_cubes(nominal, task)[place])
 
 
 def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[Floats, Floats]:
@@ -143,6 +161,22 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
 def _inside(teeth: Ints) -> Floats:
     """Return (d_i/m)² inside the rim of a gear whose wall is as thick as teeth and their backing ask [-]."""
     return np.asarray(np.maximum(teeth - 2.0 * RIM, 0.0) ** 2, dtype=np.float64)
+
+
+def made_share(role: Role, teeth: int, rules: GearRules) -> float:
+    """Return what a gear as it is made weighs over its disc or annulus, by the estimate of the search [-].
+
+    Args:
+        role: Of the gear.
+        teeth: Its number [-].
+        rules: Of its stage.
+    """
+    room = max(teeth - 2.0 * RIM, 0.0)
+    inside = room * room / (teeth * teeth)
+    if role is Role.PLANET:
+        return 1.0 - _BEARING_GAP * inside
+    webbed = role is Role.WHEEL and rules.web_ratio == 1.0
+    return 1.0 - (1.0 - rules.web_thickness_ratio) * inside if webbed else 1.0
 
 
 def _annulus(teeth: Ints, wall: float) -> Floats:

@@ -30,7 +30,7 @@ from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import aligned
 from gearwright.sizing.teeth.refusal import refusal
 from gearwright.sizing.teeth.stage import extend
-from gearwright.sizing.teeth.states import EQUAL, needs_of
+from gearwright.sizing.teeth.states import EQUAL, needs_of, ranks_of
 from gearwright.sizing.teeth.twins import with_twins
 from gearwright.sizing.teeth.whole import clear_places
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
@@ -67,6 +67,8 @@ class Chosen(NamedTuple):
     """Planetary set whose number of planets the design leaves out -> that number [-]."""
     search: TeethSearch | None = None
     """How it was found; None where the design gives all teeth."""
+    gear_mass: float = 0.0
+    """What its gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
 
 
 def choose_teeth(design: Design, train: Train) -> list[Chosen]:
@@ -99,7 +101,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     found = _searched(_Search(design, nominal, bans.whole), start, with_twins(bans.tasks, design, nominal))
     mass = aligned(found.front, design).mass
     first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
-    others = [place for place in np.argsort(mass, kind="stable").tolist() if place != first]
+    others = [place for place in np.argsort(ranks_of(mass), kind="stable").tolist() if place != first]
     if bans.whole:
         chosen = (_chosen(design, found.front, place, None) for place in (first, *others))
         trains = zip((first, *others), ((choice.teeth, choice.planets) for choice in chosen), strict=True)
@@ -111,7 +113,10 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
         next_mass=float(min(mass[others].min(initial=np.inf), found.front.tally["second"].min())),
         proven=found.proven,
     )
-    return [_chosen(design, found.front, place, search) for place in (first, *others)[: design.teeth.sized]]
+    return [
+        _chosen(design, found.front, place, search)._replace(gear_mass=float(mass[place]))
+        for place in (first, *others)[: design.teeth.sized]
+    ]
 
 
 def _chosen(design: Design, front: Front, place: int, search: TeethSearch | None) -> Chosen:

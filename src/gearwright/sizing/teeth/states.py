@@ -96,6 +96,15 @@ def lightest(front: Front, needs: Needs) -> Front:
     return replace(kept, tally={**tally, "second": second[state[chosen]]})
 
 
+def ranks_of(mass: Floats) -> Floats:
+    """Return numbers in the order of masses, the same for those that are equal but for rounding [-].
+
+    Args:
+        mass: Of choices [kg].
+    """
+    return np.rint(np.log(np.maximum(mass, _STILL)) / EQUAL)
+
+
 def _several(front: Front, state: Ints, kept: int) -> Front:
     """Return so many of the lightest of every state; the lightest stands for those that are left out."""
     order = np.lexsort((front.mass, state))
