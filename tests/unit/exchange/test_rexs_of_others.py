@@ -122,3 +122,10 @@ def test_gears_to_shift_are_load_cases(tmp_path):
             part["attributes"].append({"id": "number_of_gears", "unit": "none", "integer": len(cases)})
     engaged = [case.engaged for case in read(model, tmp_path).design.cases.values()]
     assert engaged == [case.engaged for case in before.cases.values()]
+
+
+def test_cylindrical_gears_on_axes_that_cross_are_refused(tmp_path):
+    model = bare("e-axle")
+    said_of(of_kind(model, "cylindrical_gear")[0], "u_axis_vector")["floating_point_array"] = [0.0, 1.0, 0.0]
+    with pytest.raises(gw.DesignError, match="axes that cross"):
+        read(model, tmp_path)

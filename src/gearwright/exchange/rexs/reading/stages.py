@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from gearwright.errors import DesignError, Problem
 from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
@@ -12,6 +14,10 @@ from gearwright.exchange.rexs.reading.gearing import Gear, Gearing, Table, stage
 from gearwright.exchange.rexs.reading.sets import read_set
 from gearwright.parts.gears.working_centre import shifts_at
 
+SPACE = 3
+"""Dimensions of space [-]."""
+PARALLEL = 1e-3
+"""Sine of the angle between axes that count as parallel [-]."""
 SHARED = ("module_m", "outer_module_m", "centre_distance_m")
 """What a pair has from the one whose gear it shares."""
 
@@ -120,10 +126,21 @@ def _closing(gearing: Gearing, pinion: Gear, wheel: Gear, centre: float | None) 
 def _kind(asking: Asking, stage: Component, pinion: Gear, wheel: Gear) -> Table:
     """Return what tells internal and bevel pairs."""
     if pinion.component.kind != "bevel_gear":
+        if _cross(asking, pinion, wheel):
+            asking.refuse(stage, "has gears on axes that cross; cylindrical gears on parallel axes are read")
         return {"internal": True} if wheel.component.kind == "ring_gear" else {}
     if asking.number(stage, "hypoid_offset"):
         asking.refuse(stage, "is hypoid: its hypoid_offset is not 0; only axes that meet are read")
     return {"kind": "bevel", "axis_angle_rad": asking.number(stage, "shaft_angle") or math.pi / 2.0}
+
+
+def _cross(asking: Asking, pinion: Gear, wheel: Gear) -> bool:
+    """Tell whether axes that a file states are not parallel."""
+    ways = [asking.vector(gear.component, "u_axis_vector") for gear in (pinion, wheel)]
+    if not all(way is not None and len(way) == SPACE and any(way) for way in ways):
+        return False
+    one, other = (np.asarray(way) / np.linalg.norm(np.asarray(way)) for way in ways)
+    return bool(np.linalg.norm(np.cross(one, other)) > PARALLEL)
 
 
 def refuse_nothing(asking: Asking, gearing: Gearing) -> None:
