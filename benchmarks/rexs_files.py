@@ -24,9 +24,14 @@ from gearwright.exchange.rexs.files import Document, opened
 STEM = re.compile(r"[-_. ]*(rexsj?[-_])?(1[-_]\d|bearinx[-_]1|mod|export|neu|results|edit|geom).*$", re.IGNORECASE)
 """What of a name tells versions, exports and modifications of one gearbox."""
 REASONS = {
-    "no cylindrical, bevel": "worms, or no gears", "hypoid": "hypoid", "cross": "crossed axes",
-    "undercuts": "undercut teeth", "no load case loads": "an unloaded shaft", "torque": "no torque or speed", "speeds": "no torque or speed",
-}  # fmt: skip
+    "no cylindrical, bevel": "worms, or no gears",
+    "hypoid": "hypoid",
+    "cross": "crossed axes",
+    "undercuts": "undercut teeth",
+    "no load case loads": "an unloaded shaft",
+    "torque": "no torque or speed",
+    "speeds": "no torque or speed",
+}
 """What stands in a problem -> why a file becomes no design."""
 ENDURANCE, LONG, AT_LONG = 3e6, 1e10, 0.85
 """Y_NT falls from 1 at the first to the third at the second number of cycles (ISO 6336-3:2019, figure 18)."""
