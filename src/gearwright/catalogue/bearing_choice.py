@@ -86,6 +86,8 @@ class BearingSpectrum:
     """Mean over stated load, for the life [-]."""
     limit_factor: Ratio = 1.0
     """Limit over stated load, for the static safety [-]."""
+    viscosity: tuple[float, ...] | None = None
+    """ν of the oil in every case, where it is as warm as it runs [m²/s]; None: that of its oil in all."""
 
     @cached_property
     def turns(self) -> tuple[Speed, ...]:

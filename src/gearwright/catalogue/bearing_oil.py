@@ -98,7 +98,8 @@ def _level(bearing: Bearing, spectrum: BearingSpectrum, k: int, oil: BearingOil)
     load = spectrum.mean_factor * equivalent_loads(bearing, spectrum.radial[k], spectrum.axial[k])[0]
     if not load:
         return None
-    kappa = oil.viscosity / reference_viscosity(speed, pitch)
+    thick = oil.viscosity if spectrum.viscosity is None else spectrum.viscosity[k]
+    kappa = thick / reference_viscosity(speed, pitch)
     dirt = (
         contamination_factor(oil.dirt, kappa, pitch)
         if isinstance(oil.dirt, OilFilter)

@@ -30,6 +30,7 @@ from gearwright.parts.bearings import (
     reliability_factor,
     taper_factors,
 )
+from gearwright.parts.losses import oil_viscosity
 from gearwright.ranking import largest_first
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Fitted, Seat, bearing_seats, fitted_in, oiled_life, seat_forces
@@ -61,6 +62,8 @@ class SeatDuty(NamedTuple):
     """Of one ring against the other, without sign [rad/s]."""
     time: Floats
     """Duration [s]."""
+    viscosity: Floats | None = None
+    """ν of the oil in it, where the flight follows its temperature [m²/s]."""
 
     @property
     def turns(self) -> Floats:
@@ -194,11 +197,20 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
         on_shaft = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
         axial |= _located(flight, shaft, on_shaft, forces)
-    duties = []
+    duties, warmth = [], _thickness(flight)
     for name, seat in seats.items():
         speed = np.abs(flight.speed(seat.nodes[0]) - flight.speed(seat.nodes[1]))
-        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history.duration)))
+        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history.duration, warmth)))
     return tuple(duties)
+
+
+def _thickness(flight: Flight) -> Floats | None:
+    """Return ν of the oil as warm as bearings run, per interval [m²/s]; None where a flight does not follow them."""
+    warm, oil = flight.history.bearings_temperature, flight.sizing.design.oil
+    if warm is None:
+        return None
+    grade = (oil.viscosity_40 * 1e-6, oil.viscosity_100 * 1e-6)
+    return np.array([oil_viscosity(temperature, grade) for temperature in warm.tolist()])
 
 
 def _located(
@@ -333,6 +345,7 @@ def _spectrum(duty: SeatDuty, fitted: Fitted) -> BearingSpectrum:
         life=flown,
         mean_factor=1.0 / pair_factor(fitted.bearing.kind, fitted.side_by_side),
         limit_factor=1.0 / fitted.side_by_side,
+        viscosity=None if duty.viscosity is None else tuple(duty.viscosity.tolist()),
     )
 
 

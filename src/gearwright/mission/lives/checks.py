@@ -9,6 +9,7 @@ from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import BearingDamage
 from gearwright.mission.lives.damage import GearDamage
+from gearwright.mission.lives.films import film_checks_of
 from gearwright.mission.lives.verdict import Durability
 from gearwright.parts.bearings import life_exponent
 from gearwright.sizing.bearings import planet_bodies, planet_room
@@ -32,7 +33,7 @@ def flight_checks(flight: Flight, lives: Durability, *, life: float | None = Non
     checks = [_gear(flight, gear, asked) for gear in lives.gears]
     for row in lives.bearings.rows:
         checks += [*_bearing(flight, row), *_room(flight, row)]
-    return (*checks, *_charge(flight), *_open(lives))
+    return (*checks, *film_checks_of(flight), *_charge(flight), *_open(lives))
 
 
 def _charge(flight: Flight) -> Iterator[Check]:

@@ -97,7 +97,7 @@ def _damages(flights: Sequence[Flight]) -> list[tuple[GearDamage, ...]]:
         return []
     train, unrated = flights[0].sizing.train, unrated_stages(flights[0].sizing.design)
     sums: list[dict[tuple[str, str], list[float]]] = [{} for _ in flights]
-    loads = [_extremes(flight) for flight in flights]
+    loads = [extremes(flight) for flight in flights]
     for mesh in train.meshes:
         if mesh.stage in unrated:
             continue
@@ -135,8 +135,12 @@ def _joined(gear: Gear, parts: Sequence[float]) -> float:
     return max(parts) if gear.role is Role.PLANET else sum(parts)
 
 
-def _extremes(flight: Flight) -> dict[str, tuple[float, float]]:
-    """Return mesh row -> least and greatest torque on its first gear [N m]."""
+def extremes(flight: Flight) -> dict[str, tuple[float, float]]:
+    """Return mesh row -> least and greatest torque on its first gear [N m].
+
+    Args:
+        flight: As flown.
+    """
     return {name: (float(mesh.torque.min()), float(mesh.torque.max())) for name, mesh in flight.meshes.items()}
 
 
