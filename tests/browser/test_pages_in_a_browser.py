@@ -195,6 +195,37 @@ def test_a_number_of_the_report_opens_with_its_equation_and_what_the_file_says(o
     assert "equation" in said and "source" in said and "planetaries.first" in said
 
 
+def test_a_figure_answers_a_pointer_and_keys_zooms_and_is_still_on_paper(opened):
+    page, told = opened(page_of_the_flight(), width=1400)
+    figure = page.locator("figure[id^=live-]").first
+    figure.scroll_into_view_if_needed()
+    over = figure.locator(".u-over").nth(1)  # below the strip of phases
+    over.wait_for()
+    assert figure.locator("svg.gw-figure").bounding_box()["width"] <= 1.0
+    over.hover()
+    assert re.search(r"time.*\d", figure.locator(".live-at").first.inner_text())
+    linked = {words for words in figure.locator(".live-at").all_inner_texts() if words}
+    assert len(linked) == 1
+    before = scale(page, figure)
+    figure.locator(".live-area").nth(1).press("+")
+    page.wait_for_timeout(100)
+    assert scale(page, figure) == pytest.approx(before / 2.0)
+    figure.locator(".live-area").nth(1).press("Escape")
+    page.wait_for_timeout(100)
+    assert scale(page, figure) == pytest.approx(before)
+    page.emulate_media(media="print")
+    assert figure.locator(".live-grid").is_hidden() and figure.locator("svg.gw-figure").bounding_box()["width"] > 300.0
+    assert told == []
+
+
+def scale(page, figure):
+    """Return the length of the first panel's x axis, in its unit."""
+    plot = page.evaluate_handle(
+        "id => livePlots.find(plot => plot.root.closest('figure').id === id)", figure.get_attribute("id")
+    )
+    return plot.evaluate("plot => plot.scales.x.max - plot.scales.x.min")
+
+
 @pytest.mark.parametrize("name", SHOWN)
 def test_the_head_has_the_numbers_of_the_json(name, opened):
     """The mass of the train, and complete mass and worst margin of the review, as their commands print them."""

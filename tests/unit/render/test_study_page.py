@@ -12,8 +12,9 @@ from gearwright.render.figures.study.lines import study_figure
 from gearwright.render.figures.study.spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.figures.study.trade import draw_ranges
 from gearwright.render.pages.study import study_page
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
 from gearwright.render.tables.study.variants import reasons, spread
+from gearwright.render.vector.marks import Curve
 from gearwright.render.words.study import answer
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Named
@@ -86,9 +87,9 @@ def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None
         '"motors.electric.speed_rpm" = {from = 4000, to = 5000}\n[sampling]\nmethod = "sobol"\ncount = 16\n'
     )
     drawn = parallel_figure(table)
-    assert [label.get_text() for label in drawn.axes[0].get_xticklabels()][-1] == "gearbox\n[kg]"
+    assert drawn.axes[0].x.names[-1] == "gearbox\n[kg]"
     assert theme.to_svg(contour_figure(table, "mass")) == theme.to_svg(contour_figure(table, "mass"))
-    assert contour_figure(table, "mass").axes[0].get_xlabel() == "carriers.fill"
+    assert contour_figure(table, "mass").axes[0].x.label == "carriers.fill"
 
 
 def test_the_spread_is_that_of_the_numbers() -> None:
@@ -112,17 +113,17 @@ OBJECTIVES = '[objectives]\nmass = "minimum"\nmotor_mass = "maximum"\n'
 )
 def test_the_figure_suits_the_method(head: str, more: str, label: str) -> None:
     study, table, _ = page_of(head + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + more)
-    assert figure_of(study, table).axes[0].get_xlabel() == label
+    assert figure_of(study, table).axes[0].x.label == label
 
 
 def test_designs_at_equal_inputs_are_a_trade_objective_by_objective() -> None:
     study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + OBJECTIVES)
     panels = figure_of(study, table).axes
-    assert [panel.get_title(loc="left") for panel in panels] == [
+    assert [panel.title for panel in panels] == [
         "gearbox [kg]\nlower is better",
         "motors [kg]\nhigher is better",
     ]
-    assert {label.get_text() for label in panels[0].get_yticklabels()} == {"in-line-h1", "in-line-h2"}
+    assert set(panels[0].y.names) == {"in-line-h1", "in-line-h2"}
 
 
 def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade() -> None:
@@ -131,7 +132,7 @@ def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade
     _, table, page = page_of(HEAD.replace('"in-line-h1", ', "") + axes + '[sampling]\nmethod = "list"\n' + OBJECTIVES)
     assert table.free == ("motors.electric.speed_rpm",)
     assert "From motors.electric.speed_rpm = 4000 to 4400: gearbox" in page
-    assert study_figure(table).axes[0].lines[0].get_xdata().tolist() == [4000, 4200, 4400]
+    assert study_figure(table).axes[0].of(Curve)[0].x.tolist() == [4000, 4200, 4400]
 
 
 @pytest.mark.parametrize("designs", [("in-line-h2", "mixed-h2", "in-line"), ("in-line-h2",)])
@@ -161,9 +162,9 @@ def test_results_without_an_end_are_written_so_and_break_no_figure(
 def test_one_life_of_nothing_leaves_an_axis_over_decades_logarithmic() -> None:
     """Quantiles are drawn: a gear that does not live at all in one case of fifty is not among them."""
     lives = [np.array([0.0, *np.geomspace(1.0, 100.0, 49)]), np.geomspace(1e4, 1e7, 50)]
-    panel = plotted.sheet(80.0, 40.0).subplots()
+    panel = theme.sheet(80.0, 40.0).panel()
     draw_ranges(panel, lives)
-    assert panel.get_xscale() == "log"
+    assert panel.x.log
 
 
 def test_what_makes_no_difference_has_no_number_of_more_or_less() -> None:

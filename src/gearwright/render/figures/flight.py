@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import Patch
 
 from gearwright.arrays import Floats
 from gearwright.mission import Flight
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.style.compound import stacked
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.units import CELSIUS, FOOT, KNOT, RPM
 
 MODE_COLOURS = {
@@ -28,6 +28,8 @@ LOSSES = {
 }
 """Losses of the gearbox: name in the history -> words and colour."""
 _MINUTE, _KILO, _HOUR = 60.0, 1e3, 3600.0
+LEAST_TORQUE = 1.0
+"""Of a shaft that is drawn [N m]."""
 _LABEL_GAP = 0.055
 """Least distance of two phase names, over the width of the figure [-]."""
 
@@ -81,16 +83,16 @@ def apart(places: Sequence[float], gap: float) -> list[float]:
 
 def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
     """Return a figure with panels over the time, below a strip that names phases and modes [mm]."""
-    figure = plotted.sheet(WIDTH, 24.0 + sum(heights))
+    figure = theme.sheet(WIDTH, 24.0 + sum(heights))
     ratios = [5.0, *heights]
-    axes = list(figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios))
+    axes = list(figure.grid(len(ratios), 1, share_x=True, heights=ratios)[:, 0])
     parts = stretches(flight)
     end = parts[-1].end
     _strip(axes[0], parts, end)
     for panel in axes[1:]:
         for part in parts[1:]:
             panel.axvline(part.start, color=theme.HAIR, lw=0.8, zorder=0)
-        panel.grid(visible=False, axis="x")
+        panel.x.grid = False
     axes[-1].set(xlim=(0.0, end), xlabel="time [min]")
     return figure, axes[1:]
 
@@ -100,21 +102,20 @@ def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
     for part, place in zip(parts, places, strict=True):
         axes.barh(0.0, part.end - part.start, left=part.start, height=1.0, color=MODE_COLOURS[part.mode],
                   edgecolor=theme.PAPER, linewidth=0.6)  # fmt: skip
-        leader = {"arrowstyle": "-", "color": theme.MUTED, "lw": 0.4, "shrinkA": 0, "shrinkB": 0}
-        axes.annotate(part.name, ((part.start + part.end) / 2.0, 0.5), (place, 1.25), rotation=32, fontsize=7.0,
-                      ha="left", va="bottom", annotation_clip=False, arrowprops=leader)  # fmt: skip
-    modes = dict.fromkeys(part.mode for part in parts)
-    axes.legend(handles=[Patch(color=MODE_COLOURS[mode], label=mode) for mode in modes], loc="lower right",
-                bbox_to_anchor=(1.0, 3.6), ncols=3, borderaxespad=0.0)  # fmt: skip
+        axes.annotate(part.name, (place, 1.25), rotation=32.0, fontsize=7.0, va="bottom",
+                      leader=((part.start + part.end) / 2.0, 0.5))  # fmt: skip
+    for mode in dict.fromkeys(part.mode for part in parts):
+        axes.barh(0.0, 0.0, color=MODE_COLOURS[mode], label=mode)
+    axes.legend("below", columns=4)
     axes.set_ylim(-0.5, 0.5)
-    axes.axis("off")
+    axes.set_axis_off()
 
 
 def _minutes(flight: Flight) -> Floats:
     return flight.history.time / _MINUTE
 
 
-@plotted.styled
+@theme.drawn
 def profile_figure(flight: Flight) -> Figure:
     """Return altitude, airspeed, propeller speed and pitch over the time, with the propulsion modes.
 
@@ -133,7 +134,6 @@ def profile_figure(flight: Flight) -> Figure:
     mach = speed.twinx()
     mach.plot(time, history.mach, color=theme.MUTED, lw=0.8, ls="--")
     mach.set_ylabel("Mach\n(dashed)", color=theme.MUTED)
-    mach.grid(visible=False)
     mach.set_ylim(0.0, 1.25 * max(float(history.mach.max()), 0.05))
     turning.plot(time, history.propeller_speed / RPM, color=theme.GREEN)
     turning.set_ylabel("propeller\n[rpm]")
@@ -148,7 +148,7 @@ def profile_figure(flight: Flight) -> Figure:
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def power_figure(flight: Flight) -> Figure:
     """Return the powers of all machines, what the turbines could give, and the torque of every shaft.
 
@@ -161,22 +161,22 @@ def power_figure(flight: Flight) -> Figure:
     for sign in (1.0, -1.0):
         parts = [np.maximum(sign * values, 0.0) * sign / _KILO for _, values, _ in stacks]
         if any(part.any() for part in parts):
-            powers.stackplot(time, parts, colors=[colour for *_, colour in stacks], lw=0.0, alpha=0.85,
-                             labels=[name for name, *_ in stacks] if sign > 0.0 else [])  # fmt: skip
+            stacked(powers, time, parts, colours=[colour for *_, colour in stacks], alpha=0.85,
+                    labels=[name for name, *_ in stacks] if sign > 0.0 else [])  # fmt: skip
     powers.plot(time, history.propeller_power / _KILO, color=theme.INK, label="propeller takes")
     if history.turbine_available.any():
         powers.plot(time, history.turbine_available / _KILO, color=theme.BLUE, lw=0.8, ls=":",
                     label="turbines could give")  # fmt: skip
     powers.set_ylabel("power [kW]")
-    powers.legend(loc="upper right", ncols=2)
-    powers.set_ylim(top=1.3 * max(float(history.propeller_power.max()), float(history.turbine_available.max()))
-                    / _KILO)  # fmt: skip
+    powers.legend("upper right", columns=2)
+    most = max(float(history.propeller_power.max()), float(history.turbine_available.max())) / _KILO
+    powers.set_ylim(min(0.0, powers.get_ylim()[0]), 1.3 * most)
     for colour, name in zip(theme.CYCLE * 4, flight.sizing.design.shafts, strict=False):
         torques.plot(time, flight.nodes[name].torque, color=colour, label=name)
-    torques.set_yscale("symlog", linthresh=10.0)
-    torques.set_ylim(bottom=0.0)
+    torques.set_yscale("log")
+    torques.set_ylim(bottom=LEAST_TORQUE)
     torques.set_ylabel("torque inside\nthe shaft [N m]")
-    torques.legend(loc="lower center", ncols=4)
+    torques.legend("below", columns=4)
     return figure
 
 
@@ -190,7 +190,7 @@ def _machines(flight: Flight) -> Iterator[tuple[str, Floats, str]]:
         counts[kind] += 1
 
 
-@plotted.styled
+@theme.drawn
 def stores_figure(flight: Flight) -> Figure:
     """Return the fuel burnt, the state of charge, and the battery's voltage and current.
 
@@ -206,7 +206,7 @@ def stores_figure(flight: Flight) -> Figure:
     fuel.plot(time, history.fuel_flow * _HOUR, color=theme.INK, lw=0.8, ls="--", label="flow [kg/h]")
     fuel.set_ylabel("fuel")
     fuel.set_ylim(0.0, 1.25 * max(float(burnt.max()), float(history.fuel_flow.max()) * _HOUR, 1.0))
-    fuel.legend(loc="upper left", ncols=2)
+    fuel.legend("upper left", columns=2)
     if battery:
         _charge(flight, time, others)
     return figure
@@ -219,7 +219,7 @@ def _charge(flight: Flight, time: Floats, panels: Sequence[Axes]) -> None:
     charge, volts, rate = panels
     charge.plot(time, 100.0 * history.state_of_charge, color=theme.ORANGE)
     charge.axhline(100.0 * rules.minimum_charge, color=theme.MUTED, lw=0.7, ls="--")
-    charge.annotate("minimum", (0.0, 100.0 * rules.minimum_charge), (3, 2), textcoords="offset points", fontsize=7.0)
+    charge.annotate("minimum", (0.0, 100.0 * rules.minimum_charge), (3, 2), fontsize=7.0)
     charge.set(ylim=(0.0, 105.0), ylabel="state of\ncharge [%]")
     capacity = 2.0 * rules.energy / (rules.full_voltage_v + rules.empty_voltage_v)
     volts.plot(time, history.battery_voltage, color=theme.PURPLE)
@@ -229,7 +229,7 @@ def _charge(flight: Flight, time: Floats, panels: Sequence[Axes]) -> None:
     rate.set_ylabel(f"C-rate [1/h]\n(at most {rules.highest_c_rate:g})")
 
 
-@plotted.styled
+@theme.drawn
 def heat_figure(flight: Flight) -> Figure:
     """Return the gearbox's losses by kind, its efficiency, and the oil's temperature behind it.
 
@@ -240,15 +240,16 @@ def heat_figure(flight: Flight) -> Figure:
     time, history = _minutes(flight), flight.history
     kinds = {name: look for name, look in LOSSES.items() if getattr(history, name).any()}
     words, colours = zip(*kinds.values(), strict=True)
-    losses.stackplot(time, [getattr(history, name) / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
+    stacked(losses, time, [getattr(history, name) / _KILO for name in kinds], colours=colours, labels=words)
     losses.set(ylabel="heat of the\ngearbox [kW]", ylim=(0.0, 1.25 * float(history.gearbox_heat.max()) / _KILO))
-    losses.legend(loc="upper right", ncols=4)
+    losses.legend("upper right", columns=4)
     taken, delivered = flight.passed()
     share.plot(time, 100.0 * delivered / taken, color=theme.INK)
     share.set_ylabel("efficiency\n[%]")
     oil.plot(time, flight.oil_outlet - CELSIUS, color=theme.ORANGE, label="behind the gearbox")
-    oil.axhline(flight.mission.oil.inlet_temperature_k - CELSIUS, color=theme.BLUE, label="into it")
+    entering = np.full(len(time), flight.mission.oil.inlet_temperature_k - CELSIUS)
+    oil.plot(time, entering, color=theme.BLUE, label="into it")
     oil.plot(time, history.air_temperature - CELSIUS, color=theme.SKY, lw=0.8, label="outside air")
     oil.set_ylabel("oil [°C]")
-    oil.legend(loc="center", bbox_to_anchor=(0.42, 0.55), ncols=3)
+    oil.legend("below", columns=3)
     return figure

@@ -6,14 +6,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.lives import seat_duties
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
 """Colour of each way to fail."""
@@ -31,7 +31,7 @@ class Duty(NamedTuple):
     """Of every interval [-]."""
 
 
-@plotted.styled
+@theme.drawn
 def spectrum_figure(flight: Flight) -> Figure:
     """Return the duty spectra of one flight: turns at which a load is reached or passed.
 
@@ -44,8 +44,8 @@ def spectrum_figure(flight: Flight) -> Figure:
         ("Shafts", "torque inside [kN m]", list(_shafts(flight))),
     ]
     drawn = [group for group in groups if group[2]]
-    figure = plotted.sheet(WIDTH, 78.0)
-    panels = figure.subplots(1, len(drawn), squeeze=False)[0]
+    figure = theme.sheet(WIDTH, 78.0)
+    panels = figure.grid(1, len(drawn))[0]
     for panel, (title, label, duties) in zip(panels, drawn, strict=True):
         _spectrum(panel, duties)
         panel.set(title=title, ylabel=label, xlabel="turns at this load or more [-]")
@@ -61,7 +61,7 @@ def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
     axes.set_xscale("log")
     axes.set_xlim(left=1.0)
     axes.set_ylim(bottom=0.0)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=6.5)
+    axes.legend("below", size=6.5)
 
 
 def _turns(flight: Flight, speed: Floats) -> Floats:
@@ -85,7 +85,7 @@ def _seats(flight: Flight) -> Iterator[Duty]:
         yield Duty(seat.name, duty.radial / _KILO, duty.turns)
 
 
-@plotted.styled
+@theme.drawn
 def life_figure(parts: Durability) -> Figure:
     """Return the flights that every part lives, the one that governs first.
 
@@ -93,24 +93,25 @@ def life_figure(parts: Durability) -> Figure:
         parts: Lives of gears and bearings.
     """
     rows = parts.failing
-    figure = plotted.sheet(WIDTH, 24.0 + 5.4 * len(rows))
-    axes = figure.add_subplot()
+    figure = theme.sheet(WIDTH, 24.0 + 5.4 * len(rows))
+    axes = figure.panel()
     for place, row in enumerate(rows):
         axes.barh(place, row.flights, left=0.5, height=0.72, color=MODE_COLOURS[row.mode])
-        axes.annotate(f"{row.flights:,.0f} flights, {row.life:,.0f} h", (row.flights, place), (4, 0), fontsize=7.5,
-                      textcoords="offset points", va="center")  # fmt: skip
+        axes.annotate(
+            f"{row.flights:,.0f} flights, {row.life:,.0f} h", (row.flights, place), (4, 0), fontsize=7.5, va="center"
+        )
     for mode in dict.fromkeys(row.mode for row in rows):
         axes.barh([0], [0.0], color=MODE_COLOURS[mode], label=mode)
     axes.set_yticks(range(len(rows)), [row.name for row in rows])
     axes.set(xscale="log", xlim=(1.0, 1e4 * max(row.flights for row in rows)))
     axes.invert_yaxis()
     axes.set_xlabel("flights until Miner's sum is 1 [-]")
-    axes.legend(loc="upper right")
-    plotted.only_grid(axes, "x")
+    axes.legend("upper right")
+    axes.only_grid("x")
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def mass_of_life_figure(life: LifeSizing) -> Figure:
     """Return the mass of the gearbox against the life of its weakest gear, round by round.
 
@@ -118,11 +119,11 @@ def mass_of_life_figure(life: LifeSizing) -> Figure:
         life: From `size_for_life`.
     """
     hours, masses = (list(column) for column in zip(*life.path, strict=True))
-    figure = plotted.sheet(WIDTH, 64.0)
-    axes = figure.add_subplot()
+    figure = theme.sheet(WIDTH, 64.0)
+    axes = figure.panel()
     axes.plot(hours, masses, color=theme.BLUE, marker="o", ms=3.5)
     axes.axvline(life.hours, color=theme.ORANGE, lw=0.9, ls="--")
-    axes.annotate(f"asked: {life.hours:,.0f} h", (life.hours, masses[0]), (-4, 0), textcoords="offset points",
+    axes.annotate(f"asked: {life.hours:,.0f} h", (life.hours, masses[0]), (-4, 0),
                   ha="right", color=theme.ORANGE)  # fmt: skip
     _ends(axes, hours, masses)
     axes.set_xscale("log")
@@ -135,5 +136,10 @@ def mass_of_life_figure(life: LifeSizing) -> Figure:
 def _ends(axes: Axes, hours: Sequence[float], masses: Sequence[float]) -> None:
     """Write life and mass beside the first and the last round."""
     for k, shift in ((0, (6, -10)), (-1, (-6, 7))):
-        axes.annotate(f"{hours[k]:,.0f} h, {masses[k]:.2f} kg", (hours[k], masses[k]), shift,
-                      textcoords="offset points", ha="left" if k == 0 else "right", fontsize=7.5)  # fmt: skip
+        axes.annotate(
+            f"{hours[k]:,.0f} h, {masses[k]:.2f} kg",
+            (hours[k], masses[k]),
+            shift,
+            ha="left" if k == 0 else "right",
+            fontsize=7.5,
+        )

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
 from gearwright.render.grid.table import written
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.style.compound import NIGHT, colour_bar, shades
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.units import RPM
 
 DECADES = 3.0
@@ -25,10 +25,9 @@ NAME = 0.027
 """Height of a name over the height of the map [-]."""
 QUIET = 0.02
 """Amplitude over the largest below which an order is not drawn [-]."""
-_SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec", theme.BLUE, "#0b2d4a", "#05121f"])
 
 
-@plotted.styled
+@theme.drawn
 def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
     """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
 
@@ -39,32 +38,34 @@ def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> F
         shaft: Named at the speed axis.
     """
     index_of(line, run_up.lines, "line")
-    figure = plotted.sheet(WIDTH, 150.0)
-    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
+    figure = theme.sheet(WIDTH, 150.0)
+    bar, above, below = figure.grid(3, 1, heights=(0.03, 1.6, 1.0))[:, 0]
+    above.x.numbers = False
     rpm = run_up.factor * speed / RPM
-    _draw_map(figure, above, run_up, line=line, rpm=rpm)
+    _draw_map(bar, above, run_up, line=line, rpm=rpm)
     _draw_tracks(below, run_up, line, rpm)
     for axes in (above, below):
         axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
-    above.annotate("operating", (speed / RPM, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
-                   textcoords="offset points", va="top", color=theme.ORANGE)  # fmt: skip
+    above.annotate(
+        "operating", (speed / RPM, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5, va="top", color=theme.ORANGE
+    )
     below.set_xlabel(f"speed of {shaft} [rpm]")
     return figure
 
 
-def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, *, line: str, rpm: Floats) -> None:
+def _draw_map(bar: Axes, axes: Axes, run_up: RunUp, *, line: str, rpm: Floats) -> None:
     frequency, amplitude = _cells(run_up, line)
     largest = float(np.max(amplitude))
     level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
-    image = axes.pcolormesh(rpm, frequency / 1e3, level.T, cmap=_SHADES, shading="nearest",
-                            vmin=-DECADES, vmax=0.0, rasterized=True)  # fmt: skip
+    half = 0.5 * (rpm[1] - rpm[0]), 0.5e-3 * (frequency[1] - frequency[0])
+    box = (rpm[0] - half[0], frequency[0] / 1e3 - half[1], rpm[-1] + half[0], frequency[-1] / 1e3 + half[1])
+    axes.picture(box, shades(level.T / DECADES + 1.0, NIGHT))
     powers = np.arange(-DECADES, 0.5)
-    bar = figure.colorbar(image, ax=axes, ticks=powers, location="top", aspect=50.0, shrink=0.5, anchor=(1.0, 0.0))
-    bar.ax.set_xticklabels([written(largest * 10.0**power, 3) for power in powers], fontsize=6.5)
-    bar.set_label("amplitude [N]", fontsize=6.5)
+    colour_bar(bar, (-DECADES, 0.0), NIGHT, upright=False)
+    bar.set_xticks(powers, [f"{written(largest * 10.0**power, 3)} N" for power in powers], fontsize=6.5)
     axes.set(ylabel="frequency [kHz]", ylim=(0.0, frequency[-1] / 1e3), xlim=(rpm[0], rpm[-1]))
-    axes.set_title(f"Waterfall of the force in {line}")
-    axes.grid(visible=False)
+    bar.set_title(f"Waterfall of the force in {line}, amplitude")
+    axes.x.grid = axes.y.grid = False
     _draw_orders(axes, run_up, rpm)
 
 
@@ -80,10 +81,10 @@ def _draw_orders(axes: Axes, run_up: RunUp, rpm: Floats) -> None:
             axes.plot(rpm, end / 1e3 * rpm / rpm[-1], color=colour, lw=0.4, ls="--")
         if 0.0 < end < top and all(abs(end - other) > NAME * top for other in named):
             named.append(end)
-            axes.annotate(word, (rpm[-1], end / 1e3), (3, 0), textcoords="offset points", fontsize=6.0, va="center",
-                          color=colour, annotation_clip=False)  # fmt: skip
+            axes.annotate(word, (rpm[-1], end / 1e3), (3, 0), fontsize=6.0, va="center",
+                          color=colour)  # fmt: skip
     axes.plot([], [], color=theme.ORANGE, lw=0.4, ls="--", label="machines, sidebands, planets that pass")
-    axes.legend(loc="upper left", fontsize=6.5)
+    axes.legend("upper left", size=6.5)
 
 
 def _cells(run_up: RunUp, line: str) -> tuple[Floats, Floats]:
@@ -104,5 +105,7 @@ def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
     for place in sorted(strongest):
         axes.plot(rpm, tracks[:, place], label=str(run_up.orders[place]))
     axes.plot(rpm, run_up.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
-    axes.set(ylabel="amplitude [N]", ylim=(0.0, None), title="Orders")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.set(ylabel="amplitude [N]", title="Orders")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlim(rpm[0], rpm[-1])
+    axes.legend("right")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from matplotlib.figure import Figure
 from rich.console import Group, RenderableType
 from rich.text import Text
 
@@ -12,6 +11,7 @@ from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics.sharing import PlanetCounts
 from gearwright.render.figures.sharing import load_factor_figure
 from gearwright.render.grid.grid import Grid
+from gearwright.render.vector.figure import Figure
 
 PERCENT = 95.0
 """Percentage of random sets that stay below the factor that is shown."""

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.machines import PropellerMap
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.marks import Curve
 
 MOST_CURVES = 14
 """Blade angles that are drawn, at most, of those at which the propeller pulls somewhere."""
@@ -18,7 +19,7 @@ _FLOOR = -0.15
 """Lowest coefficient that is drawn, over the highest [-]."""
 
 
-@plotted.styled
+@theme.drawn
 def propeller_figure(chart: PropellerMap, title: str) -> Figure:
     """Return C_P, C_T and efficiency over the advance ratio.
 
@@ -26,8 +27,8 @@ def propeller_figure(chart: PropellerMap, title: str) -> Figure:
         chart: The map.
         title: Of the figure.
     """
-    figure = plotted.sheet(theme.WIDTH, 165.0)
-    power, thrust, efficiency = figure.subplots(3, 1, sharex=True)
+    figure = theme.sheet(theme.WIDTH, 165.0)
+    power, thrust, efficiency = figure.grid(3, 1, share_x=True)[:, 0]
     columns = _pulling(chart)
     rises = np.gradient(chart.thrust, axis=1)
     for place, column in enumerate(columns):
@@ -43,18 +44,17 @@ def propeller_figure(chart: PropellerMap, title: str) -> Figure:
         part = np.where(pulls, ratio * given / np.where(pulls, taken, 1.0), np.nan)
         efficiency.plot(ratio, part, color=colour, lw=0.9)
         _named(efficiency, ratio, part, name)
-    for axes, label in ((power, "power coefficient $C_P$"), (thrust, "thrust coefficient $C_T$")):
+    for axes, label in ((power, "power coefficient C_P"), (thrust, "thrust coefficient C_T")):
         highest = max((float(np.nanmax(values)) for values in _shown(axes)), default=1.0)
         axes.set(ylabel=label, ylim=(_FLOOR * highest, 1.05 * highest))
         axes.axhline(0.0, color=theme.MUTED, lw=0.6)
-        axes.yaxis.label.set_parse_math(True)
     efficiency.set(ylabel="efficiency", ylim=(0.0, 1.0), xlabel="advance ratio J")
     power.set_title(f"{title}, blades that are not stalled")
     return figure
 
 
 def _shown(axes: Axes) -> list[Floats]:
-    curves = [np.asarray(line.get_ydata(), dtype=float) for line in axes.lines]
+    curves = [curve.y for curve in axes.of(Curve)]
     return [values for values in curves if not np.isnan(values).all()]
 
 
@@ -68,4 +68,4 @@ def _named(axes: Axes, ratio: Floats, values: Floats, name: str) -> None:
     if np.isnan(values).all():
         return
     top = int(np.nanargmax(values))
-    axes.annotate(name, (ratio[top], values[top]), (2, 1), textcoords="offset points", fontsize=6.0, color=theme.INK)
+    axes.annotate(name, (ratio[top], values[top]), (2, 1), fontsize=6.0, color=theme.INK)

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch, Rectangle
-from matplotlib.path import Path
-
 from gearwright.mission import Balance, Flight
 from gearwright.render.figures.flight import LOSSES
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.units import KWH
 
 _NODE = 0.018
@@ -97,7 +94,7 @@ def _positive(sinks: Sequence[Sink]) -> tuple[Sink, ...]:
     return tuple(sink for sink in sinks if sink.energy > 0.0)
 
 
-@plotted.styled
+@theme.drawn
 def sankey_figure(flight: Flight) -> Figure:
     """Return the energy flow of one gearbox over a flight, with a bar that magnifies the gearbox's own losses.
 
@@ -105,8 +102,8 @@ def sankey_figure(flight: Flight) -> Figure:
         flight: As flown.
     """
     flows = energies(flight.balance)
-    figure = plotted.sheet(WIDTH, 112.0)
-    axes, bar = figure.subplots(2, 1, height_ratios=[5.2, 1.0])
+    figure = theme.sheet(WIDTH, 112.0)
+    axes, bar = figure.grid(2, 1, heights=[5.2, 1.0])[:, 0]
     _flows(axes, flows, flight.balance.came_in)
     _magnified(bar, flight.balance, 1.0 - flight.efficiency())
     return figure
@@ -144,7 +141,7 @@ def _flows(axes: Axes, flows: Energies, unit: float) -> None:
         sinks.draw(flows.lost, second + _NODE, motors_top - electric, motors_top - electric)
     sinks.label()
     axes.set(xlim=(0.0, 1.2), ylim=(min(motors_top - max(battery, lost), sinks.lowest) - 0.03, 0.08))
-    axes.axis("off")
+    axes.set_axis_off()
 
 
 class _Sinks:
@@ -160,7 +157,7 @@ class _Sinks:
             high = sink.energy / self.unit
             end = min(right_top, self._below(high))
             _band(self.axes, (left, top), (_COLUMNS[-1], end), high, sink.colour)
-            self.axes.add_patch(Rectangle((_COLUMNS[-1], end - high), 0.5 * _NODE, high, color=sink.colour, lw=0.5))
+            self.axes.rectangle((_COLUMNS[-1], end - high), 0.5 * _NODE, high, fc=sink.colour)
             self.ends.append((end, high, sink))
             top -= high
 
@@ -186,8 +183,8 @@ class _Sinks:
 
 
 def _node(axes: Axes, left: float, top: float, high: float, words: str) -> None:
-    axes.add_patch(Rectangle((left, top - high), _NODE, high, color=theme.INK, lw=0.0))
-    axes.annotate(words, (left, top), (0, 3), textcoords="offset points", fontsize=8.0, weight="bold", va="bottom")
+    axes.rectangle((left, top - high), _NODE, high, fc=theme.INK)
+    axes.annotate(words, (left, top), (0, 3), fontsize=8.0, weight="bold", va="bottom")
 
 
 def _band(axes: Axes, start: tuple[float, float], end: tuple[float, float], high: float, colour: str) -> None:
@@ -196,10 +193,9 @@ def _band(axes: Axes, start: tuple[float, float], end: tuple[float, float], high
         return
     (a, b), (c, d) = start, end
     middle = (a + c) / 2.0
-    corners = [(a, b), (middle, b), (middle, d), (c, d), (c, d - high), (middle, d - high), (middle, b - high),
-               (a, b - high), (a, b)]  # fmt: skip
-    codes = [Path.MOVETO, *[Path.CURVE4] * 3, Path.LINETO, *[Path.CURVE4] * 3, Path.CLOSEPOLY]
-    axes.add_patch(PathPatch(Path(corners, codes), facecolor=colour, alpha=0.55, edgecolor=colour, lw=0.3))
+    corners = [(a, b), (middle, b), (middle, d), (c, d), (c, d), (c, d - high), (c, d - high), (middle, d - high),
+               (middle, b - high), (a, b - high)]  # fmt: skip
+    axes.shape(corners, fc=colour, ec=colour, alpha=0.55, lw=0.3, cubic=True)
 
 
 def _magnified(axes: Axes, balance: Balance, share: float) -> None:
@@ -213,5 +209,5 @@ def _magnified(axes: Axes, balance: Balance, share: float) -> None:
             left += part
     axes.set_title(f"The gearbox's own losses, magnified: {total / KWH:.2f} kWh, {share:.2%} of what enters it")
     axes.set_xlim(0.0, 1.0)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.05), ncols=4)
-    axes.axis("off")
+    axes.legend("below", columns=4)
+    axes.set_axis_off()

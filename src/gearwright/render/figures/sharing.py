@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import errors_at, line_forces
@@ -20,8 +18,11 @@ from gearwright.dynamics.sharing import (
     shaft_displacement,
     single_error_sharing,
 )
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.style.compound import upright_ranges
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 
 INSTANTS = 4000
 """Of a turn that is drawn."""
@@ -33,19 +34,19 @@ POINTS = 1200
 """Points of a curve: closer than a printer can tell apart."""
 
 
-@plotted.styled
+@theme.drawn
 def sharing_figure(sharings: Mapping[str, LoadSharing]) -> Figure:
     """Return sharing coefficients against time, one panel each: over a tooth cycle, and pale behind it every instant.
 
     Args:
         sharings: Title -> sharing; the counterpart of the paper's figures 3, 4, 6 and 8 to 18.
     """
-    figure = plotted.sheet(WIDTH, 12.0 + 42.0 * len(sharings))
-    panels = figure.subplots(len(sharings), 1, sharex=True, squeeze=False)[:, 0]
+    figure = theme.sheet(WIDTH, 12.0 + 42.0 * len(sharings))
+    panels = figure.grid(len(sharings), 1, share_x=True)[:, 0]
     for axes, (title, sharing) in zip(panels, sharings.items(), strict=True):
         _draw_sharing(axes, sharing)
         axes.set(title=title, ylabel="sharing coefficient b [-]")
-    panels[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    panels[0].legend("right")
     panels[-1].set_xlabel("time [s]")
     return figure
 
@@ -64,7 +65,7 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
     axes.margins(x=0.0)
 
 
-@plotted.styled
+@theme.drawn
 def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time: Floats) -> Figure:
     """Return the quasi-static displacement of a floating shaft against time.
 
@@ -73,13 +74,13 @@ def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time
         shaft: That floats.
         time: [s], shape (instants,).
     """
-    figure = plotted.sheet(WIDTH, 60.0)
-    axes = figure.subplots()
+    figure = theme.sheet(WIDTH, 60.0)
+    axes = figure.panel()
     for label, problem in problems.items():
         moved = np.linalg.norm(_displacement(problem, shaft, time), axis=1)
         axes.plot(time, moved / MICROMETRE, label=label)
     axes.set(xlabel="time [s]", ylabel="displacement [µm]", title=f"How far shaft {shaft} moves")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.legend("right")
     axes.margins(x=0.0)
     axes.set_ylim(bottom=0.0)
     return figure
@@ -90,7 +91,7 @@ def _displacement(problem: SharingProblem, shaft: str, time: Floats) -> Floats:
     return shaft_displacement(problem, shaft, force)
 
 
-@plotted.styled
+@theme.drawn
 def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -> Figure:
     """Return the paths of shafts' centres across themselves under slow errors.
 
@@ -99,19 +100,19 @@ def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -
         shafts: That move.
         time: [s], shape (instants,).
     """
-    figure = plotted.sheet(WIDTH, 62.0)
-    panels = figure.subplots(1, len(shafts), squeeze=False)[0]
+    figure = theme.sheet(WIDTH, 62.0)
+    panels = figure.grid(1, len(shafts))[0]
     for axes, shaft in zip(panels, shafts, strict=True):
         moved = _displacement(problem, shaft, time) / MICROMETRE
         axes.plot(moved[:, 0], moved[:, 1], lw=0.7)
-        axes.plot(*np.mean(moved, axis=0), "o", color=theme.ORANGE, ms=3.0)
+        axes.plot(*np.mean(moved, axis=0).tolist(), "o", color=theme.ORANGE, ms=3.0)
         axes.set(title=shaft, xlabel="first axis across [µm]")
-        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_aspect("data")
     panels[0].set_ylabel("second axis across [µm]")
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
     """Return sharing and displacement against the stiffness of a shaft's support.
 
@@ -119,25 +120,26 @@ def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
         sweep: From `support_sweep`.
         marked: Stiffness [N/m] -> word beside it.
     """
-    figure = plotted.sheet(WIDTH, 95.0)
-    sharing, way = figure.subplots(2, 1, sharex=True)
+    figure = theme.sheet(WIDTH, 95.0)
+    sharing, way = figure.grid(2, 1, share_x=True)[:, 0]
     sharing.fill_between(sweep.stiffness, sweep.minimum, sweep.maximum, color=theme.SKY, alpha=0.35, lw=0.0)
-    sharing.semilogx(sweep.stiffness, sweep.maximum, color=theme.BLUE, label="errors: minimum and maximum")
-    sharing.semilogx(sweep.stiffness, sweep.minimum, color=theme.BLUE)
-    sharing.semilogx(sweep.stiffness, sweep.perfect, color=theme.ORANGE, label="no errors")
+    sharing.plot(sweep.stiffness, sweep.maximum, color=theme.BLUE, label="errors: minimum and maximum")
+    sharing.plot(sweep.stiffness, sweep.minimum, color=theme.BLUE)
+    sharing.plot(sweep.stiffness, sweep.perfect, color=theme.ORANGE, label="no errors")
     sharing.set(ylabel="sharing coefficient b [-]", title=f"What floating shaft {sweep.shaft} buys")
-    way.semilogx(sweep.stiffness, sweep.displacement / MICROMETRE, color=theme.GREEN)
+    way.plot(sweep.stiffness, sweep.displacement / MICROMETRE, color=theme.GREEN)
     way.set(xlabel="support stiffness [N/m]", ylabel="displacement [µm]")
+    for axes in (sharing, way):
+        axes.set_xscale("log")
     for stiffness, word in marked.items():
         for axes in (sharing, way):
             axes.axvline(stiffness, color=theme.MUTED, lw=0.7, ls=":")
-        sharing.annotate(word, (stiffness, 1.0), (2, -9), xycoords=("data", "axes fraction"),
-                         textcoords="offset points", fontsize=6.5, color=theme.MUTED)  # fmt: skip
-    sharing.legend(loc="lower left")
+        sharing.annotate(word, (stiffness, 1.0), (2, -9), frames=("data", "axes"), fontsize=6.5, color=theme.MUTED)
+    sharing.legend("lower left")
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def tornado_figure(study: SharingStudy) -> Figure:
     """Return what every error does alone to the sharing, the largest on top.
 
@@ -153,22 +155,20 @@ def tornado_figure(study: SharingStudy) -> Figure:
         xlabel="change of the sharing coefficient [%]", title="One error at a time: blue comes and goes, amber stays"
     )
     axes.axvline(0.0, color=theme.MUTED, lw=0.6)
-    # Long names move the axes only in the second round of the layout.
-    figure.draw_without_rendering()
     return figure
 
 
 def _rows(names: Sequence[str]) -> tuple[Figure, Axes]:
     """Return a figure with a named row for each bar, the first on top."""
-    figure = plotted.sheet(WIDTH, 22.0 + ROW * len(names))
-    axes = figure.subplots()
+    figure = theme.sheet(WIDTH, 22.0 + ROW * len(names))
+    axes = figure.panel()
     axes.set_yticks(range(len(names)), names, fontsize=7.0)
     axes.set_ylim(len(names) - 0.4, -0.6)
-    plotted.only_grid(axes, "x")
+    axes.only_grid("x")
     return figure, axes
 
 
-@plotted.styled
+@theme.drawn
 def distribution_figure(study: SharingStudy, target: float | None = None) -> Figure:
     """Return how the peak share of random gearboxes is spread.
 
@@ -176,8 +176,8 @@ def distribution_figure(study: SharingStudy, target: float | None = None) -> Fig
         study: From `sharing_study`, of a design with errors.
         target: Share that is asked for [-].
     """
-    figure = plotted.sheet(WIDTH, 65.0)
-    axes = figure.subplots()
+    figure = theme.sheet(WIDTH, 65.0)
+    axes = figure.panel()
     if study.distribution is not None:
         axes.hist(100.0 * study.distribution.peak, bins=60, color=theme.SKY)
         for percent in PERCENTILES:
@@ -191,11 +191,11 @@ def distribution_figure(study: SharingStudy, target: float | None = None) -> Fig
 
 def _mark(axes: Axes, place: float, word: str) -> None:
     axes.axvline(place, color=theme.INK, lw=0.7, ls=":")
-    axes.annotate(word, (place, 1.0), (2, -8), xycoords=("data", "axes fraction"), textcoords="offset points",
+    axes.annotate(word, (place, 1.0), (2, -8), frames=("data", "axes"),
                   fontsize=6.5, color=theme.MUTED)  # fmt: skip
 
 
-@plotted.styled
+@theme.drawn
 def allocation_figure(allocation: Allocation) -> Figure:
     """Return every tolerance as given and as allowed for the target.
 
@@ -209,12 +209,10 @@ def allocation_figure(allocation: Allocation) -> Figure:
     share = f"{100.0 * allocation.target:g}/{100.0 * (1.0 - allocation.target):g}"
     title = f"How tight for {share} in {allocation.percent:g} % of gearboxes, at least cost"
     axes.set(xlabel="allowed size over the size given [%]", title=title)
-    # Long names move the axes only in the second round of the layout.
-    figure.draw_without_rendering()
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def single_error_figure(
     problem: SharingProblem, span: tuple[float, float], names: Mapping[str, str] | None = None
 ) -> Figure:
@@ -230,7 +228,7 @@ def single_error_figure(
         source.name: single_error_sharing(problem, source, method="frequency response", span=span)
         for source in problem.sources
     }
-    figure, grid = plotted.tiles(len(sharings), 3, frame=14.0, row=30.0, sharey=True)
+    figure, grid = theme.tiles(len(sharings), 3, frame=14.0, row=30.0, share_y="all")
     for axes, (name, sharing) in zip(grid.flat, sharings.items(), strict=False):
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
@@ -245,7 +243,7 @@ def single_error_figure(
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
     """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
 
@@ -253,13 +251,14 @@ def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, M
         sets: Label, such as ``"floating sun"`` -> sets.
         curves: Label -> number of planets -> K_γ to lay beside them [-]: closed form, tables of standards.
     """
-    figure = plotted.sheet(WIDTH, 80.0)
-    axes = figure.subplots()
+    figure = theme.sheet(WIDTH, 80.0)
+    axes = figure.panel()
     for number, (label, sharing) in enumerate(sets.items()):
         low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))
         place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(sets) - 1))
-        spread = [np.subtract(middle, low), np.subtract(high, middle)]
-        axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
+        colour = theme.CYCLE[number % len(theme.CYCLE)]
+        upright_ranges(axes, place, np.array(low), np.array(high), colour=colour)
+        axes.plot(place, middle, "o", ms=3.5, color=colour, label=label)
     for number, (label, curve) in enumerate(curves.items()):
         order = number + len(sets)
         colour, style = theme.CYCLE[order % len(theme.CYCLE)], "--" if order < len(theme.CYCLE) else ":"
@@ -267,7 +266,7 @@ def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, M
     axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
     counts = {count for sharing in sets.values() for count in sharing.planets}
     axes.set_xticks(sorted(counts.union(*curves.values())))
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
+    axes.legend("right", size=6.5)
     return figure
 
 

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.dynamics import Trace
 from gearwright.dynamics.motion import Samples
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.motion import families
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.units import shown
 
 HEIGHT = 150.0
 """[mm]"""
 
 
-@plotted.styled
+@theme.drawn
 def window_figure(window: DynamicWindow) -> Figure:
     """Return what a window did.
 
@@ -27,8 +27,8 @@ def window_figure(window: DynamicWindow) -> Figure:
         window: As flown.
     """
     trace = window.trace
-    figure = plotted.sheet(WIDTH, HEIGHT)
-    grid = figure.subplots(3, 2)
+    figure = theme.sheet(WIDTH, HEIGHT)
+    grid = figure.grid(3, 2)
     _speeds(grid[0, 0], trace)
     _pitches(grid[0, 1], window)
     _bands(grid[1, 0], trace, "rad")
@@ -48,23 +48,21 @@ def _speeds(axes: Axes, trace: Trace) -> None:
         label = f"{name}, {shown(float(speed[0]), 'speed'):.0f} rpm"
         axes.plot(trace.samples.time, 100.0 * (speed / speed[0] - 1.0), label=label, lw=0.9)
     axes.set(title="Speeds over those at the start", ylabel="[%]")
-    axes.legend(loc="best", fontsize=6.5)
+    axes.legend("best", size=6.5)
 
 
 def _pitches(axes: Axes, window: DynamicWindow) -> None:
     samples = window.trace.samples
-    for name, pitch in _drive_histories(samples, "pitch").items():
-        axes.plot(samples.time, np.degrees(pitch), color=theme.GREEN, label=f"{name} pitch")
+    for pitch in _drive_histories(samples, "pitch").values():
+        axes.plot(samples.time, np.degrees(pitch), color=theme.GREEN, label="pitch")
     axes.set(title="Pitch and torque of the propeller", ylabel="pitch [°]")
     other = axes.twinx()
-    other.grid(visible=False)
-    other.spines["right"].set_visible(True)
     for name in _drive_histories(samples, "pitch"):
         torque = samples.drive(f"{name} torque")
         sense = np.sign(torque[0]) or 1.0  # what a stream drives is negative
         other.plot(samples.time, sense * torque / 1e3, color=theme.ORANGE, lw=0.9, label="torque")
     other.set_ylabel("torque [kN m]")
-    axes.legend([*axes.lines, *other.lines], ["pitch", "torque"], loc="best", fontsize=6.5)
+    axes.legend("best", size=6.5)
 
 
 def _bands(axes: Axes, trace: Trace, unit: str) -> None:
@@ -78,7 +76,7 @@ def _bands(axes: Axes, trace: Trace, unit: str) -> None:
         axes.fill_between(middle, lowest / 1e3, highest / 1e3, color=colour, alpha=0.25, lw=0.0)
         axes.plot(middle, bins[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
     axes.set(title="Shaft torques" if unit == "rad" else "Mesh forces", ylabel="[kN m]" if unit == "rad" else "[kN]")
-    axes.legend(loc="best", fontsize=6.0, ncols=2)
+    axes.legend("best", size=6.0, columns=2)
 
 
 def _close(axes: Axes, trace: Trace, unit: str) -> None:

@@ -51,9 +51,10 @@ function liveFigures(given, bytes) {
   function keys(box, u, panel) {
     box.addEventListener("keydown", event => {
       const { left, top } = u.cursor, width = u.bbox.width / devicePixelRatio, step = event.shiftKey ? width / 10 : width / 100;
-      const { min, max } = u.scales.x, middle = u.posToVal(left < 0 ? width / 2 : left, "x"), zoom = factor => u.setScale("x", { min: middle - (middle - min) * factor, max: middle + (max - middle) * factor });
+      const { min, max } = u.scales.x, middle = u.posToVal(left < 0 ? width / 2 : left, "x"), across = limits => uPlot.sync(u.cursor.sync.key).plots.forEach(mate => mate.setScale("x", limits));
+      const zoom = factor => across({ min: middle - (middle - min) * factor, max: middle + (max - middle) * factor });
       const does = { ArrowRight: () => u.setCursor({ left: Math.min(width, Math.max(0, left) + step), top: Math.max(1, top) }), ArrowLeft: () => u.setCursor({ left: Math.max(0, left - step), top: Math.max(1, top) }),
-        "+": () => zoom(0.5), "-": () => zoom(2), Escape: () => livePanel.whole(u, panel) }[event.key];
+        "+": () => zoom(0.5), "-": () => zoom(2), Escape: () => { livePanel.whole(u, panel); across({ min: Math.min(...panel.x.a), max: Math.max(...panel.x.a) }); } }[event.key];
       if (does && event.target === box) { event.preventDefault(); does(); }
     });
   }
@@ -64,17 +65,20 @@ function liveFigures(given, bytes) {
     figure.prepend(grid);
     for (const panel of panels) {
       const below = panels.filter(other => other.c === panel.c && other.x.l);
+      const mates = panels.filter(other => other.c === panel.c);
+      panel.aside = (mates.some(other => other.z) && !panel.z ? 72 : 0) + Math.max(...mates.map(other => (other.off ? 0 : other.o[1])));
       panel.name = (panel.x.l || (below.length ? below.at(-1).x.l : "")).split("\n")[0];
       const box = grid.appendChild(make("div", "live-panel")), { data, series, groups } = livePanel.curves(panel, arrays), key = legend(panel, groups, arrays), area = make("div", "live-area");
       if (panel.t) box.append(make("p", "live-title", panel.t));
+      if (panel.off) key.replaceChildren(...panel.m.filter(mark => mark.k === "box" && mark.n).map(mark => { const item = make("span", "live-name", mark.n), sample = make("i", ""); sample.style.background = livePanel.css(mark.f); item.prepend(sample); return item; }));
       box.append(area, key, ...panel.x.l.split("\n").slice(1).map(line => make("p", "live-more", line)));
-      area.tabIndex = 0;
+      if (!panel.off) area.tabIndex = 0;
       area.setAttribute("role", "group");
       area.setAttribute("aria-label", `${panel.t || panel.y.l || "panel"}: arrow keys move the pointer, plus and minus zoom, Escape shows all`);
       const u = new uPlot(livePanel.options(panel, series, arrays, key.tell), data, area);
       key.plot = u;
       keys(area, u, panel);
-      const fit = () => u.setSize({ width: Math.max(200, Math.floor(area.clientWidth)), height: Math.round(panel.h * (narrow() ? 0.9 : 1.1)) + 56 + panel.o[0] });
+      const fit = () => u.setSize({ width: Math.max(200, Math.floor(area.clientWidth)), height: (panel.off ? panel.h + 8 : Math.max(120, Math.round(panel.h * (narrow() ? 0.9 : 1.1))) + 56) + panel.o[0] });
       fit();
       new ResizeObserver(fit).observe(area);
       plots.push(u);

@@ -83,7 +83,7 @@ class Figure:
     """What a page draws anew where a reader points."""
 
 
-def figure(drawing: theme.Drawing, name: str, caption: str) -> Figure:
+def figure(drawing: Drawing, name: str, caption: str) -> Figure:
     """Return a figure of a page.
 
     Args:
@@ -91,8 +91,7 @@ def figure(drawing: theme.Drawing, name: str, caption: str) -> Figure:
         name: Goes before its ids.
         caption: Below it.
     """
-    alive = drawing if isinstance(drawing, Drawing) else None
-    return Figure(theme.to_svg(drawing, name, styled=False), caption, name, alive)
+    return Figure(theme.to_svg(drawing, name, styled=False), caption, name, drawing)
 
 
 @dataclass(frozen=True)

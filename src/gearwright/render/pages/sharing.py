@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from gearwright.dynamics.sharing import (
     PlanetCounts,
@@ -27,6 +26,7 @@ from gearwright.render.figures.sharing import (
 )
 from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, figure, set_page
 from gearwright.render.style.templates import environment
+from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.render.words.sharing import summary
 from gearwright.sizing import Sizing
 from gearwright.units import Origin

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import io
-from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator
 
 from markupsafe import Markup
-from matplotlib import rc_context
-from matplotlib.figure import Figure
 
 from gearwright.catalogue import Engine, Series, all_series
 from gearwright.render.figures.weights import figure_densities, figure_mass_over_power, figure_methods
-from gearwright.render.pages.page import Number, Page, Section, Tone, quantity, set_page
+from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, figure, quantity, set_page
 from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.style.templates import environment
 from gearwright.render.tables import weights
@@ -56,11 +52,32 @@ def weights_page(comparison: Comparison) -> str:
     """
     context = _context(comparison)
     parts = environment().get_template("weights_sections.html.j2").make_module(context)
-    sections = tuple(Section(title, content=Markup(getattr(parts, f"part_{name}")())) for name, title in _PARTS.items())
+    drawn = _figures(comparison)
+    sections = tuple(
+        Section(title, figures=drawn.get(name, ()), content=Markup(getattr(parts, f"part_{name}")()))
+        for name, title in _PARTS.items()
+    )
     return set_page(
         Page("Gearbox mass", str(context["requirement"]), "", _verdict(comparison), tuple(_numbers(comparison)),
              sections[:_FIRST], sections[_FIRST:], footer="Masses in kg.")
     )  # fmt: skip
+
+
+def _figures(comparison: Comparison) -> dict[str, tuple[Figure, ...]]:
+    """Return chapter -> its figures."""
+    methods = (
+        "Real weights with the prediction band of their refit, and every method against them. Orange marks: what the"
+        " methods give for this requirement."
+    )
+    power = "Gearbox mass over power. The masses are those of the formula of the tables."
+    densities = "Power density of the gearbox and torque density of the engine, by series."
+    return {
+        "methods_against_weights": (figure(figure_methods(comparison), "methods", methods),),
+        "engine_figures": (
+            figure(figure_mass_over_power(comparison), "power", power),
+            figure(figure_densities(), "densities", densities),
+        ),
+    }
 
 
 def _verdict(comparison: Comparison) -> Judged:
@@ -100,11 +117,6 @@ def _context(comparison: Comparison) -> _Cells:
         "columns": [{"key": key, "symbol": s, "unit": u, "formula": f} for key, (s, u, f) in COLUMNS.items()],
         "tables": [_table(series) for series in all_series()],
         "verdict_count": _verdict_count(),
-        "figures": {
-            "power": _svg(figure_mass_over_power(comparison), "power"),
-            "densities": _svg(figure_densities(), "densities"),
-            "methods": _svg(figure_methods(comparison), "methods"),
-        },
     }
 
 
@@ -204,11 +216,3 @@ def _verdict_count() -> str:
         f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict] and verdict is not Verdict.BLANK
     ]
     return f"Of {total} printed numbers: {', '.join(parts)}."
-
-
-def _svg(figure: Figure, name: str) -> str:
-    """Return a figure as the address of an SVG image: apart from the page's ids, and the same at every run."""
-    out = io.BytesIO()
-    with rc_context({"svg.hashsalt": name}):
-        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
-    return f"data:image/svg+xml;base64,{b64encode(out.getvalue()).decode('ascii')}"

@@ -1,6 +1,6 @@
 """The look of every figure: one font, one small palette, a thin grid; and a figure as SVG or PNG, the same each time.
 
-Figures are values of `vector`; those that matplotlib still draws are of `plotted`, which is loaded for them alone.
+Figures are values of `vector`.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ParamSpec
+from typing import ParamSpec
 
 import numpy as np
 
@@ -30,12 +30,7 @@ from gearwright.render.vector.palette import (
 from gearwright.render.vector.svg import svg_text
 from gearwright.verbs import verb
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Plotted
-
-    Drawing = Figure | Plotted
-else:
-    Drawing = object
+Drawing = Figure
 
 __all__ = [
     "AMBER", "BLUE", "CYCLE", "GREEN", "HAIR", "INCH", "INK", "KIND_COLOURS", "MUTED", "ORANGE", "PAPER", "PURPLE",
@@ -94,7 +89,7 @@ def tiles(
     return figure, grid
 
 
-def to_svg(figure: Figure | Plotted, prefix: str = "", *, styled: bool = True) -> str:
+def to_svg(figure: Figure, prefix: str = "", *, styled: bool = True) -> str:
     """Return a figure as an SVG element that stands alone or inside a page.
 
     Args:
@@ -102,24 +97,16 @@ def to_svg(figure: Figure | Plotted, prefix: str = "", *, styled: bool = True) -
         prefix: Goes before every id, so that several figures can share a page.
         styled: With its own style; else the page has it.
     """
-    if isinstance(figure, Figure):
-        return svg_text(figure, prefix, styled=styled)
-    from gearwright.render.style import plotted
-
-    return plotted.to_svg(figure, prefix)
+    return svg_text(figure, prefix, styled=styled)
 
 
-def to_png(figure: Figure | Plotted, resolution: float = RESOLUTION) -> bytes:
+def to_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
     """Return a figure as a PNG image.
 
     Args:
         figure: As drawn.
         resolution: [dots per inch].
     """
-    if isinstance(figure, Figure):
-        from gearwright.render.vector import pixels
+    from gearwright.render.vector import pixels
 
-        return pixels.to_png(figure, resolution)
-    from gearwright.render.style import plotted
-
-    return plotted.to_png(figure, resolution)
+    return pixels.to_png(figure, resolution)

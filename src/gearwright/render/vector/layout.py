@@ -182,7 +182,7 @@ def words_overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float
         axes: The panel.
         frame: Its place.
     """
-    boxes = [words_box(words, axes, frame) for words in axes.of(Words)]
+    boxes = [words_box(words, axes, frame) for words in axes.of(Words) if np.isfinite([words.x, words.y]).all()]
     if not boxes:
         return 0.0, 0.0, 0.0, 0.0
     ends = np.array(boxes)

@@ -20,7 +20,7 @@ from gearwright.arrays import Floats
 from gearwright.render.vector import marks as m
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.axis import Axis
-from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.figure import Figure, Slot
 from gearwright.render.vector.ink import Frame
 from gearwright.render.vector.keys import key_rows
 from gearwright.render.vector.layout import laid_out, scales_of, words_overhang
@@ -101,17 +101,18 @@ def live_panels(figure: Figure, numbers: Numbers) -> list[Record]:
         return []
     frames = laid_out(figure)
     return [
-        {"c": slot.column, "h": round((frame[3] - frame[1]) * PIXELS), "o": _around(slot.axes, frame),
-         **_panel(slot.axes, frame, numbers)}
+        {**_place(slot, frame), **_panel(slot.axes, frame, numbers)}
         for slot, frame in zip(figure.slots, frames, strict=True)
-        if not slot.axes.off
-    ]  # fmt: skip
+        if slot.axes.marks
+    ]
 
 
-def _around(axes: Axes, frame: Frame) -> list[int]:
-    """Return the room of words above and to the right of a panel [px]."""
-    _, _, right, above = words_overhang(axes, frame)
-    return [round(WIDER * above * PIXELS), round(WIDER * right * PIXELS)]
+def _place(slot: Slot, frame: Frame) -> Record:
+    """Return column and height of a panel, and the room of words above and to the right of it [px]."""
+    _, _, right, above = words_overhang(slot.axes, frame)
+    around = [round(WIDER * above * PIXELS), round(WIDER * right * PIXELS)]
+    height = round((frame[3] - frame[1]) * PIXELS)
+    return {"c": slot.column, "h": height, "o": around, **({"off": 1} if slot.axes.off else {})}
 
 
 def _all_marks(axes: Axes) -> list[m.Mark]:
@@ -169,7 +170,7 @@ def _mark(mark: m.Mark, places: Any, numbers: Numbers, sides: tuple[Axis, Axis])
             name: numbers.add(getattr(mark, part)[keep]) for name, part in (("x", "x"), ("y", "low"), ("u", "high"))
         }
         yield {"k": "fill", **arrays, "f": _colour(mark.colour), **_alpha(mark.alpha)}
-    elif isinstance(mark, m.Box) and mark.width and mark.height:
+    elif isinstance(mark, m.Box) and (mark.label or (mark.width and mark.height)) and np.isfinite(mark.box).all():
         yield {"k": "box", "b": _short(mark.box), "f": _colour(mark.fill), **_alpha(mark.alpha)}
     elif isinstance(mark, m.Rule):
         span = _short((mark.low, mark.high))
@@ -179,7 +180,7 @@ def _mark(mark: m.Mark, places: Any, numbers: Numbers, sides: tuple[Axis, Axis])
         yield {"k": "dots", "x": numbers.add(mark.x), "y": numbers.add(mark.y), "s": _short(radius),
                "f": [_colour(face) for face in dict.fromkeys(mark.faces)], "i": _places_of(mark.faces),
                "e": _colour(mark.edge), **_alpha(mark.alpha)}  # fmt: skip
-    elif isinstance(mark, m.Words):
+    elif isinstance(mark, m.Words) and np.isfinite([mark.x, mark.y]).all():
         leader = {} if mark.leader is None else {"d": _short(mark.leader), "e": _colour(mark.leader_colour)}
         yield {"k": "word", **leader, "s": mark.text, "b": [*_short((mark.x, mark.y)), *_short(mark.shift)],
                "o": [frame[0] for frame in mark.frames], "j": [mark.across, mark.up, mark.turned, mark.size],

@@ -60,7 +60,8 @@ def _panel(axes: Axes, frame: Frame) -> Iterator[Ink]:
         layers += [(mark, (scales[0], scales_of(twin, frame)[1])) for mark in twin.marks]
     for mark, pair in sorted(layers, key=lambda entry: entry[0].layer):
         if isinstance(mark, m.Words):
-            yield from _words(mark, axes, frame)
+            if math.isfinite(mark.x) and math.isfinite(mark.y):
+                yield from _words(mark, axes, frame)
         else:
             yield from _mark(mark, pair, frame, clipped=not axes.off)
     if not axes.off:
@@ -94,7 +95,7 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
         box = mark.box
         corners = _corners(x.place(box[0]), x.place(box[2]), y.place(box[1]), y.place(box[3]))
         pen = m.Pen(mark.edge, mark.edge_width) if mark.edge and mark.edge_width else None
-        if mark.width and mark.height:
+        if mark.width and mark.height and np.isfinite(corners).all():
             yield Path(
                 (_near(corners, frame),), pen, mark.fill, mark.alpha, closed=True, hatched=mark.hatched, clip=clip
             )

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from collections.abc import Mapping
 from typing import Any
 
-from matplotlib import colormaps
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.style.compound import shade
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.study import Row, Table
 
 FEW_CURVES = 3
@@ -34,7 +32,7 @@ def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
 
 
-@plotted.styled
+@theme.drawn
 def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
     """Return every result against the last axis, one panel each, with the optimum and the range near it.
 
@@ -44,8 +42,8 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     """
     senses = objectives or {name: "maximum" if name in _HEAVIER_IS_BETTER else "minimum" for name in table.numbers}
     axis = numeric_axis(table) or ""
-    figure = plotted.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
-    panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
+    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
+    panels = figure.grid(len(table.numbers), 1, share_x=True)[:, 0]
     curves = _curves(table, axis)
     few = len(curves) <= FEW_CURVES
     for panel, result in zip(panels, table.numbers, strict=True):
@@ -60,11 +58,10 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     tied = len(table.rows[0].inputs) - len(table.free)
     panels[-1].set_xlabel(f"{axis}, and {tied} more with it" if tied else axis)
     if few and len(curves) > 1:
-        panels[0].legend(loc="best")
+        panels[0].legend("best")
     elif not few:
         others = ", ".join(path for path in table.free if path != axis)
-        lines, names = panels[0].get_legend_handles_labels()
-        figure.legend(lines, names, loc="outside right upper", title=textwrap.fill(others, 32), title_fontsize=7.5)
+        panels[0].legend("right", title=others, size=6.5)
     band = f", band within {percent(FLAT)} of it" if few else ""
     panels[0].set_title(f"{table.name}: ring at the optimum{band}")
     return figure
@@ -74,7 +71,7 @@ def _colours(count: int) -> list[Any]:
     """Return colours of curves: each its own for few, a scale in their order for many."""
     if count <= len(theme.CYCLE):
         return list(theme.CYCLE[:count])
-    return [colormaps["cividis"](k / (count - 1)) for k in range(count)]
+    return [shade(k / (count - 1)) for k in range(count)]
 
 
 def _curves(table: Table, axis: str) -> dict[str, list[Row]]:
@@ -105,17 +102,17 @@ def _mark_optimum(panel: Axes, place: list[Any], values: list[float], *, colour:
         return
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
     at = place[values.index(best)]
-    panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)
+    panel.plot([at], [best], "o", mfc=theme.PAPER, mec=colour, ms=8)
     if not flat:
         return
     panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
     offset = -12 if sense == "maximum" else 8
     side = {min(place): "left", max(place): "right"}.get(at, "center")
-    panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
+    panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), ha=side,
                    fontsize=7.5, color=colour)  # fmt: skip
 
 
-@plotted.styled
+@theme.drawn
 def comparison_figure(table: Table) -> Figure:
     """Return the masses of several designs as stacked bars, lightest first, with their power density.
 
@@ -126,8 +123,8 @@ def comparison_figure(table: Table) -> Figure:
     whole = _COMPLETE[0] in table.results
     parts = [part for part in (_COMPLETE if whole else _STACK) if part in table.results] or list(table.numbers[:1])
     rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
-    figure = plotted.sheet(180.0, 26.0 + 7.0 * len(rows))
-    axes = figure.add_subplot()
+    figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
+    axes = figure.panel()
     labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
     start = [0.0] * len(rows)
     for part in parts:
@@ -137,14 +134,14 @@ def comparison_figure(table: Table) -> Figure:
         )
         start = [left + value for left, value in zip(start, values, strict=True)]
     for place, (row, end) in enumerate(zip(rows, start, strict=True)):
-        axes.annotate(_bar_text(row, end), (end, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
+        axes.annotate(_bar_text(row, end), (end, place), (4, 0), va="center", fontsize=7.5)
     axes.invert_yaxis()
     axes.set_xlim(0.0, max(start, default=1.0) * 1.42)
     left_out = "gears, shafts, carriers and motors; without housing, bearings and oil"
     axes.set_xlabel(f"mass [kg]: {'gearbox with all its parts, and motors' if whole else left_out}")
-    axes.legend(loc="upper right")
+    axes.legend("upper right")
     axes.set_title(table.name)
-    plotted.only_grid(axes, "x")
+    axes.only_grid("x")
     return figure
 
 

@@ -7,13 +7,15 @@ from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
-from matplotlib.figure import Figure
 
+from gearwright.arrays import Floats
 from gearwright.render.figures.study.lines import axis_label, study_figure
 from gearwright.render.figures.study.trade import draw_ranges, trade_figure
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
+from gearwright.render.style.compound import DUSK, colour_bar, shades
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import heading, percent
+from gearwright.render.vector.figure import Figure
 from gearwright.spec import Study
 from gearwright.study import Row, Table
 from gearwright.study.answers import Influence, pareto_front, varies, verdict
@@ -23,6 +25,8 @@ MOST_BINS, FEW_DESIGNS = 40, 4
 """Bars of a distribution; designs up to which bars are told apart."""
 _MARKS = "os^v"
 """Shapes of points, for more designs than colours."""
+CELLS = 96
+"""Of a side of a map."""
 MOST_LINES = 400
 """Cases drawn as parallel coordinates; more would be a wall of ink: evenly spaced ones are taken."""
 
@@ -44,7 +48,7 @@ def figure_of(study: Study, table: Table) -> Figure:
     return distribution_figure(table)
 
 
-@plotted.styled
+@theme.drawn
 def distribution_figure(table: Table) -> Figure:
     """Return the distribution of every result that varies, with median and 5 to 95 % range.
 
@@ -56,8 +60,8 @@ def distribution_figure(table: Table) -> Figure:
     drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
     designs = tuple(dict.fromkeys(row.design for row in table.good))
     many = len(designs) > FEW_DESIGNS
-    figure = plotted.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
-    panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
+    figure = theme.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
+    panels = figure.grid(max(1, len(drawn)), 1)[:, 0]
     for panel, result in zip(panels, drawn, strict=False):
         panel.set_xlabel(axis_label(table, result))
         if many:
@@ -75,11 +79,11 @@ def distribution_figure(table: Table) -> Figure:
                 panel.hist(values, bins, color=colour, alpha=0.55, label=label)
                 panel.axvline(median, color=colour, lw=0.9)
         panel.set_ylabel("cases")
-        panel.legend(loc="best", title="median (5 to 95 %)", title_fontsize=7.5)
+        panel.legend("best", title="median (5 to 95 %)")
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     """Return inputs and results of every case as lines across parallel axes; chosen ones stand out.
 
@@ -94,25 +98,23 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     values = np.array([[_value(row, name) for name in names] for row in [*rows, *chosen]])
     low, high = values.min(axis=0), values.max(axis=0)
     placed = (values - low) / np.where(high > low, high - low, 1.0)
-    figure = plotted.sheet(180.0, 90.0)
-    axes = figure.add_subplot()
-    axes.plot(placed[: len(rows)].T, color=theme.MUTED, lw=0.4, alpha=0.35)
+    figure = theme.sheet(180.0, 90.0)
+    axes = figure.panel()
+    axes.plot(range(len(names)), placed[: len(rows)].T, color=theme.MUTED, lw=0.4, alpha=0.35)
     if len(chosen):
-        axes.plot(placed[len(rows) :].T, color=theme.ORANGE, lw=1.0)
+        axes.plot(range(len(names)), placed[len(rows) :].T, color=theme.ORANGE, lw=1.0)
     for k in range(len(names)):
         axes.axvline(k, color=theme.INK, lw=0.6)
-        axes.annotate(f"{high[k]:.4g}", (k, 1.0), (0, 3), textcoords="offset points", ha="center", fontsize=7)
-        axes.annotate(f"{low[k]:.4g}", (k, 0.0), (0, -9), textcoords="offset points", ha="center", fontsize=7)
+        axes.annotate(f"{high[k]:.4g}", (k, 1.0), (0, 3), ha="center", fontsize=7)
+        axes.annotate(f"{low[k]:.4g}", (k, 0.0), (0, -9), ha="center", fontsize=7)
     axes.set_xticks(range(len(names)), [_wrapped(axis_label(table, name)) for name in names], fontsize=7)
-    axes.tick_params(axis="x", length=0, pad=10)
-    axes.set_yticks([])
-    axes.set_ylim(-0.02, 1.02)
-    axes.grid(visible=False)
-    axes.spines[["left", "bottom"]].set_visible(False)
+    axes.x.ticks = axes.y.ticks = axes.y.numbers = axes.x.grid = axes.y.grid = False
+    axes.left_spine = axes.bottom_spine = False
+    axes.set_ylim(-0.08, 1.02)
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def contour_figure(table: Table, result: str) -> Figure:
     """Return a result over the first two axes that are numbers, as filled contours between the cases.
 
@@ -124,16 +126,34 @@ def contour_figure(table: Table, result: str) -> Figure:
     rows = table.good
     x, y = (np.array([_value(row, path) for row in rows]) for path in (across, up))
     z = np.array([row.shown(result) for row in rows])
-    figure = plotted.sheet(150.0, 100.0)
-    axes = figure.add_subplot()
-    filled = axes.tricontourf(x, y, z, levels=12, cmap="cividis")
+    figure = theme.sheet(150.0, 100.0)
+    axes, bar = figure.grid(1, 2, widths=(1.0, 0.03))[0]
+    low, high = float(np.min(z)), float(np.max(z))
+    level = (between(x, y, z) - low) / ((high - low) or 1.0)
+    axes.picture((float(x.min()), float(y.min()), float(x.max()), float(y.max())), shades(level, DUSK))
     axes.plot(x, y, ".", color=theme.PAPER, ms=1.5, alpha=0.6)
-    figure.colorbar(filled, ax=axes, label=axis_label(table, result))
+    colour_bar(bar, (low, high if high > low else low + 1.0), DUSK, upright=True)
+    bar.set_title(axis_label(table, result), fontsize=7.5)
     axes.set(xlabel=across, ylabel=up)
     return figure
 
 
-@plotted.styled
+def between(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Return values between scattered ones, linear in triangles, on a grid of `CELLS` a side; outside not a number.
+
+    Args:
+        x: Places.
+        y: Places.
+        z: Values.
+    """
+    from scipy.interpolate import griddata
+
+    across, up = (np.linspace(float(ends.min()), float(ends.max()), CELLS) for ends in (x, y))
+    values: Floats = griddata((x, y), z, (across[None, :], up[:, None]), rescale=True)
+    return values
+
+
+@theme.drawn
 def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequence[Row] = ()) -> Figure:
     """Return all cases over the first two objectives, the front joined, designs in colours and marks.
 
@@ -144,8 +164,8 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
         chosen: Designs of the front that get letters, in order.
     """
     across, up = list(study.objectives)[:2]
-    figure = plotted.sheet(150.0, 100.0)
-    axes = figure.add_subplot()
+    figure = theme.sheet(150.0, 100.0)
+    axes = figure.panel()
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
     for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
         rows = [row for row in table.good if row.design == design]
@@ -155,16 +175,16 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
         axes.plot([], [], mark, color=colour, ms=5, label=design)
     for k, row in enumerate(chosen):
         at = (row.shown(across), row.shown(up))
-        axes.annotate(letter(k), at, (5, 4), textcoords="offset points", fontsize=8, weight="bold")
+        axes.annotate(letter(k), at, (5, 4), fontsize=8, weight="bold")
     if len(study.objectives) == 2:
         axes.plot(*_points(front, across, up), "-", color=theme.INK, lw=0.8, label="front", zorder=1)
     axes.set_xlabel(f"{axis_label(table, across)}: {study.objectives[across]}")
     axes.set_ylabel(f"{axis_label(table, up)}: {study.objectives[up]}")
-    axes.legend(loc="best")
+    axes.legend("best")
     return figure
 
 
-@plotted.styled
+@theme.drawn
 def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
     """Return the total and first-order influence of every axis on a result as bars with their confidence.
 
@@ -172,20 +192,20 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
         result: Its name.
         influences: From `sensitivity`.
     """
-    figure = plotted.sheet(150.0, 24.0 + 12.0 * len(influences))
-    axes = figure.add_subplot()
+    figure = theme.sheet(150.0, 24.0 + 12.0 * len(influences))
+    axes = figure.panel()
     place = np.arange(len(influences))
     for offset, kind, colour in ((-0.19, "total", theme.BLUE), (0.19, "first", theme.SKY)):
         values = np.array([getattr(influence, kind) for influence in influences])
         ends = np.array([getattr(influence, f"{kind}_interval") for influence in influences]).T
-        errors = np.maximum(0.0, np.stack([values - ends[0], ends[1] - values]))
         label = "with interactions" if kind == "total" else "alone"
-        axes.barh(place + offset, values, 0.36, xerr=errors, color=colour, label=label, error_kw={"lw": 0.8})
+        axes.barh(place + offset, values, 0.36, color=colour, label=label)
+        axes.hlines(place + offset, np.minimum(values, ends[0]), np.maximum(values, ends[1]), lw=0.8)
     axes.set_yticks(place, [influence.axis for influence in influences])
     axes.invert_yaxis()
     axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {percent(CONFIDENCE)} confidence")
-    axes.legend(loc="lower right")
-    plotted.only_grid(axes, "x")
+    axes.legend("lower right")
+    axes.only_grid("x")
     return figure
 
 

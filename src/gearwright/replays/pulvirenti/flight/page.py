@@ -8,15 +8,15 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
 from gearwright.dynamics import Samples
 from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.style import plotted, theme
+from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
+from gearwright.render.vector.axes import Axes
+from gearwright.render.vector.figure import Figure
 from gearwright.replays.pulvirenti.flight.claims import (
     CLAIMS,
     CONSTANT,
@@ -77,7 +77,7 @@ class Side(NamedTuple):
     runs: Runs
 
 
-@plotted.styled
+@theme.drawn
 def chapter_figure(sides: Sequence[Side], window: str, panels: Sequence[str], *, stiffness: str) -> Figure:
     """Return panels of a window, as printed on the left and as it should be on the right.
 
@@ -87,8 +87,8 @@ def chapter_figure(sides: Sequence[Side], window: str, panels: Sequence[str], *,
         panels: Keys of `TITLES`, from top to bottom.
         stiffness: Of the meshes.
     """
-    figure = plotted.sheet(WIDTH, ROW * len(panels) + 8.0)
-    grid = figure.subplots(len(panels), len(sides), squeeze=False, sharey="row")
+    figure = theme.sheet(WIDTH, ROW * len(panels) + 8.0)
+    grid = figure.grid(len(panels), len(sides), share_y="row")
     for column, side in enumerate(sides):
         run = side.runs[window, stiffness]
         for row, panel in enumerate(panels):
@@ -162,7 +162,7 @@ def _torques(axes: Axes, window: DynamicWindow) -> None:
     ):
         axes.plot(_time(window), torque[part] / 1e3, lw=0.9, label=name)
     axes.set_ylabel("[kN m]")
-    axes.legend(loc="best", fontsize=6.0, ncols=4)
+    axes.legend("best", size=6.0, columns=4)
 
 
 def _output(axes: Axes, window: DynamicWindow) -> None:
@@ -171,7 +171,7 @@ def _output(axes: Axes, window: DynamicWindow) -> None:
     for name, torque in (("T_c2", shafts.output), ("T_prop", shafts.propeller)):
         axes.plot(_time(window), 100.0 * (torque[part] / shafts.ideal[part] - 1.0), lw=0.9, label=name)
     axes.set_ylabel("off T_ideal [%]")
-    axes.legend(loc="best", fontsize=6.0, ncols=2)
+    axes.legend("best", size=6.0, columns=2)
 
 
 def _pitch(axes: Axes, window: DynamicWindow) -> None:
