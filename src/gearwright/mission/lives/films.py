@@ -19,6 +19,8 @@ from gearwright.units import CELSIUS
 
 MODES = ("scuffing", "micropitting")
 """Judgements of a mesh that hang on the temperature of its oil."""
+FILMED = ("iso6336", "iso6336-2006", "din3990", "iso10300")
+"""Methods that judge films."""
 _LEAST_TORQUE = 1e-6
 """Torque below which nothing is loaded [N m]."""
 
@@ -42,7 +44,7 @@ def film_checks_of(flight: Flight) -> Iterator[Check]:
 def _of_mesh(flight: Flight, mesh: Mesh, warm: Floats) -> Iterator[Check]:
     sizing = flight.sizing
     rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
-    if not rating.method.startswith("iso"):
+    if rating.method not in FILMED:
         return
     torque = np.abs(flight.meshes[mesh.name].torque)
     speed = np.abs(flight.speed(mesh.nodes[0]) - flight.speed(mesh.nodes[2]))
