@@ -261,7 +261,7 @@ UNKNOWN = {
 }
 """Verb and argument -> call with a name that is not there."""
 FREE = {
-    "source", "title", "text", "results", "designs", "tell",
+    "source", "title", "text", "results", "designs", "beside", "tell",
     "path of load", "path of save", "shaft of waterfall_figure", "name of bending_shaft",
     "path of read_duty", "path of read_blades", "path of from_rexs",
     "lives of mixed_life", "shares of mixed_life", "chosen of bearing_lives",
