@@ -15,7 +15,7 @@ import gearwright as gw
 
 ROOT = Path(__file__).parents[2]
 API = (ROOT / "docs" / "reference" / "api.md").read_text(encoding="utf-8")
-ERRANDS = {"app", "check", "export", "import", "new", "run", "status", "resume", "cluster"}
+ERRANDS = {"app", "check", "export", "import", "new", "run", "status", "resume", "merge", "cluster"}
 """Commands that serve people or read and write their files, and are no verb of their own."""
 
 
