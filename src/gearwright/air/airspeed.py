@@ -105,5 +105,5 @@ def calibrated_of_true(true: float, air: Air) -> float:
 
 def _subsonic(mach: float) -> float:
     if not 0.0 <= mach < 1.0:
-        raise DesignError([Problem("speed", f"Mach {mach:.3g}; the pitot equation used here holds from 0 to below 1")])
+        raise DesignError([Problem("speed", f"Mach {mach:.3g}; the pitot equation holds below 1: fly slower or lower")])
     return mach

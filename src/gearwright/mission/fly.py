@@ -19,7 +19,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Point, gearbox_of
 from gearwright.mission.loading import Asked, loaded
 from gearwright.mission.moments import Blades, Moment, moments, performed, wanted_of, windmilling
-from gearwright.mission.oil import flown_oil
+from gearwright.mission.oil import flown_oil, refuse_stiff
 from gearwright.mission.plant import GearHeat, PackState, Warm, Warmths, oil_start, oil_step, started
 from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
@@ -229,6 +229,7 @@ def _oiled(flown: Flown, warm: Warm | None) -> Flown:
     if warm is None:
         return flown
     oil = flown.gearbox.oil._replace(temperature=warm.oil)
+    refuse_stiff(oil)
     return flown._replace(gearbox=replace(flown.gearbox, oil=oil))
 
 

@@ -40,6 +40,12 @@ def fly(text, folder=None):
             r"isa_offset_k: -100 is not allowed; give a value from -60",
         ),
         ("power_kw = 600\n", "power_kw = 600\n[oil]\ninlet_temperature_k = 193\n", "193 is not allowed; give a value"),
+        (
+            "power_kw = 600\n",
+            "power_kw = 600\n[oil.network]\noil_mass_kg = 12\nhousing_mass_kg = 40\nbearing_mass_kg = 15\n"
+            "gears_to_oil_w_k = 400\nbearings_to_oil_w_k = 300\ncooler_w_k = 300\nstart_temperature_k = 193.15\n",
+            r"at 5 s, oil: at -80\.0 °C it has 1\.64e\+08 mm²/s, .* no pump moves it; heat it before the start",
+        ),
         ("power_kw = 600\n", HYBRID, r"phases\.cruise: at \d+ s, battery: "),
     ],
 )

@@ -101,6 +101,7 @@ def test_what_cannot_be_is_told(changes, message):
         fly(sized(), mission(**changes))
 
 
-def test_oil_of_minus_eighty_degrees_is_flown_or_refused_in_words():
-    flight = fly(sized(), mission(start_temperature_k=193.15))
-    assert np.isfinite(flight.history.gearbox_heat).all()
+def test_oil_of_minus_eighty_degrees_does_not_flow_and_of_minus_forty_it_does():
+    with pytest.raises(DesignError, match=r"oil: at -80\.0 °C it has .* no pump moves it"):
+        fly(sized(), mission(start_temperature_k=193.15))
+    assert np.isfinite(fly(sized(), mission(start_temperature_k=233.15)).history.gearbox_heat).all()
