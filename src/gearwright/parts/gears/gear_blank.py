@@ -39,10 +39,9 @@ def blank_volume(blank: Blank) -> float:
     Source: annuli; one alone where rim and hub meet.
     """
     root, bore = blank.root_radius, min(blank.bore_radius, blank.root_radius)
-    if blank.is_solid:
-        return _annulus(root, bore) * blank.width
-    rim, hub = _annulus(root, blank.rim_radius), _annulus(blank.hub_radius, bore)
-    return (rim + hub) * blank.width + _annulus(blank.rim_radius, blank.hub_radius) * blank.web_width
+    inside = max(blank.rim_radius, blank.hub_radius)
+    rim, hub = _annulus(root, inside), _annulus(blank.hub_radius, bore)
+    return (rim + hub) * blank.width + _annulus(inside, blank.hub_radius) * blank.web_width
 
 
 def _annulus(outer: float, inner: float) -> float:

@@ -30,9 +30,8 @@ def pin_bore(diameter: float, needed: float) -> float:
 
     Source: equal section moduli: 1 − κ⁴ = (d_needed/d)³; at most `WIDEST_PIN_BORE`.
     """
-    if diameter <= needed:
-        return 0.0
-    return diameter * min(math.pow(1.0 - (needed / diameter) ** 3, 0.25), WIDEST_PIN_BORE)
+    spare = max(1.0 - (needed / diameter) ** 3, 0.0)
+    return diameter * min(math.pow(spare, 0.25), WIDEST_PIN_BORE)
 
 
 def pin_stress(force: float, face_width: float, diameter: float, *, bore: float = 0.0) -> float:

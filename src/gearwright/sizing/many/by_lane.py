@@ -272,6 +272,21 @@ def _roots(module: ModuleType) -> None:
     module._any = lambda moving: bool(lanes_of(moving).data.any())  # type: ignore[attr-defined]
 
 
+def _outlines(module: ModuleType) -> None:
+    """Find the area of a tooth once for each that occurs: they repeat."""
+    alone: Callable[..., Any] = _own(module).outline_area
+
+    def outline_area(tooth: Any) -> Any:
+        counts = [len(lanes.data) for lanes in _lanes_in(tooth)]
+        if not counts:
+            return alone(tooth)
+        teeth = [of_lane(tooth, k) for k in range(max(counts))]
+        known = {one: alone(one) for one in dict.fromkeys(teeth)}
+        return Lanes(np.array([known[one] for one in teeth]))
+
+    module.outline_area = outline_area  # type: ignore[attr-defined]
+
+
 def _alone_known(module: ModuleType) -> None:
     """Keep nothing of meshes: lanes are no keys."""
     module.once = lambda _context, _rating, _key, computed: computed()  # type: ignore[attr-defined]
@@ -286,6 +301,7 @@ CHANGES.update({
     "gearwright.sizing.rating.context": _alone_known,
     "gearwright.sizing.stages.stage_sizes": _whole,
     "gearwright.sizing.places.room": _rooms,
+    "gearwright.parts.gears.transverse_form": _outlines,
     "gearwright.parts.iso6336.root": _roots,
     "gearwright.parts.iso6336.steels.life": _lives,
     "gearwright.parts.iso6336.steels.damage": _damages,
