@@ -11,9 +11,13 @@ from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.machines import Governor
 from gearwright.mission import fly, governed_window, trim_at
 from gearwright.mission.windows import fly_window
+from gearwright.render.answers.flight import window_answer
+from gearwright.render.answers.plain import plain
+from gearwright.render.pages.window import window_page
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import GovernorRules, WindowRules, parse_mission, read
+from html_checks import stands_alone
 from shipped_work import flown
 
 STIFFNESSES = ("constant", "varying")
@@ -154,3 +158,14 @@ def test_a_late_engine_joins_through_its_overrunning_clutch():
     assert np.all(samples.drive("sprag-2 slipping")[after] == 0.0)
     carried, given = (np.mean(samples.drive(name)[after]) for name in ("sprag-2 torque", "turbine-2 torque"))
     assert carried == pytest.approx(given, rel=0.02)
+
+
+def test_the_page_of_a_window_says_first_what_its_json_says():
+    window, sizing = quiet("cruise", 605.0, "constant"), flown().sizing
+    page, told = window_page(window, sizing), plain(window_answer(window))
+    stands_alone(page)
+    margins = [min(load.bending_margin, load.contact_margin) for load in window.meshes]
+    margins += [load.margin for load in window.shafts]
+    assert ('class="verdict bad"' in page) == (min(margins) < 1.0)
+    assert f'data-v="{min(margins):.7g}"' in page
+    assert f'data-v="{max(row["peak_torque_n_m"] for row in told["shafts"]):.7g}"' in page

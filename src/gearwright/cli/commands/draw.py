@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,6 +11,7 @@ import typer
 
 from gearwright.cli.completion import designs
 from gearwright.cli.ends import named_after
+from gearwright.cli.options import DateOption, ReportOption
 from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import make_folder, write_text
 
@@ -32,15 +34,19 @@ def draw(
         str | None, typer.Option(help="Sheets by name, or all of a kind (shaft, gear), with commas; left out: all")
     ] = None,
     formats: Annotated[str, typer.Option("--format", help="svg, dxf or both, with a comma")] = "svg,dxf",
+    report: ReportOption = None,
+    date: DateOption = "",
 ) -> None:
     """Draw the general arrangement, every shaft and every gear as sheets to ISO conventions."""
     from gearwright.render.drawings.catalogue import sheets
     from gearwright.render.drawings.sheet.sheets import scale_text
 
     wanted = _formats(formats)
-    drawn = sheets(_sized(design), _names(what))
+    sizing = _sized(design)
+    drawn = sheets(sizing, _names(what))
     # Everything is drawn before anything is written: what cannot be drawn leaves no half of it.
     texts = {f"{sheet.name}.{suffix}": _text(sheet, suffix) for sheet in drawn for suffix in wanted}
+    page = "" if report is None else _page(sizing, drawn, date)
     folder = folder or named_after(design, "drawings")
     make_folder(folder)
     for name, text in texts.items():
@@ -48,6 +54,23 @@ def draw(
     for sheet in drawn:
         show(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
     show(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")
+    if report is not None:
+        write_text(report, page)
+        tell(f"wrote {report}")
+
+
+def _page(sizing: Sizing, drawn: Sequence[Sheet], date: str) -> str:
+    """Return all sheets on one page."""
+    from gearwright.render.drawings.sheet.sheets import scale_text
+    from gearwright.render.drawings.sheet.svg import sheet_svg
+    from gearwright.render.pages.page import Stamp
+    from gearwright.render.pages.sheets import DrawnSheet, sheets_page
+
+    rows = [
+        DrawnSheet(sheet.name, sheet.title, sheet.size.name, scale_text(sheet.scale), sheet_svg(sheet))
+        for sheet in drawn
+    ]
+    return sheets_page(sizing, rows, stamp=Stamp(date))
 
 
 def _sized(name: str) -> Sizing:

@@ -13,8 +13,17 @@ import typer
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import named_after
-from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption, LinesOption
-from gearwright.cli.terminal.output import progress, show, write_figure
+from gearwright.cli.options import (
+    CaseOption,
+    DateOption,
+    DesignArgument,
+    FigureOption,
+    JsonOption,
+    LinesOption,
+    ReportOption,
+)
+from gearwright.cli.terminal.output import progress, show, tell, write_figure
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.render.grid.table import Table
@@ -125,6 +134,8 @@ def runup(
 
 def validate(
     pattern: Annotated[str | None, typer.Argument(help="Only cases whose name or source contains this")] = None,
+    report: ReportOption = None,
+    date: DateOption = "",
     json: JsonOption = False,
     jsonl: LinesOption = False,
 ) -> None:
@@ -137,8 +148,10 @@ def validate(
     machine = json or jsonl
 
     checked: list[Checked] = []
+    sources: list[tuple[Checked, ...]] = []
     for numbers in by_source(published(pattern or "")):
         checked += numbers
+        sources.append(numbers)
         if not machine:
             _show(source_table(numbers))
     missed = sum(not number.holds for number in checked)
@@ -148,6 +161,12 @@ def validate(
         show_answer("validate", ValidateAnswer(missed, tuple(checked)))
     else:
         show(verdict(checked))
+    if report is not None:
+        from gearwright.render.pages.page import Stamp
+        from gearwright.render.pages.validation import validation_page
+
+        write_text(report, validation_page(sources, stamp=Stamp(date)))
+        tell(f"wrote {report}")
     if missed:
         raise SolveError(f"{missed} published numbers are missed; the tables say which")
 

@@ -15,8 +15,17 @@ from gearwright.cli.commands.design import StiffnessOption
 from gearwright.cli.commands.mission import mission_of
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, save_run
-from gearwright.cli.options import DesignArgument, FigureOption, JsonOption, LinesOption, MissionArgument
+from gearwright.cli.options import (
+    DateOption,
+    DesignArgument,
+    FigureOption,
+    JsonOption,
+    LinesOption,
+    MissionArgument,
+    ReportOption,
+)
 from gearwright.cli.terminal.output import show, tell, write_figure
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.spec import Mission
@@ -31,6 +40,8 @@ def window(
     stiffness: StiffnessOption = None,
     output: Annotated[Path | None, typer.Option(help="Write the run to this netCDF-4 file")] = None,
     figure: FigureOption = None,
+    report: ReportOption = None,
+    date: DateOption = "",
     json: JsonOption = False,
     jsonl: LinesOption = False,
 ) -> None:
@@ -66,6 +77,12 @@ def window(
 
         write_figure(window_figure(dynamic), figure)
         tell(f"wrote {figure}")
+    if report is not None:
+        from gearwright.render.pages.page import Stamp
+        from gearwright.render.pages.window import window_page
+
+        write_text(report, window_page(dynamic, sizing, stamp=Stamp(date)))
+        tell(f"wrote {report}")
 
 
 def _list(mission: Mission) -> None:
