@@ -3,15 +3,16 @@
 import numpy as np
 import pytest
 
-from gearwright.dynamics import DampingRatio, Model, Periodic, simulate, statics
+from gearwright.dynamics import DampingRatio, Model, Periodic, modes, simulate, statics
 from gearwright.dynamics.equations import damped_rates, line_state, split_rigid
+from gearwright.dynamics.equations.modes import stiffness_matrix
 from gearwright.dynamics.equations.sparse import is_sparse, motions_of_graph, rigid_motions, settled
 from gearwright.dynamics.equations.statics import steady_load
 from gearwright.dynamics.model import LARGE, line_matrix
 from gearwright.dynamics.motion import fastest_rate
 from gearwright.dynamics.motion.steps import damping_bound
 from gearwright.dynamics.motion.steps.bounds import rate_bound
-from gearwright.errors import SolveError
+from gearwright.errors import DesignError, SolveError
 from random_systems import random_system
 
 
@@ -109,3 +110,50 @@ def test_a_train_beyond_what_is_dense_moves_as_accurately_as_it_says():
     away = np.max(np.abs(peaks[0] - peaks[1]) / np.max(peaks[1]))
     assert away <= coarse.error <= 0.01
     assert abs(coarse.work.imbalance) < 1e-4
+
+
+def test_lowest_modes_of_a_large_train_are_those_of_dense_matrices():
+    """Lanczos' method and the whole eigenproblem, which take other ways; tolerance: the square of the residual."""
+    system = train(LARGE + 40, rings=20)
+    few = modes(system, 12)
+    assert few.rigid == 1
+    assert np.max(few.residual) < 1e-8
+    assert len(few.residual) == 12
+    elastic = split_rigid(system.arrays)[1]
+    matrix = elastic.T @ stiffness_matrix(system.arrays, system.arrays.stiffness) @ elastic
+    wanted = np.sqrt(np.linalg.eigvalsh(matrix)[:12]) / (2.0 * np.pi)
+    np.testing.assert_allclose(few.frequency[1:], wanted, rtol=1e-9)
+    overlap = few.shapes.T @ (system.arrays.mass[:, None] * few.shapes)
+    np.testing.assert_allclose(overlap, np.eye(13), atol=1e-8)
+    np.testing.assert_allclose(np.sum(few.line_energy[:, 1:], axis=0), 1.0, rtol=1e-7)
+
+
+def test_modes_of_a_chain_of_thousands_are_those_of_its_closed_form():
+    """Equal bodies and lines in a row: ω = 2 √(k r²/J) sin(n π/(2 N)); residuals are told."""
+    bodies, model = 3000, Model()
+    for number in range(bodies):
+        model.rotation(f"{number}", inertia=1e-3)
+    for number in range(bodies - 1):
+        model.shaft(f"shaft {number}", f"{number}", f"{number + 1}", stiffness=1e5)
+    found = modes(model.build(), 5)
+    wanted = 2.0 * np.sqrt(1e5 / 1e-3) * np.sin(np.arange(6) * np.pi / (2 * bodies)) / (2.0 * np.pi)
+    np.testing.assert_allclose(found.frequency, wanted, rtol=1e-7, atol=1e-9)
+    assert np.max(found.residual) < 1e-6
+
+
+def test_a_count_of_modes_below_one_is_refused():
+    with pytest.raises(DesignError, match="0 modes; ask for one or more"):
+        modes(train(4), 0)
+
+
+def test_speeds_of_a_large_train_follow_line_by_line():
+    """As those of a small one by least squares: teeth alternate the sense, and a line that cannot fit is named."""
+    system = train(LARGE + 10)
+    np.testing.assert_allclose(system.arrays.speed, 500.0 * (-1.0) ** np.arange(LARGE + 10), rtol=1e-12)
+    model = Model()
+    for number in range(LARGE + 10):
+        model.rotation(f"{number}", inertia=1e-3, speed={0: 500.0, LARGE: 400.0}.get(number))
+    for number in range(LARGE + 9):
+        model.mesh(f"{number}", {f"{number}": 0.05, f"{number + 1}": 0.05}, stiffness=1e8)
+    with pytest.raises(DesignError, match="it would stretch steadily"):
+        model.build()

@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import (
+    LARGE,
     Arrays,
     Labels,
     System,
+    along_lines,
     finite_numbers,
     holding,
     line_matrix,
     planned,
     refuse_not_finite,
 )
+from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown
 from gearwright.train.algebra import row_and_null_space
 from gearwright.verbs import verb
 
+LOWEST = 60
+"""Elastic modes of a large system that are found where no count is asked for."""
 REPEATED = 1e-6
 """Relative distance under which two natural frequencies count as one [-]."""
 
@@ -38,6 +43,8 @@ class Modes(Shown):
     """Share of each mode's elastic energy in each line [-], shape (lines, modes); zero for rigid modes."""
     labels: Labels
     """Names of coordinates and lines."""
+    residual: Floats = field(default_factory=lambda: np.zeros(0))
+    """‖K φ − ω² M φ‖ over ω² ‖M φ‖ of modes that were found iteratively [-], shape (elastic modes,); none of others."""
 
     @property
     def rigid(self) -> int:
@@ -88,20 +95,26 @@ def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:
 
 
 @verb
-def modes(system: System) -> Modes:
+def modes(system: System, count: int | None = None) -> Modes:
     """Return natural frequencies, shapes and the lines that hold each mode's elastic energy.
 
     Args:
         system: Gyroscopic and centripetal terms are left out: see `campbell` for those.
+        count: How many elastic modes, the lowest; left out: all, of more than `LARGE` coordinates the `LOWEST`. These
+            are found by Lanczos' method and told with their residuals.
 
     Raises:
+        DesignError: If the count is not positive.
         SolveError: If a number of the system or of its modes is not finite; with the part.
 
     Source:
         Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand.
     """
+    if count is not None and count < 1:
+        raise DesignError([Problem("count", f"{count} modes; ask for one or more, or leave it out")])
     with finite_numbers(system):
-        solved = _modes(system)
+        large = len(system.arrays.mass) > LARGE
+        solved = _lowest(system, count or LOWEST) if large else _modes(system, count)
     numbers = [f"mode {number}" for number in range(1, 1 + len(solved.frequency))]
     refuse_not_finite(solved.frequency, numbers, "frequency")
     refuse_not_finite(solved.shapes.T, system.labels.coordinates, "mode shape")
@@ -109,7 +122,19 @@ def modes(system: System) -> Modes:
     return solved
 
 
-def _modes(system: System) -> Modes:
+def _lowest(system: System, count: int) -> Modes:
+    from gearwright.dynamics.equations.lanczos import lowest_modes  # both need `split_rigid` from here
+    from gearwright.dynamics.equations.sparse import rigid_motions
+
+    arrays, lines = system.arrays, len(system.arrays.stiffness)
+    found, rigid = lowest_modes(arrays, count), rigid_motions(arrays)
+    stretch = np.array([along_lines(arrays, shape) for shape in found.shapes.T]).T
+    share = np.hstack([np.zeros((lines, rigid.shape[1])), arrays.stiffness[:, None] * stretch**2 / found.square])
+    frequency = np.concatenate([np.zeros(rigid.shape[1]), np.sqrt(found.square)]) / (2.0 * np.pi)
+    return Modes(frequency, np.hstack([rigid, found.shapes]), share, system.labels, found.residual)
+
+
+def _modes(system: System, count: int | None) -> Modes:
     from scipy import linalg  # statics, which need only `split_rigid`, do without it
 
     arrays = system.arrays
@@ -117,6 +142,7 @@ def _modes(system: System) -> Modes:
     matrix = line_matrix(arrays)
     reduced = elastic.T @ stiffness_matrix(arrays, arrays.stiffness) @ elastic
     square, vectors = linalg.eigh(0.5 * (reduced + reduced.T))
+    square, vectors = square[:count], vectors[:, :count]
     shapes = np.hstack([rigid, elastic @ vectors])
     frequency = np.concatenate([np.zeros(rigid.shape[1]), np.sqrt(np.maximum(square, 0.0))]) / (2.0 * np.pi)
     energy = arrays.stiffness[:, None] * (matrix @ shapes) ** 2

@@ -7,6 +7,7 @@ sparse factors take milliseconds.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -123,9 +124,7 @@ def settled(arrays: Arrays, load: Floats, stiffness: Floats, error: Floats) -> F
     from scipy import sparse  # small systems do without it
 
     root, stiff = np.sqrt(arrays.mass), np.sqrt(stiffness)
-    entries = arrays.line_weight / root[arrays.line_dof]
-    lines = sparse.csr_matrix((entries, arrays.line_dof, arrays.line_start), shape=(len(stiff), len(root)))
-    lines = sparse.diags(stiff) @ lines
+    lines = scaled_lines(arrays, stiffness)
     rigid = rigid_motions(arrays) * root[:, None]
     pull = load / root - rigid @ (rigid.T @ (load / root))
     gap, opened = stiff * arrays.backlash, stiff * error
@@ -147,13 +146,45 @@ def settled(arrays: Arrays, load: Floats, stiffness: Floats, error: Floats) -> F
     )
 
 
-def _solve(lines: Any, rigid: Floats, force: Floats) -> Floats:
-    """Return the motion under a force, without any rigid one: the matrix is bordered by the rigid motions."""
+def scaled_lines(arrays: Arrays, stiffness: Floats) -> Any:
+    """Return √k D M^(−1/2) as a sparse matrix, whose square is the stiffness in coordinates of unit mass.
+
+    Args:
+        arrays: The system's numbers.
+        stiffness: Of each line [N/m or N m/rad].
+    """
     from scipy import sparse
+
+    entries, shape = arrays.line_weight / np.sqrt(arrays.mass)[arrays.line_dof], (len(stiffness), len(arrays.mass))
+    return sparse.diags(np.sqrt(stiffness)) @ sparse.csr_matrix((entries, arrays.line_dof, arrays.line_start), shape)
+
+
+def _solve(lines: Any, rigid: Floats, force: Floats) -> Floats:
+    """Return the motion under a force, without any rigid one."""
+    return factored(lines, rigid)(force)
+
+
+def factored(lines: Any, rigid: Floats) -> Callable[[Floats], Floats]:
+    """Return what finds the motion under a force, both without any rigid one.
+
+    One coordinate for each rigid motion is held while the rest is solved for, which leaves the matrix as sparse as it
+    is; what the answer then has of the rigid motions is taken out.
+
+    Args:
+        lines: As `scaled_lines` has them.
+        rigid: Motions of unit length, shape (coordinates, rigid).
+    """
+    from scipy.linalg import qr
     from scipy.sparse.linalg import splu
 
-    matrix = lines.T @ lines
-    border = sparse.csc_matrix(rigid * float(matrix.diagonal().max(initial=1.0)))
-    bordered = sparse.bmat([[matrix, border], [border.T, None]], format="csc") if rigid.size else matrix.tocsc()
-    answer = splu(bordered).solve(np.concatenate([force, np.zeros(rigid.shape[1])]))
-    return np.asarray(answer[: len(force)])
+    held = qr(rigid.T, mode="r", pivoting=True)[-1][: rigid.shape[1]] if rigid.size else []
+    free = np.delete(np.arange(len(rigid)), held)
+    part = lines[:, free]
+    factors = splu((part.T @ part).tocsc(), permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+
+    def solved(force: Floats) -> Floats:
+        motion = np.zeros(len(force))
+        motion[free] = factors.solve(force[free])
+        return np.asarray(motion - rigid @ (rigid.T @ motion))
+
+    return solved

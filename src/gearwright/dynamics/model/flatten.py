@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import product
 
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model.drives import drive_columns, encoded
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
+from gearwright.dynamics.model.reference_speeds import reference_speeds
 from gearwright.dynamics.model.system import (
     Arrays,
     Entries,
@@ -24,10 +26,7 @@ from gearwright.dynamics.model.system import (
     Tone,
 )
 from gearwright.dynamics.model.written import Load, Order, Pair, Written, problems
-from gearwright.errors import DesignError, Problem, refuse
-
-SPEED_TOLERANCE = 1e-6
-"""Largest stretch rate of a line at the reference speeds over the sum of its parts [-]: room for rounded radii."""
+from gearwright.errors import refuse
 
 
 def flatten(model: Written) -> System:
@@ -94,32 +93,7 @@ def _slip(lines: Sequence[Line], index: Mapping[str, int], speed: Floats) -> Flo
 def _speeds(model: Written, index: Mapping[str, int]) -> Floats:
     """Solve for the speeds that are not given: no line with a stiffness may stretch steadily."""
     lines = [line for line in model.lines if line.kind != "damper" and not line.turns_along]
-    matrix = np.zeros((len(lines), len(index)))
-    for row, line in enumerate(lines):
-        for name, weight in line.weights.items():
-            matrix[row, index[name]] = weight
-    stated = np.array([body.speed is not None for body in model.bodies])
-    speed = np.array([body.speed or 0.0 for body in model.bodies])
-    scale = np.linalg.norm(matrix, axis=1, keepdims=True)
-    unit = matrix / scale
-    if not stated.all() and lines:
-        speed[~stated] = np.linalg.lstsq(unit[:, ~stated], -unit[:, stated] @ speed[stated], rcond=1e-10)[0]
-    if stretching := _stretching(lines, unit, speed):
-        raise DesignError(stretching)
-    return speed
-
-
-def _stretching(lines: Sequence[Line], unit: Floats, speed: Floats) -> list[Problem]:
-    rate, size = unit @ speed, np.abs(unit) @ np.abs(speed)
-    wrong = np.flatnonzero(np.abs(rate) > SPEED_TOLERANCE * np.max(size, initial=0.0)).tolist()
-    return [
-        Problem(
-            f"lines.{lines[row].name}",
-            f"it would stretch steadily at the given speeds (by {abs(rate[row]) / size[row]:.1e} of its parts); "
-            "speeds and weights (base radii, signs) must fit together",
-        )
-        for row in wrong
-    ]
+    return reference_speeds(lines, index, [body.speed for body in model.bodies])
 
 
 @dataclass
@@ -164,21 +138,22 @@ def _gyroscopic(pairs: Sequence[Pair], mass: Floats, index: Mapping[str, int]) -
     for pair in pairs:
         x, y = index[pair.first], index[pair.second]
         moment = -2.0 * float(mass[x]) * pair.frame_speed if pair.moment is None else pair.moment
-        row, column, value = [*row, x, y], [*column, y, x], [*value, moment, -moment]
+        row += [x, y]
+        column += [y, x]
+        value += [moment, -moment]
     return Entries(_ints(row), _ints(column), np.array(value, dtype=float))
 
 
 def _following(model: Written, index: Mapping[str, int], what: str) -> Entries:
-    size = len(index)
-    matrix = np.zeros((size, size))
+    sums = dict[tuple[int, int], float]()
     for film in model.following:
-        x, y = np.zeros(size), np.zeros(size)
-        for vector, motion in ((x, film.x), (y, film.y)):
-            for name, weight in motion.items():
-                vector[index[name]] += weight
-        matrix += getattr(film, what) * (np.outer(x, y) - np.outer(y, x))
-    row, column = np.nonzero(matrix)
-    return Entries(row.astype(np.int64), column.astype(np.int64), matrix[row, column])
+        for (one, x), (other, y) in product(film.x.items(), film.y.items()):
+            row, column, value = index[one], index[other], getattr(film, what) * x * y
+            sums[row, column] = sums.get((row, column), 0.0) + value
+            sums[column, row] = sums.get((column, row), 0.0) - value
+    places = sorted(place for place, value in sums.items() if value)
+    values = np.array([sums[place] for place in places], dtype=float)
+    return Entries(_ints([row for row, _ in places]), _ints([column for _, column in places]), values)
 
 
 def _centripetal(pairs: Sequence[Pair], mass: Floats, index: Mapping[str, int]) -> Entries:

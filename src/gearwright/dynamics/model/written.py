@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -179,8 +180,9 @@ def _bodies(model: Written) -> Iterator[Problem]:
 
 
 def _duplicates(group: str, names: Sequence[str]) -> Iterator[Problem]:
-    for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Problem(f"{group}.{name}", f"the name is used {names.count(name)} times; names must differ")
+    for name, count in sorted(Counter(names).items()):
+        if count > 1:
+            yield Problem(f"{group}.{name}", f"the name is used {count} times; names must differ")
 
 
 def _loads(model: Written) -> Iterator[Problem]:
