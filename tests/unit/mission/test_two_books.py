@@ -9,11 +9,18 @@ from gearwright.air import air_at, stagnation_ratios
 from gearwright.errors import DesignError
 from gearwright.machines.power import Exhaust, exhaust_heat
 from gearwright.mission import fly
+from gearwright.shipped import shipped_missions
 from gearwright.sizing import size
 from gearwright.spec import edited_mission, parse_mission, read, read_mission
 from shipped_work import flown
 
-FLIGHTS = (("in-line-h2", "thesis"), ("in-line", "regional-250nm"), ("twin-engine-helicopter", "rotor-schedule"))
+FLIGHTS = (
+    ("in-line-h2", "thesis"), ("in-line", "regional-250nm"), ("twin-engine-helicopter", "rotor-schedule"),
+    ("in-line-h2", "thesis-chapter-4"), ("in-line-h2", "strategies"), ("in-line-h2", "hybrid-reserves"),
+    ("in-line-h2", "ways-down"), ("in-line", "regional-aircraft"), ("in-line", "equal-power"),
+    ("ec120b", "ec120b-sortie"), ("ec120b", "ec120b-trim"),
+)  # fmt: skip
+"""Every shipped mission."""
 
 
 def gas_heat(flight, warmer=0.0):
@@ -30,6 +37,10 @@ def gas_heat(flight, warmer=0.0):
 @pytest.mark.parametrize("pair", FLIGHTS)
 def test_the_books_agree(pair):
     assert flown(*pair).balance.residual <= 1e-9
+
+
+def test_every_shipped_mission_is_among_them():
+    assert {mission for _, mission in FLIGHTS} == set(shipped_missions())
 
 
 def test_the_second_book_is_made_of_what_is_recorded():
