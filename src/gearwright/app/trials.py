@@ -27,6 +27,8 @@ MOST_ROWS = 20_000
 """Rows that a page is given; of more, evenly spaced ones [-]."""
 MOST_MOVED = 120
 """Numbers of a design that are moved one by one [-]."""
+MOST_WORDS = 5
+"""Words of which one may be written that are tried [-]."""
 STEP = 0.01
 """By which part a number is moved; whole numbers by one [-]."""
 SAME = 1e-9
@@ -109,7 +111,7 @@ def variant(question: Question, tell: Tell) -> Answer:
 
 
 def moved(question: Question, tell: Tell) -> Answer:
-    """Return what a little more of each number that a design gives, or could give, does to every result.
+    """Return what a little more of each number, or another word, of those that a design could give does to its results.
 
     One per cent more, whole numbers by one, face widths by 1 mm; everything else is found anew, by `size_many`.
 
@@ -121,8 +123,11 @@ def moved(question: Question, tell: Tell) -> Answer:
     from gearwright.units import key_suffix
 
     sizing = sized(question)
-    handles = list(_handles(question.text, sizing))[:MOST_MOVED]
-    axes = {one.path: [one.more if at == k else None for at in range(len(handles))] for k, one in enumerate(handles)}
+    handles = [*_handles(question.text, sizing), *_words(question.text)][:MOST_MOVED]
+    axes = {
+        path: [one.more if one.path == path else None for one in handles]
+        for path in dict.fromkeys(one.path for one in handles)
+    }
     tell(Progress(0.05, f"{len(handles)} numbers, each moved alone"))
     base = named_results(sizing)
     found = size_many(sizing.design, axes, results=list(base))
@@ -147,12 +152,12 @@ class Handle(NamedTuple):
 
     path: str
     """Dotted, with the unit at its end."""
-    value: float
+    value: float | str
     """As it is, in that unit."""
-    more: float
-    """As it is moved."""
+    more: float | str
+    """As it is moved, or what else it may be."""
     kind: str
-    """written, default or computed."""
+    """written, default, computed, or choice."""
 
 
 def _handles(text: str, sizing: Sizing) -> Iterator[Handle]:
@@ -166,6 +171,24 @@ def _handles(text: str, sizing: Sizing) -> Iterator[Handle]:
         for entry in group.possible:
             yield from _handle(group.path, entry, entry.default, "default")
             yield from _handle(group.path, entry, _computed(sizing, group.path, entry.key), "computed")
+
+
+def _words(text: str) -> Iterator[Handle]:
+    """Yield what entries may be instead that are one of a few words: kinds of bearings, grades, laws."""
+    from gearwright.app.form import form
+
+    for group in form(text):
+        for entry in (*group.written, *group.possible):
+            if len(entry.choices) <= MOST_WORDS:
+                yield from _choices(group.path, entry)
+
+
+def _choices(path: tuple[str, ...], entry: Field) -> Iterator[Handle]:
+    """Yield what an entry may be instead, where it is one of a few words."""
+    now = entry.value if entry.value is not None else entry.default
+    for other in entry.choices if path else ():
+        if other != now:
+            yield Handle(".".join((*path, entry.key)), "" if now is None else str(now), other, "choice")
 
 
 def _handle(path: tuple[str, ...], entry: Field, value: object, kind: str) -> Iterator[Handle]:

@@ -7,7 +7,7 @@ import {set, state} from "/static/state.js";
 new Task(at("close-line"), "Make it pass", told => {
   if (!state.answer) return null;
   at("unmet").replaceChildren();
-  return {...begin("close", state.text, {variants: at("variants").checked}, told), taken: async answer => show(await answer.json())};
+  return {...begin("close", state.text, {variants: at("variants").checked, anew: at("anew").checked}, told), taken: async answer => show(await answer.json())};
 });
 at("close-line").firstChild.title = "gearwright close: choose every free size so that all checks are met";
 

@@ -159,4 +159,22 @@ function show() {
   }
 }
 
+/* An entry by its path, opened and focused; true if the form has it. */
+export function focusEntry(path) {
+  const group = state.form.find(one => [...one.written, ...one.possible].some(field => [...one.path, field.key].join(".") === path));
+  const title = group && (group.path.join(" ") || "design"), box = [...document.querySelectorAll("#form details")].find(one => one.dataset.path === title);
+  if (!box) return false;
+  box.open = true;
+  const key = path.slice(group.path.join(".").length + (group.path.length ? 1 : 0));
+  if (!group.written.some(field => field.key === key)) {
+    const more = box.querySelector("details.more");
+    more.open = true;
+    if (more.children.length === 1) more.append(...group.possible.map(field => entry(group, field)));
+  }
+  const {input} = inputs.get(idOf(group.path, key)) || {};
+  input?.scrollIntoView({block: "center"});
+  input?.focus();
+  return Boolean(input);
+}
+
 on("form", show);

@@ -1,10 +1,11 @@
 /* What would change a number: each value that the design gives, or could give, moved a little; everything found anew. */
 import {Dropped, Problems} from "/static/api.js";
+import {focusEntry} from "/static/form.js";
 import {begin} from "/static/jobs.js";
 import {made, number, percent} from "/static/made.js";
 import {state} from "/static/state.js";
 
-const MOST = 8;
+const MOST = 12;
 let text = "", found = null, asked = null;
 
 /* Of the text as it stands, computed once. */
@@ -19,14 +20,22 @@ function moves() {
 }
 
 const step = one => {
+  if (one.kind === "choice") return one.more;
   const name = one.path, unit = /_mm$/.test(name) && one.kind === "computed" && one.more - one.value === 1;
   return unit ? "+1 mm" : Number.isInteger(one.value) && one.more - one.value === 1 ? "+1" : "+1 %";
 };
-const KINDS = {written: "", default: ", now the default", computed: ", now computed"};
+const KINDS = {written: "", default: ", now the default", computed: ", now computed", choice: ""};
 
 function rows({handles, changes}, key) {
   const shares = changes[key] || [];
   return handles.map((one, k) => ({...one, share: shares[k]})).filter(one => one.share).sort((a, b) => Math.abs(b.share) - Math.abs(a.share)).slice(0, MOST);
+}
+
+/* Leads to its entry in the form. */
+function handle(one) {
+  const button = made("button", {type: "button", className: "why-button", title: `${number(one.value)} to ${number(one.more)}${KINDS[one.kind]}: show it in the form`, textContent: one.kind === "choice" ? `${one.path} = ${one.more}${one.value ? ` (now ${one.value})` : ""}` : `${step(one)} of ${one.path} (${number(one.value)}${KINDS[one.kind]})`});
+  button.addEventListener("click", () => focusEntry(one.path));
+  return made("span", {}, button);
 }
 
 /* A box that fills itself as soon as the answer is there. */
@@ -37,7 +46,7 @@ export function moved(key, box = made("div", {className: "moved"})) {
     if (mine !== state.answer.text) return;
     const list = rows(told, key);
     box.replaceChildren(...(list.length ? [made("p", {className: "hint", textContent: "What would change it, everything else found anew:"}), made("div", {className: "bars"}, ...list.flatMap(one => [
-      made("span", {title: `${number(one.value)} to ${number(one.more)}${KINDS[one.kind]}`, textContent: `${step(one)} of ${one.path} (${number(one.value)}${KINDS[one.kind]})`}), made("span", {textContent: percent(one.share)}),
+      handle(one), made("span", {textContent: percent(one.share)}),
     ]))] : [made("p", {className: "hint", textContent: "None of the values of the design moves it."})]));
     document.body.dataset.moved = key;
   }).catch(reason => {
