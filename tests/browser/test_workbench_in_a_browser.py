@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from workbench import MASS, choose, ended, mass_of, started, wait_for
+from workbench import MASS, children, choose, ended, mass_of, started, wait_for
 
 import gearwright as gw
 from shipped_work import sized
@@ -172,9 +172,22 @@ def test_a_design_is_saved_and_a_server_that_was_killed_is_told_of(opened, tmp_p
         page.click("#naming button >> nth=0")
         wait_for(page, "#status", "saved mine.toml")
         assert "speed_rpm = 21000" in (tmp_path / "mine.toml").read_text(encoding="utf-8")
+        heirs = children(server.pid)
     finally:
         server.kill()
         ended(server)
     page.locator(SPEED).fill("22000")
     wait_for(page, "#status", "the server does not answer: start gearwright app again and reload")
     assert "speed_rpm = 21000" in page.inner_text(".cm-content")
+    for _ in range(40):  # a process that is loading hears of it a moment later
+        if not (left := [heir for heir in heirs if children(heir) is not None]):
+            break
+        page.wait_for_timeout(250)
+    assert left == []
+    server, _ = started(tmp_path, port=at.split(":")[2].partition("/")[0])
+    try:
+        page.locator(SPEED).fill("23000")
+        wait_for(page, "#status", "the server was started anew: open the address that it printed")
+        assert "speed_rpm = 21000" in page.inner_text(".cm-content")
+    finally:
+        ended(server)

@@ -116,6 +116,25 @@ def test_a_brush_keeps_the_right_designs_and_a_row_opens_its_design(opened):
     assert told == []
 
 
+def test_a_study_is_paused_and_gone_on_with(opened):
+    page, told = opened()
+    page.click("nav a >> text=Studies")
+    page.wait_for_selector("#vary option", state="attached")
+    page.select_option("#vary", "motors.electric.speed_rpm")
+    page.click("#vary-add")
+    page.fill("#journal", "paused.journal")
+    page.click("#study-line button >> nth=0")
+    page.wait_for_selector("#study-line progress[value]")
+    page.click("#study-line button >> nth=1")
+    page.wait_for_selector("body[data-paused]")
+    assert "gearwright resume paused.journal" in page.inner_text("#study-words")
+    assert 0 < int(page.get_attribute("body", "data-paused")) <= 128
+    page.click("#resume-line button >> nth=0")
+    page.wait_for_selector("body[data-studied]")
+    assert int(page.inner_text("#kept").split()[0]) > 100
+    assert told == []
+
+
 def test_skeletons_and_solids_stand_beside_each_other_under_one_camera(opened):
     page, told = opened()
     page.click("nav a >> text=Compare")

@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import gearwright as gw
 from shipped_work import sized
@@ -35,6 +36,14 @@ def ended(server):
     server.terminate()
     server.wait()
     server.stdout.close()
+
+
+def children(number):
+    """Return the processes that a process has started; none of one that runs no more, or where nobody can tell."""
+    try:
+        return [int(word) for word in Path(f"/proc/{number}/task/{number}/children").read_text().split()]
+    except OSError:
+        return None
 
 
 def mass_of(text):

@@ -46,6 +46,8 @@ class Opened:
     shipped: bool
     end: Callable[[], None] = field(default=lambda: None)
     """Ends the server."""
+    worker: Worker = field(default_factory=Worker)
+    """What answers quickly; it may have been started before."""
 
 
 def workbench(opened: Opened) -> Starlette:
@@ -85,7 +87,7 @@ class Desk:
 
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
-        self.quick = Lane(Worker(), seconds=QUICK_LIMIT)
+        self.quick = Lane(opened.worker, seconds=QUICK_LIMIT)
         self.aside = Lane(Worker(), seconds=ASIDE_LIMIT)
         self.jobs = Jobs()
 

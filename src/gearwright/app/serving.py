@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import socket
 import threading
 import webbrowser
@@ -35,17 +36,20 @@ def serve(
     """
     if lacking := [module for module in NEEDED if find_spec(module) is None]:
         refuse([Problem("", f"the workbench needs {' and '.join(lacking)}, not here yet; {install('app')}")])
+    from gearwright.app.worker import Worker
+
+    where, file, shipped = _opened(name, folder)
+    bound, worker = _bound(port), Worker()
+    worker.start()  # it loads what sizes while this process loads what serves
     import uvicorn
 
     from gearwright.app.guard import Guard
     from gearwright.app.routes import Opened, workbench
 
-    where, file, shipped = _opened(name, folder)
-    bound = _bound(port)
     taken, token = bound.getsockname()[1], token_urlsafe(24)
     address = f"http://{HOST}:{taken}/?token={token}"
     server: list[uvicorn.Server] = []
-    opened = Opened(where, file, shipped, lambda: setattr(server[0], "should_exit", True))
+    opened = Opened(where, file, shipped, lambda: setattr(server[0], "should_exit", True), worker)
     guarded = Guard(workbench(opened), port=taken, token=token)
     server.append(
         uvicorn.Server(
@@ -79,6 +83,8 @@ def _opened(name: str, folder: Path | None) -> tuple[Path, str, bool]:
 
 def _bound(port: int) -> socket.socket:
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    if os.name == "posix":  # who starts it again at once has the same address; elsewhere others could take it over
+        bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
         bound.listen(MOST_CONNECTIONS)  # who opens the address at once waits, and is not turned away

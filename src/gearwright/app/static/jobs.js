@@ -4,17 +4,16 @@ import {made} from "/static/made.js";
 
 /* Begin one; `told` takes how far it is. The answer arrives as a promise; stop() ends the computation. */
 export function begin(verb, text, options = {}, told = () => {}) {
-  let name = "", stopped = false, source = null;
-  const stop = async () => {
+  let name = "", stopped = false;
+  const stop = async () => { // its last event says that it has ended
     stopped = true;
-    source?.close();
     if (name) await sent(`/api/jobs/${name}/stop`, "POST", {});
   };
   const answer = (async () => {
     const begun = await (await sent(`/api/jobs/${verb}`, "POST", {...options, text, page})).json();
     name = begun.job;
     if (stopped) await stop();
-    const end = await followed(name, told, made => { source = made; });
+    const end = await followed(name, told);
     if (end.replaced) throw new Dropped("");
     if (end.stopped) throw new Dropped(end.stopped);
     return sent(`/api/jobs/${name}/result`);
@@ -23,10 +22,9 @@ export function begin(verb, text, options = {}, told = () => {}) {
 }
 
 /* Events until the end; the browser takes up a line that broke where it was. */
-function followed(name, told, opened) {
+function followed(name, told) {
   return new Promise((done, failed) => {
     const source = new EventSource(`/api/jobs/${name}/events`);
-    opened(source);
     let misses = 0;
     source.addEventListener("message", event => {
       misses = 0;

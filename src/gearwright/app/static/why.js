@@ -67,7 +67,7 @@ async function whole(box) {
   const one = key.startsWith("envelope.") ? definitions.Envelope?.properties?.[key.slice(9)] : definitions.SizeAnswer?.properties?.[key];
   const back = made("button", {type: "button", textContent: "Close"});
   back.addEventListener("click", () => set({asked: ""}));
-  box.replaceChildren(made("h3", {}, `Why ${words} ${key === "worst_margin" ? ratio(value) : number(value)} ${unit}? `, back), ...meant(one), limit(result), moved(key.replace("complete_total", "complete_mass")), ...made_of(key, result));
+  box.replaceChildren(made("h3", {}, `Why ${words} ${key === "worst_margin" ? ratio(value) : number(value)} ${unit}? `, back), ...meant(one), moved(key.replace("complete_total", "complete_mass")), limit(result), ...made_of(key, result));
 }
 
 function made_of(key, result) {

@@ -2,7 +2,7 @@
 import {at, made, number} from "/static/made.js";
 import {ink, plot, upright, word} from "/static/plots.js";
 
-const KINDS = {mesh: ["#0072b2", []], shaft: ["#6a6f76", [2, 4]], machine: ["#b35a94", [6, 4]]}, NEAR = 14;
+const KINDS = {mesh: ["--room", []], shaft: ["#6a6f76", [2, 4]], machine: ["#b35a94", [6, 4]]}, NEAR = 14;
 
 export function campbell({head, column}) {
   const factor = column("factor"), all = column("frequency"), speeds = factor.map(value => value * head.rpm), count = factor.length;
@@ -27,7 +27,7 @@ function rays(one, head) {
   pen.clip();
   for (const order of head.orders) {
     const [stroke, dash] = KINDS[order.kind];
-    pen.strokeStyle = stroke;
+    pen.strokeStyle = stroke.startsWith("--") ? ink(stroke) : stroke;
     pen.setLineDash(dash);
     pen.lineWidth = order.kind === "mesh" ? 1.4 : 0.7;
     pen.beginPath();
@@ -48,7 +48,7 @@ function names(one, head, high) {
     const end = order.frequency * high / head.rpm, right = end <= one.scales.y.max;
     const x = right ? left + width - 6.2 * order.name.length * unit : one.valToPos(one.scales.y.max * head.rpm / order.frequency, "x", true) - 2 * unit;
     if (!right && x < free) continue;
-    word(one, order.name, x, right ? one.valToPos(end, "y", true) - 5 * unit : top + 12 * unit, KINDS.mesh[0]);
+    word(one, order.name, x, right ? one.valToPos(end, "y", true) - 5 * unit : top + 12 * unit, ink(KINDS.mesh[0]));
     free = x + 6.4 * order.name.length * unit;
   }
 }
@@ -84,7 +84,7 @@ function under(one, head, criticals, modes, speeds) {
 }
 
 function table(criticals) {
-  const row = one => made("tr", {className: one.verdict === "clear" ? "" : "fails"}, made("th", {scope: "row", textContent: one.order}), ...[one.mode, `${number(one.frequency_hz)} Hz`, `${number(one.speed_rpm)} rpm`, `${one.margin_percent > 0 ? "+" : ""}${number(one.margin_percent, 3)} %`, `${number(one.dynamic_force_percent, 3)} %`, one.verdict].map(textContent => made("td", {textContent})));
+  const row = one => made("tr", {className: ["clear", "not excited"].includes(one.verdict) ? "" : "fails"}, made("th", {scope: "row", textContent: one.order}), ...[one.mode, `${number(one.frequency_hz)} Hz`, `${number(one.speed_rpm)} rpm`, `${one.margin_percent > 0 ? "+" : ""}${number(one.margin_percent, 3)} %`, `${number(one.dynamic_force_percent, 3)} %`, one.verdict].map(textContent => made("td", {textContent})));
   at("criticals").replaceChildren(made("table", {}, made("caption", {textContent: "Critical speeds, the worst first"}),
     made("thead", {}, made("tr", {}, ...["order", "mode", "frequency", "speed", "margin", "force", "verdict"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...criticals.slice(0, 40).map(row))));
 }
