@@ -1,4 +1,4 @@
-"""What the documentation's build adds: formulas as MathML, and the changelog.
+"""What the documentation's build adds: formulas as MathML, the notebooks as they run, and the changelog.
 
 Formulas are LaTeX between dollar signs and become MathML while the site is built, so that a reader's browser needs no
 script and no request for them. Code is left alone.
@@ -7,9 +7,12 @@ script and no request for them. Code is left alone.
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).parent))
+import gallery
 from latex2mathml.converter import convert
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
@@ -23,6 +26,8 @@ _CODE_OR_FORMULA = re.compile(
     r"|(?<![\\$\w])\$(?P<line>[^\s$](?:[^$\n]*[^\s$])?)\$(?![\w$])",
     re.DOTALL | re.MULTILINE,
 )
+_shown: dict[str, list[str]] = {}
+"""Page of a notebook -> what its cells show as HTML, in order; until the page is made only."""
 _formulas: dict[str, list[str]] = {}
 """Page -> its formulas as MathML, in order; between the two events of a page only."""
 
@@ -31,6 +36,10 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the changelog, which lies beside the documentation's folder."""
     changelog = Path(config.config_file_path).with_name("CHANGELOG.md").read_text(encoding="utf-8")
     files.append(File.generated(config, "changelog.md", content=changelog))
+    for notebook in sorted(gallery.NOTEBOOKS.glob("*.py")):
+        uri = f"notebooks/{notebook.stem}.md"
+        text, _shown[uri] = gallery.page(notebook, gallery.executed(notebook))
+        files.append(File.generated(config, uri, content=text))
     return files
 
 
@@ -42,7 +51,10 @@ def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
 
 def on_page_content(html: str, page: Page, **_: Any) -> str:
     """Put the formulas in."""
-    return put_in(html, _formulas.pop(page.file.src_uri))
+    whole = put_in(html, _formulas.pop(page.file.src_uri))
+    for place, shown in enumerate(_shown.pop(page.file.src_uri, [])):
+        whole = whole.replace(f"<p>{gallery.mark(place)}</p>", shown)
+    return whole
 
 
 def taken_out(markdown: str) -> tuple[str, list[str]]:

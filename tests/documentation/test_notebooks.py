@@ -5,41 +5,37 @@ They are scripts in the percent format, which notebook editors open; nothing of 
 
 from __future__ import annotations
 
-import ast
+import importlib.util
+import sys
 from pathlib import Path
 
 import pytest
 
 import gearwright as gw
 
-NOTEBOOKS = sorted((Path(__file__).parents[2] / "docs" / "notebooks").glob("*.py"))
+DOCS = Path(__file__).parents[2] / "docs"
+NOTEBOOKS = sorted((DOCS / "notebooks").glob("*.py"))
 
 
-def cells(text):
-    """Yield the code cells."""
-    for part in f"\n{text}".split("\n# %%")[1:]:
-        if not part.startswith(" [markdown]"):
-            yield part
-
-
-def run(cell, names):
-    """Run a cell and return the value that it ends with, as a notebook does."""
-    tree = ast.parse(cell)
-    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
-    exec(compile(tree, "cell", "exec"), names)
-    return None if last is None else eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+@pytest.fixture(scope="module")
+def gallery():
+    spec = importlib.util.spec_from_file_location("docs_gallery", DOCS / "gallery.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
-def test_a_notebook_runs_from_top_to_bottom(notebook, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    names = {"__name__": "__main__"}
-    shown = [run(cell, names) for cell in cells(notebook.read_text(encoding="utf-8"))]
-    values = [value for value in shown if value is not None]
+def test_a_notebook_runs_from_top_to_bottom_and_is_a_page_with_what_it_shows(notebook, gallery):
+    run = gallery.executed(notebook)
+    values = [cell.value for cell in run if cell.value is not None]
     assert len(values) >= 3
-    pages = [value._repr_html_() for value in values if hasattr(value, "_repr_html_")]
-    assert sum("<svg" in page for page in pages) >= 2
+    text, shown = gallery.page(notebook, run)
+    assert sum("<svg" in html for html in shown) >= 2
     assert all(len(repr(value)) < 1000 for value in values)
+    assert text.startswith("# ") and text.count("```python") == sum(cell.is_code for cell in run)
+    assert all(text.count(gallery.mark(place)) == 1 for place in range(len(shown)))
 
 
 def test_there_is_one_for_each_kind_of_user():
@@ -49,9 +45,9 @@ def test_there_is_one_for_each_kind_of_user():
         assert "\n# For " in notebook.read_text(encoding="utf-8")
 
 
-def test_a_cell_that_fails_is_noticed():
+def test_a_cell_that_fails_is_noticed(gallery):
     with pytest.raises(gw.DesignError):
-        run("import gearwright as gw\ngw.read('nowhere.toml')", {})
+        gallery.run(gallery.Cell(is_code=True, source="import gearwright as gw\ngw.read('nowhere.toml')"), {})
 
 
 def test_the_readme_runs(tmp_path, monkeypatch, capsys):
