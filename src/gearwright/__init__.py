@@ -24,7 +24,7 @@ if TYPE_CHECKING:
         rotor,
         turboshaft,
     )
-    from gearwright.closure import Wishes, close, nearest_variant
+    from gearwright.closure import Wishes, close, contradictions, nearest_variant
     from gearwright.dynamics import (
         Model,
         Outputs,
@@ -102,6 +102,7 @@ _VERBS = {
     "close": "closure",
     "compare": "study",
     "complete_mass": "sizing.mass",
+    "contradictions": "closure",
     "critical_speeds": "dynamics.vibration",
     "design_text": "spec",
     "draw": "render.drawings.catalogue",
@@ -201,6 +202,7 @@ __all__ = [
     "close",
     "compare",
     "complete_mass",
+    "contradictions",
     "critical_speeds",
     "design_text",
     "draw",

@@ -34,6 +34,14 @@ LinesOption = Annotated[
     bool, typer.Option("--jsonl", help="Print JSON Lines: the answer without its rows, then a line for every row")
 ]
 
+FreeOption = Annotated[
+    str | None,
+    typer.Option(
+        help="What may be changed, too, also where the design gives it, while all becomes lighter: teeth, shifts,"
+        " planets, helix, material, with a comma; or all"
+    ),
+]
+
 
 def steps(text: str, option: str) -> list[float]:
     """Return first, first + step … last.

@@ -3,17 +3,21 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
+from gearwright.closure.against import Contradiction, contradictions
 from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
 from gearwright.closure.flown import OnMission
+from gearwright.closure.freedoms import FREEDOMS
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
 from gearwright.closure.variants import Tried, Variant, Variants, nearest_variant
 from gearwright.closure.wishes import Wishes
 
 __all__ = [
+    "FREEDOMS",
     "REQUIREMENTS",
     "Closed",
+    "Contradiction",
     "OnMission",
     "Outcome",
     "Requirement",
@@ -26,6 +30,7 @@ __all__ = [
     "Variants",
     "Wishes",
     "close",
+    "contradictions",
     "nearest_variant",
     "requirement_of",
     "teeth_of",

@@ -7,15 +7,15 @@ from dataclasses import replace
 
 from gearwright.checks import Check, Status, accepted
 from gearwright.closure.closed import Closed, Round, Step, Unmet
-from gearwright.closure.flown import OnMission, lived
+from gearwright.closure.flown import OnMission, lived, named
 from gearwright.closure.life import stage_lives
 from gearwright.closure.loop import CONFIRMS, Settled, Task, settled
-from gearwright.closure.planet_bearings import borne
+from gearwright.closure.moves import borne, lightened, separated
 from gearwright.closure.proportion import written_out
 from gearwright.closure.requirements import REQUIREMENTS, requirement_of, wanted
-from gearwright.closure.separate import separated
 from gearwright.closure.start import start_of
 from gearwright.closure.wishes import Wishes
+from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
 from gearwright.spec import Design
 from gearwright.spec.design import given_values
@@ -40,7 +40,7 @@ def close(
     Proportion: the least module and width of every stage under all its strengths, then shafts, pins and plates.
     Confirm: dynamic factors by the forced response at the speeds of every case, and proportion again, at most eight
     rounds. Bear: what planets turn on, where that is open. Separate: other teeth or modules where critical speeds lie
-    too near. Simulate: the peaks of a run.
+    too near. Lighten: what the wishes leave free. Simulate: the peaks of a run.
 
     Args:
         design: As `gearwright.read` gives it; what it gives is kept, and told where it does not do.
@@ -58,11 +58,14 @@ def close(
     state = borne(state, say)
     if asked.separate and "critical speeds" not in asked.left_out:
         state = separated(state, say)
+    if asked.lighten:
+        state = lightened(state, say)
     state, peaks = _simulated(state, say)
     flown = list[Check]()
     if on_mission is not None:
         before = state.proportioned
         state, flown = lived(state, on_mission, say)
+        state = named(state)
         if state.proportioned is not before:
             state, peaks = _simulated(state, say)
     return _closed(design, state, [*peaks, *flown])
@@ -100,13 +103,13 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
         if mesh is not None and check.ratio:
             used = mesh.rating.peaks / application
             factors[mesh.stage] = max(factors.get(mesh.stage, 1.0), ABOVE * used / check.ratio)
-    return {stage: factor for stage, factor in factors.items() if factor > state.factors.get(stage, 1.0)}
+    return {stage: factor for stage, factor in factors.items() if factor > state.factors.dynamic.get(stage, 1.0)}
 
 
 def _closed(design: Design, state: Settled, moved: list[Check]) -> Closed:
     asked = state.task.wishes
     written, sizing, _ = written_out(state.proportioned, asked.left_out)
-    checks = [*sizing.checks, *moved, *resonance_checks(sizing)]
+    checks = [*sizing.checks, *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
     checks = [*wanted(checks, asked.left_out), state.converged]
     judged = accepted(checks, sizing.design.waivers)
     return Closed(

@@ -30,6 +30,7 @@ class Step(StrEnum):
     CONFIRM = "confirmed"
     BEAR = "bearings of planets"
     SEPARATE = "other teeth or modules"
+    LIGHTEN = "made lighter"
     SIMULATE = "simulated"
     FLY = "flown"
 

@@ -1,24 +1,35 @@
-"""A closed design on a mission: where gears do not live through its flights, their stages are proportioned anew."""
+"""A closed design on a mission: what does not live through its flights is proportioned or chosen anew, and its oil."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 from gearwright.checks import Check, Status
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.loop import MOST_ROUNDS, Settled, settled
+from gearwright.closure.moves import borne
 from gearwright.closure.proportion import searched
 from gearwright.closure.requirements import requirement_of, wanted
+from gearwright.closure.wishes import HOUR
 from gearwright.identity import GEARBOX
-from gearwright.mission import durability, flight_checks, fly
+from gearwright.mission import Flight, durability, flight_checks, fly
+from gearwright.sizing.bearings import planet_bodies
 from gearwright.spec import Mission
+from gearwright.units import CELSIUS
 
 IN_FLIGHT = "life in flight"
 """Requirement for which stages are proportioned anew."""
+OF_OIL = ("scuffing", "flank")
+"""Requirements that warmer oil moves: scuffing and micropitting."""
 ABOVE = 1.001
 """Factor on the margin that a flight asks for, as the next size is loaded a little otherwise [-]."""
+
+LONGER = 1.02
+"""Factor on the life that a flight asks of a bearing, for the same reason [-]."""
 
 
 @dataclass(frozen=True)
@@ -30,10 +41,31 @@ class OnMission:
     """Where a propeller map is looked for that is a file."""
 
 
-def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tuple[Settled, list[Check]]:
-    """Return a design whose gears live through their flights, and the checks of the last flight.
+class Wanted(NamedTuple):
+    """What a flight asks for beside the cases of a design."""
 
-    At most eight flights; if gears do not live then that the search may change, a check of the convergence fails.
+    gears: Mapping[str, float]
+    """Stage -> factor by which its gears would have to bear more [-]."""
+    planets: Mapping[str, float]
+    """Set -> life that what its planets turn on must have in the cases [h]."""
+    seats: Mapping[str, float]
+    """Bearing of a shaft -> the same [h]."""
+    oil: float | None
+    """Temperature of the oil to rate with [°C]; None: as it is."""
+
+    @property
+    def words(self) -> str:
+        """What is asked for; empty where a flight asks for no more than the cases."""
+        words = [f"{stage} bears {factor:.3f} times its cases" for stage, factor in self.gears.items()]
+        words += [f"planets of {stage} turn {hours:.6g} h in the cases" for stage, hours in self.planets.items()]
+        words += [f"bearing {name} {hours:.6g} h in the cases" for name, hours in self.seats.items()]
+        return "; ".join(words + ([] if self.oil is None else [f"oil of {self.oil:g} °C"]))
+
+
+def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tuple[Settled, list[Check]]:
+    """Return a design whose gears and bearings live through their flights, rated with the oil as warm as it gets.
+
+    At most eight flights; if what the closure may change does not live then, a check of the convergence fails.
 
     Args:
         state: From the loop.
@@ -47,27 +79,89 @@ def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tupl
         tell(f"flying {asked.mission.name}")
         flight = fly(state.sizing, asked.mission, folder=asked.folder)
         checks = wanted(flight_checks(flight, durability(flight)), state.task.wishes.left_out)
-        factors = _asked_by(state, checks)
-        if not factors:
+        more = _wanted(state, flight, [check for check in checks if check.status is Status.FAILS])
+        if not more.words:
             return state, checks
         if number == MOST_ROUNDS:
             break
-        words = "; ".join(f"{stage} bears {factor:.3f} times its cases" for stage, factor in factors.items())
-        round_ = Round(Step.FLY, state.sizing.mass, min(1.0 / factor for factor in factors.values()), 0.0, words)
-        targets = {stage: state.task.targets.get(stage, 1.0) * ABOVE * factor for stage, factor in factors.items()}
-        again = settled(replace(state.task, targets={**state.task.targets, **targets}))
-        state = replace(again, rounds=(*state.rounds, round_, *again.rounds))
-    clause = f"{MOST_ROUNDS} flights: gears of {', '.join(factors)} live through them"
-    least = 1.0 / max(factors.values())
+        state = _again(state, more, tell)
+    clause = f"{MOST_ROUNDS} flights: {', '.join([*more.gears, *more.planets, *more.seats])} live through them"
+    least = min([1.0 / factor for factor in more.gears.values()], default=1.0 / ABOVE)
     return state, [*checks, Check(GEARBOX, "convergence of the closure in flight", clause, least, 1.0, exponent=None)]
 
 
-def _asked_by(state: Settled, checks: Iterable[Check]) -> dict[str, float]:
+def _again(state: Settled, more: Wanted, tell: Callable[[str], None]) -> Settled:
+    """Return the design proportioned anew with what a flight asked for; planets may turn on something else."""
+    task, design = state.task, state.task.design
+    least = min([1.0 / factor for factor in more.gears.values()], default=1.0)
+    round_ = Round(Step.FLY, state.sizing.mass, least, 0.0, more.words)
+    anew = tuple(f"{design.table(stage)}.planet_bearing." for stage in more.planets)
+    chosen = {path: value for path, value in task.chosen.items() if not path.startswith(anew)}
+    chosen |= {f"bearings.{name}.life_h": hours for name, hours in more.seats.items()}
+    chosen |= {} if more.oil is None else {"oil.temperature": more.oil}
+    targets = {stage: task.targets.get(stage, 1.0) * ABOVE * factor for stage, factor in more.gears.items()}
+    task = replace(task, chosen=chosen, targets={**task.targets, **targets}, planets={**task.planets, **more.planets})
+    again = borne(settled(replace(task, start=None)), tell)
+    return replace(again, rounds=(*state.rounds, round_, *again.rounds))
+
+
+def _wanted(state: Settled, flight: Flight, failing: Sequence[Check]) -> Wanted:
+    """Return what fails in a flight and the closure may change."""
+    planets, seats = _bearings(state, failing)
+    oil = _oil(state, flight, failing)
+    asked = (IN_FLIGHT,) if oil is not None else (IN_FLIGHT, *OF_OIL)
+    gears = _gears(state, [check for check in failing if requirement_of(check) in asked])
+    return Wanted(gears, planets, seats, oil)
+
+
+def _gears(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
     """Return stage -> factor by which its gears would have to bear more, where the search may change it [-]."""
     open_, factors = set(searched(state.task.design)), dict[str, float]()
-    for check in checks:
-        if check.status is Status.FAILS and requirement_of(check) == IN_FLIGHT and check.reserve:
-            stage = check.part.name
-            if stage in open_:
-                factors[stage] = max(factors.get(stage, 1.0), 1.0 / check.reserve)
+    for check in failing:
+        if check.reserve and check.part.name in open_:
+            factors[check.part.name] = max(factors.get(check.part.name, 1.0), 1.0 / check.reserve)
     return factors
+
+
+def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float], dict[str, float]]:
+    """Return the lives that open bearings of sets and of shafts must have: as much longer as flights shorten them."""
+    task, planets, seats = state.task, dict[str, float](), dict[str, float]()
+    asked = task.design.service.bearing_life / HOUR
+    bodies = {str(body.part): body.stage for body in planet_bodies(state.sizing.design, state.sizing.gears)}
+    for check in failing:
+        hours = (check.value or 0.0) / HOUR
+        if check.mode != "bearing life" or not 0.0 < hours < asked:
+            continue
+        name, longer = check.part.name, LONGER * asked / hours
+        stage, seat = task.design.planetaries.get(bodies.get(name, "")), task.design.bearings.get(name)
+        if stage is not None and stage.planet_bearing is None:
+            planets[bodies[name]] = longer * task.planets.get(bodies[name], asked)
+        elif seat is not None and seat.designation is None and seat.life is None:
+            now = task.chosen.get(f"bearings.{name}.life_h")
+            seats[name] = longer * (float(now) if isinstance(now, float) else asked)
+    return planets, seats
+
+
+def _oil(state: Settled, flight: Flight, failing: Iterable[Check]) -> float | None:
+    """Return the temperature that teeth and bearings are rated with anew [°C]; None where it does, or is given."""
+    warmer = flight.hottest_supply > state.sizing.design.oil.temperature + CELSIUS
+    short = any(check.mode == "oil temperature" or requirement_of(check) in OF_OIL for check in failing)
+    if not (short and warmer) or "temperature" in state.task.design.oil.model_fields_set:
+        return None
+    return math.ceil(10.0 * (flight.hottest_supply - CELSIUS)) / 10.0
+
+
+def named(state: Settled) -> Settled:
+    """Return a design in which bearings of shafts that a flight asked for are named, as a review takes them.
+
+    Args:
+        state: That lives through its flights.
+    """
+    seats = [seat for seat in state.sizing.bearings if f"bearings.{seat.name}.life_h" in state.task.chosen]
+    if not seats:
+        return state
+    lives = {f"bearings.{seat.name}.life_h" for seat in seats}
+    names = {f"bearings.{seat.name}.designation": seat.bearing.designation for seat in seats}
+    chosen = {path: value for path, value in state.task.chosen.items() if path not in lives}
+    again = settled(replace(state.task, chosen={**chosen, **names}, start=state.sizing))
+    return replace(again, rounds=(*state.rounds, *again.rounds))

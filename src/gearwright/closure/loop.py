@@ -1,14 +1,14 @@
-"""The loop: proportion, confirm, proportion again, until the dynamic factors stand still."""
+"""The loop: proportion, confirm, proportion again, until dynamic and load factors stand still."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from gearwright.checks import Check, worst
 from gearwright.closure.closed import Round, Step
-from gearwright.closure.confirm import changes_of, confirmed, takes_factor
+from gearwright.closure.confirm import Factors, changes_of, confirmed, shared, takes_factor, takes_share
 from gearwright.closure.proportion import Proportioned, proportioned
 from gearwright.closure.requirements import wanted
 from gearwright.closure.wishes import Wishes
@@ -23,6 +23,8 @@ STILL = 0.005
 """Relative change of a dynamic factor that counts as none [-]."""
 CONFIRMS = "peaks"
 """Requirement for which dynamic factors are confirmed."""
+SHARES = "sharing"
+"""Requirement for which load factors are."""
 RATCHET = 4
 """Round from which dynamic factors no longer fall, so that a train that swings between two sizes comes to rest [-]."""
 
@@ -40,6 +42,8 @@ class Task:
     """Stage -> K_V to start with, from peaks of a run [-]."""
     targets: Mapping[str, float] = field(default_factory=dict)
     """Stage -> margin that a flight asks of its strengths [-]."""
+    planets: Mapping[str, float] = field(default_factory=dict)
+    """Set -> life in the cases that a flight asks of what its planets turn on [h]."""
     start: Sizing | None = None
     """Sizing with the teeth that are chosen, from whose modules the search begins; None: they are free."""
 
@@ -55,8 +59,8 @@ class Settled:
 
     task: Task
     proportioned: Proportioned
-    factors: Mapping[str, float]
-    """Stage -> K_V [-]."""
+    factors: Factors
+    """K_V and K_γ of its stages."""
     rounds: tuple[Round, ...]
     converged: Check
 
@@ -67,7 +71,7 @@ class Settled:
 
 
 def settled(task: Task) -> Settled:
-    """Return a design whose sizes and dynamic factors agree, or the last round with a check that fails.
+    """Return a design whose sizes, dynamic and load factors agree, or the last round with a check that fails.
 
     Args:
         task: With its freedoms.
@@ -76,21 +80,38 @@ def settled(task: Task) -> Settled:
         DesignError: If the design cannot be sized.
     """
     rounds, before = list[Round](), task.start
-    factors = dict(task.factors)
+    factors = Factors(dict(task.factors), {})
     for number in range(1, MOST_ROUNDS + 1):
         stated = edited(task.changed, changes_of(task.design, factors))
         own = proportioned(stated, task.wishes, before=before, targets=task.targets)
         before = own.sizing
         rounds.append(Round(Step.PROPORTION, before.mass, _margin(own, task), 0.0, _sizes(own)))
-        found = confirmed(before) if CONFIRMS not in task.wishes.left_out else {}
-        floor = factors if number >= RATCHET else task.factors
-        following = {stage: max(value, floor.get(stage, 1.0)) for stage, value in {**task.factors, **found}.items()}
-        change = max((_change(before, stage, factors, following) for stage in following), default=0.0)
+        following = _following(task, before, factors, number)
+        change = max(_changes(before, factors, following), default=0.0)
         rounds.append(Round(Step.CONFIRM, before.mass, _margin(own, task), change, _factors(following)))
         if change <= STILL:
             break
         factors = following
     return Settled(task, own, factors, tuple(rounds), _convergence(change))
+
+
+def _following(task: Task, sizing: Sizing, held: Factors, number: int) -> Factors:
+    """Return the factors of a round; from the fourth on none is less than the one before."""
+    left_out, late = task.wishes.left_out, number >= RATCHET
+    found = confirmed(sizing) if CONFIRMS not in left_out else {}
+    floor = held.dynamic if late else task.factors
+    dynamic = {stage: max(value, floor.get(stage, 1.0)) for stage, value in {**task.factors, **found}.items()}
+    sharing = shared(sizing) if SHARES not in left_out else {}
+    least = held.sharing if late else {}
+    return Factors(dynamic, {stage: max(value, least.get(stage, 1.0)) for stage, value in sharing.items()})
+
+
+def _changes(sizing: Sizing, held: Factors, found: Factors) -> Iterator[float]:
+    """Yield by how much every factor differs from the one that the stage was sized with [-]."""
+    yield from (_change(sizing, stage, held.dynamic, found.dynamic) for stage in found.dynamic)
+    for stage, factor in found.sharing.items():
+        if takes_share(sizing.design, stage) or stage in held.sharing:
+            yield abs(factor / held.sharing.get(stage, 1.0) - 1.0)
 
 
 def _change(sizing: Sizing, stage: str, held: Mapping[str, float], found: Mapping[str, float]) -> float:
@@ -113,11 +134,12 @@ def _sizes(own: Proportioned) -> str:
     return "; ".join(f"{name} m {1e3 * row.module:.4g} b {1e3 * row.face_width:.4g} mm" for name, row in sizes)
 
 
-def _factors(factors: Mapping[str, float]) -> str:
-    return "; ".join(f"{stage} K_V {factor:.3f}" for stage, factor in factors.items())
+def _factors(factors: Factors) -> str:
+    dynamic = [f"{stage} K_V {factor:.3f}" for stage, factor in factors.dynamic.items()]
+    return "; ".join([*dynamic, *(f"{stage} K_γ {factor:.3f}" for stage, factor in factors.sharing.items())])
 
 
 def _convergence(change: float) -> Check:
     """Return the check of the loop itself."""
-    clause = f"{MOST_ROUNDS} rounds: K_V stands within {STILL:.1%}"
+    clause = f"{MOST_ROUNDS} rounds: K_V and K_γ stand within {STILL:.1%}"
     return Check(GEARBOX, "convergence of the closure", clause, change, STILL, at_most=True, exponent=None)

@@ -50,6 +50,10 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
         MappingProxyType({"gears.iso6336.widest_modules": 60.0, "gears.iso6336.widest_diameters": 3.0}),
     ),
     "rims": Requirement(("rim",), (), "nothing yet", "a thicker rim (rim_ratio, rim_thickness_ratio)"),
+    "sharing": Requirement(
+        ("load sharing",), (), "K_γ of the stage, and with it module and face width",
+        "smaller errors, a floating member ([supports]), gears clocked on their shafts, fewer planets",
+    ),
     "peaks": Requirement(
         ("peak",), _GEARS, "least K_V of the stage, and with it module and face width",
         "other speeds or teeth, tip relief, more damping",

@@ -97,8 +97,9 @@ def sized_at(task: StageTask, module: float) -> StageSize | None:
         task: The stage.
         module: m_n [m].
     """
-    least, widest = task.least(module), task.widest(module)
-    if least > widest or (above := task.governing(module, widest)[0]) < 1.0 - ROUNDING:
+    widest = task.widest(module)
+    least = min(task.least(module), widest)
+    if (above := task.governing(module, widest)[0]) < 1.0 - ROUNDING:
         return None
     width = _crossing(task, module, least, (widest, above))
     if task.rounded:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome
-from gearwright.closure.planet_bearings import OF_PLANETS
+from gearwright.closure.moves import OF_PLANETS
 from gearwright.closure.requirements import STRENGTH
 from gearwright.errors import GearwrightError
 from gearwright.showing import Shown
@@ -105,7 +105,7 @@ def nearest_variant(design: Design, closed: Closed, *, tell: Callable[[str], Non
 def _closed(own: Design, before: Closed, change: Change, tell: Callable[[str], None] | None) -> Closed:
     """Return a variant closed; where strengths and bearings alone are not met already, without what shakes them."""
     asked = before.wishes
-    first = close(own, wishes=replace(asked, separate=False, left_out=asked.left_out | SHAKEN))
+    first = close(own, wishes=replace(asked, separate=False, lighten=False, left_out=asked.left_out | SHAKEN))
     if first.unmet:
         return first
     return close(own, wishes=asked, tell=None if tell is None else lambda words: tell(f"{change.what}: {words}"))

@@ -162,6 +162,12 @@ class Flight(Shown):
         return float(self.oil_outlet.max())
 
     @property
+    def hottest_supply(self) -> float:
+        """Temperature of the oil that reaches teeth and bearings where it is hottest [K]."""
+        followed = self.history.oil_temperature
+        return self.mission.oil.inlet_temperature_k if followed is None else float(followed.max())
+
+    @property
     def has_battery(self) -> bool:
         """True where a battery flies: the mission has one, and the design a motor."""
         return self.mission.battery is not None and bool(self.sizing.design.motors)

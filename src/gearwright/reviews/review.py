@@ -8,6 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, unknown_waivers, unneeded, worst
+from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import motion_checks
 from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
@@ -114,7 +115,7 @@ def review_of(
     """
     design = sizing.design
     checks = [*sizing.checks, *retention_checks(sizing), *pressure_centre_checks(sizing), *making_checks(sizing)]
-    checks += motion_checks(sizing)
+    checks += [*sharing_checks(sizing), *motion_checks(sizing)]
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)

@@ -16,6 +16,7 @@ from gearwright.sizing import size
 from gearwright.spec import design_text, edited, parse, read
 
 HOUR = 3600.0
+LIGHT = Wishes(lighten=False)
 RATED = edited(parse(PAIR), {"gears.rating": "iso6336"})
 
 
@@ -23,7 +24,7 @@ RATED = edited(parse(PAIR), {"gears.rating": "iso6336"})
 def closed(*, left_out=(), rounded=True, hours=None):
     """The pair, closed as asked."""
     life = None if hours is None else hours * HOUR
-    return close(RATED, wishes=Wishes(life, rounded=rounded, left_out=frozenset(left_out)))
+    return close(RATED, wishes=Wishes(life, rounded=rounded, lighten=False, left_out=frozenset(left_out)))
 
 
 def replay(found):
@@ -104,10 +105,10 @@ def test_without_confirmed_dynamic_factors_the_gearbox_is_lighter_and_its_peaks_
     """Teeth of class 1 hardly deviate, so that method B sees little of what their varying stiffness does."""
     fine = edited(RATED, {"gears.iso6336.tolerance_class": 1, "gears.iso6336.pitting_safety": 1.0,
                           "service.application_factor": 1.0})  # fmt: skip
-    blind = close(fine, wishes=Wishes(left_out=frozenset({"peaks"})))
-    assert blind.mass < close(fine).mass
+    blind = close(fine, wishes=Wishes(lighten=False, left_out=frozenset({"peaks"})))
+    assert blind.mass < close(fine, wishes=LIGHT).mass
     assert "peaks" in {requirement_of(check) for check in replay(blind).failing}
-    assert replay(close(fine)).failing == ()
+    assert replay(close(fine, wishes=LIGHT)).failing == ()
 
 
 def test_the_rounds_tell_what_was_proportioned_and_confirmed():
@@ -119,10 +120,12 @@ def test_the_rounds_tell_what_was_proportioned_and_confirmed():
 
 
 def test_stages_without_fatigue_are_rated_by_iso_6336():
-    bare = close(parse(PAIR), wishes=Wishes(separate=False))
+    bare = close(parse(PAIR), wishes=Wishes(separate=False, lighten=False))
     assert bare.design.rating("stage") == "iso6336"
     kept = edited(parse(PAIR), {"gears.bending_safety": 3.0})
-    assert "bending_safety" not in close(kept, wishes=Wishes(separate=False)).design.gears.model_fields_set
+    assert (
+        "bending_safety" not in close(kept, wishes=Wishes(separate=False, lighten=False)).design.gears.model_fields_set
+    )
 
 
 def test_a_width_that_is_given_is_kept_and_told_where_it_does_not_do():
@@ -137,7 +140,7 @@ def test_a_width_that_is_given_is_kept_and_told_where_it_does_not_do():
 def test_a_life_that_no_material_gives_is_told_with_the_best_that_was_found():
     """At the largest safety a module would have to grow beyond the widest face: nothing of its series does."""
     asked = close(edited(RATED, {"gears.iso6336.widest_modules": 1.5, "gears.iso6336.pitting_safety": 5}),
-                  wishes=Wishes(1e6 * HOUR, separate=False))  # fmt: skip
+                  wishes=Wishes(1e6 * HOUR, separate=False, lighten=False))  # fmt: skip
     for row in asked.unmet:
         assert row.helps
         assert row.check.margin < 1.0

@@ -25,7 +25,7 @@ def mission():
 @cache
 def closed(*, on_mission=True):
     design = read(shipped_design("mixed-h2"))
-    wishes = Wishes(20000 * HOUR, separate=False, left_out=LIGHT)
+    wishes = Wishes(20000 * HOUR, separate=False, lighten=False, left_out=LIGHT)
     return close(design, wishes=wishes, on_mission=mission() if on_mission else None)
 
 
@@ -50,7 +50,7 @@ def test_checks_of_the_flight_stand_with_the_others():
 def test_flights_that_do_not_come_to_rest_are_told(monkeypatch):
     monkeypatch.setattr(flown_module, "MOST_ROUNDS", 1)
     design = read(shipped_design("mixed-h2"))
-    wishes = Wishes(20000 * HOUR, separate=False, left_out=LIGHT)
+    wishes = Wishes(20000 * HOUR, separate=False, lighten=False, left_out=LIGHT)
     found = close(design, wishes=wishes, on_mission=mission())
     (told,) = (check for check in found.checks if check.mode == "convergence of the closure in flight")
     assert told.fails

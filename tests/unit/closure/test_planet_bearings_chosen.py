@@ -3,7 +3,7 @@
 from functools import cache
 
 from gearwright.closure import Outcome, Step, Wishes, close
-from gearwright.closure.planet_bearings import FILM, ROLLING
+from gearwright.closure.moves.planet_bearings import FILM, ROLLING
 from gearwright.reviews import review
 from gearwright.sizing import size
 from gearwright.spec import design_text, edited, parse
@@ -47,7 +47,7 @@ QUICK = {
 def closed(*, fast=False, hours=5000):
     """The set as it is, or with the first stage of the thesis's hybrid: 1046 kW from 20 000 to 4500 rpm."""
     design = edited(parse(SET), QUICK) if fast else parse(SET)
-    return close(design, wishes=Wishes(hours * HOUR, separate=False))
+    return close(design, wishes=Wishes(hours * HOUR, separate=False, lighten=False))
 
 
 def bearing(found):
@@ -91,6 +91,6 @@ def test_a_carrier_at_4500_rpm_leaves_no_bearing_20000_hours():
 def test_a_bearing_that_is_named_stays():
     named = edited(parse(SET), {"planetaries.set.planet_bearing": {"kind": "plain"}})
     assert ("plain", 1) in FILM
-    found = close(named, wishes=Wishes(500 * HOUR, separate=False))
+    found = close(named, wishes=Wishes(500 * HOUR, separate=False, lighten=False))
     assert bearing(found).kind == "plain"
     assert Step.BEAR not in [row.step for row in found.rounds]

@@ -24,6 +24,11 @@ power_kw = 110
 [pairs.stage]""",
 )
 """A turbine that pushes once harder than rated."""
+OUT_OF_PLACE = """
+[errors."set.planet-2"]
+pin_tangential_um = 20
+"""
+"""A pin that stands ahead of its place, in a set none of whose members floats."""
 FAST = {"turbines.turbine.speed_rpm": 15000, "propellers.propeller.speed_rpm": 5000}
 SLOW = {"turbines.turbine.speed_rpm": 3000, "propellers.propeller.speed_rpm": 1000}
 LONG = {
@@ -40,6 +45,7 @@ CASES = {
     "static strength": (JAMMED, {f"{ISO}static_bending_safety": 5.0, f"{ISO}pitting_safety": 1.0}),
     "scuffing": (PAIR, {f"{ISO}scuffing_safety": 2.5, **FAST}),
     "teeth": (PAIR, {f"{ISO}widest_modules": 8}),
+    "sharing": (f"{SET}{OUT_OF_PLACE}", {}),
     "peaks": (PAIR, FINE),
     "shafts": (PAIR, {}),
     "critical speeds": (PAIR, SLOW),
@@ -54,7 +60,7 @@ def closed(name, *left_out):
     """Return the design of a requirement, closed without some of them, and what fails in its review."""
     text, changes = CASES[name]
     design = edited(parse(text), {"gears.rating": "iso6336", **changes})
-    wishes = Wishes(separate=name == "critical speeds", left_out=frozenset(left_out))
+    wishes = Wishes(separate=name == "critical speeds", lighten=False, left_out=frozenset(left_out))
     found = close(design, wishes=wishes)
     return found, {requirement_of(check) for check in review(parse(design_text(found.design))).failing}
 

@@ -17,7 +17,7 @@ from gearwright.sizing import size
 from gearwright.spec import design_text, edited, parse, read
 
 HOUR = 3600.0
-LONG = Wishes(20000 * HOUR, separate=False)
+LONG = Wishes(20000 * HOUR, separate=False, lighten=False)
 
 
 @cache
@@ -57,7 +57,7 @@ def test_the_answer_has_the_closed_variant_as_a_file():
 
 def test_a_design_that_closes_has_no_variant():
     design = edited(parse(PAIR), {"gears.rating": "iso6336"})
-    found = nearest_variant(design, close(design, wishes=Wishes(separate=False)))
+    found = nearest_variant(design, close(design, wishes=Wishes(separate=False, lighten=False)))
     assert (found.nearest, found.tried) == (None, ())
 
 

@@ -6,6 +6,7 @@ Imports that cost time stand inside the command, so that ``--help`` stays quick.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,10 +15,11 @@ import typer
 from gearwright.cli.answers import show_answer
 from gearwright.cli.completion import missions
 from gearwright.cli.designs import design_of, placed_in
-from gearwright.cli.options import DesignArgument, JsonOption
+from gearwright.cli.options import DesignArgument, FreeOption, JsonOption
 from gearwright.cli.terminal.output import show, tell
 
 if TYPE_CHECKING:
+    from gearwright.closure import Wishes
     from gearwright.spec import Design
 
 
@@ -36,11 +38,21 @@ def close(
     crossings: Annotated[
         bool, typer.Option("--crossings", help="Keep the lightest teeth, and list the critical speeds that they cross")
     ] = False,
+    as_sized: Annotated[
+        bool, typer.Option("--as-sized", help="Look for no lighter teeth than those that the sizing chose")
+    ] = False,
+    free: FreeOption = None,
     rounds: Annotated[
         bool, typer.Option("--rounds", help="Show every round; left out: the first of each kind and the last")
     ] = False,
     variants: Annotated[
         bool, typer.Option("--variants", help="Where it does not close: look for the nearest variant that does")
+    ] = False,
+    why: Annotated[
+        bool,
+        typer.Option(
+            "--why", help="Where it does not close: leave out every other thing once, to see what stands against it"
+        ),
     ] = False,
     out: Annotated[
         Path | None, typer.Option(help="Write the closed design to this file, and a variant beside it")
@@ -49,26 +61,28 @@ def close(
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
     from gearwright.cli.commands.mission import mission_of
-    from gearwright.closure import OnMission, Outcome, Wishes, nearest_variant
+    from gearwright.closure import OnMission, Outcome, contradictions, nearest_variant
     from gearwright.closure import close as closed_by
-    from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import close_answer
-    from gearwright.render.words.review import closure_text, variants_text
+    from gearwright.render.words.review import against_text, closure_text, variants_text
     from gearwright.spec.text import design_text
     from gearwright.writing import write_text
 
-    life = None if life_h is None else life_h * HOUR
-    wishes = Wishes(life=life, rounded=not continuous, separate=not crossings)
+    wishes = replace(wishes_of(life_h, free), rounded=not continuous, separate=not crossings, lighten=not as_sized)
     say = _quiet if json else tell
     with placed_in(design):
         own = design_of(design)
         flights = None if mission is None else OnMission(*mission_of(mission))
         closed = closed_by(own, wishes=wishes, on_mission=flights, tell=say)
-        found = nearest_variant(own, closed, tell=say) if variants and closed.outcome is Outcome.OPEN else None
+        is_open = closed.outcome is Outcome.OPEN
+        against = contradictions(own, closed, tell=say) if why and is_open else ()
+        found = nearest_variant(own, closed, tell=say) if variants and is_open else None
     if json:
-        show_answer("close", close_answer(closed, found), design=closed.design.name)
+        show_answer("close", close_answer(closed, found, against), design=closed.design.name)
     else:
         show(closure_text(closed, all_rounds=rounds))
+        if why and is_open:
+            show(against_text(against))
         if found is not None:
             show(variants_text(found))
     written = {} if out is None else {out: closed.design}
@@ -81,24 +95,47 @@ def close(
         raise typer.Exit(1)
 
 
+def wishes_of(life_h: float | None, free: str | None) -> Wishes:
+    """Return what a closure is asked for.
+
+    Args:
+        life_h: Of gears and bearings [h]; None: as designs say.
+        free: Names of freedoms with a comma, or ``all``; None: none beside open teeth.
+
+    Raises:
+        DesignError: If there is no such freedom.
+    """
+    from gearwright.closure import FREEDOMS, Wishes
+    from gearwright.closure.wishes import HOUR
+
+    names = [name.strip() for name in (free or "").split(",") if name.strip()]
+    every = tuple(FREEDOMS) if names == ["all"] else tuple(names)
+    return Wishes(life=None if life_h is None else life_h * HOUR, free=every)
+
+
 def _quiet(_: str) -> None:
     """Say nothing beside the answer."""
 
 
 def show_equal_life(
-    designs: Mapping[str, Design], life_h: float, *, out: Path | None, csv: Path | None, report: Path | None, json: bool
+    designs: Mapping[str, Design],
+    wishes: Wishes,
+    *,
+    out: Path | None,
+    csv: Path | None,
+    report: Path | None,
+    json: bool,
 ) -> None:
     """Show designs closed for one life, and write them into a folder.
 
     Args:
         designs: Name -> design.
-        life_h: Asked life [h].
+        wishes: Life, and what is free.
         out: Folder, made where there is none; None: they are not written.
         csv: File for the table; None: none.
         report: File for the page; None: none.
         json: For machines.
     """
-    from gearwright.closure import Wishes
     from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import EqualLifeAnswer
     from gearwright.render.pages.equal_life import equal_life_page
@@ -109,10 +146,11 @@ def show_equal_life(
 
     if out is not None:
         make_folder(out)
-    rows = equal_life(designs, wishes=Wishes(life_h * HOUR), tell=_quiet if json else tell)
-    title = f"Closed for {life_h:g} h"
+    rows = equal_life(designs, wishes=wishes, tell=_quiet if json else tell)
+    life = wishes.life or 0.0
+    title = f"Closed for {life / HOUR:g} h" + (f", {', '.join(wishes.free)} free" if wishes.free else "")
     if json:
-        show_answer("compare closed", EqualLifeAnswer(life_h * HOUR, rows))
+        show_answer("compare closed", EqualLifeAnswer(life, rows))
     else:
         show(table_text(equal_life_table(rows, title)))
     files = {out / f"{row.title}.toml": row.file for row in rows if row.file} if out is not None else {}

@@ -28,7 +28,7 @@ from gearwright.cli.commands.runs import (
 from gearwright.cli.completion import designs as designs_named
 from gearwright.cli.completion import studies
 from gearwright.cli.designs import design_of
-from gearwright.cli.options import FigureOption, JsonOption, LinesOption
+from gearwright.cli.options import FigureOption, FreeOption, JsonOption, LinesOption
 from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
@@ -111,6 +111,7 @@ def compare(
         float | None,
         typer.Option(help="Close every design for this life, and compare complete masses", min=0.001),
     ] = None,
+    free: FreeOption = None,
     out: Annotated[
         Path | None,
         typer.Option(help="With --life-h: write the closed designs into this folder, made where there is none"),
@@ -122,7 +123,7 @@ def compare(
     jsonl: LinesOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
-    from gearwright.cli.commands.closure import show_equal_life
+    from gearwright.cli.commands.closure import show_equal_life, wishes_of
     from gearwright.errors import DesignError, Problem
     from gearwright.spec import edited
     from gearwright.study import compare as compared
@@ -143,8 +144,10 @@ def compare(
         }
         _refuse_beside_life(figure=figure, jsonl=jsonl)
         refuse_files(csv, None, report)
-        show_equal_life(fitted, life_h, out=out, csv=csv, report=report, json=json)
+        show_equal_life(fitted, wishes_of(life_h, free), out=out, csv=csv, report=report, json=json)
         return
+    if free is not None:
+        raise DesignError([Problem("--free", "it is of designs that are closed; give --life-h, too, such as 20000")])
     if out is not None:
         raise DesignError([Problem("--out", "what it writes are closed designs; give --life-h, too, such as 20000")])
     table = compared(chosen, power=power, engine_speed=engine, propeller_speed=propeller, changes=study.changes)

@@ -19,6 +19,7 @@ from gearwright.dynamics.sharing.error_sources import (
     random_sets,
     with_errors,
 )
+from gearwright.dynamics.sharing.judged import load_factors, sharing_checks
 from gearwright.dynamics.sharing.of_design import (
     SharingProblem,
     SharingStudy,
@@ -56,6 +57,7 @@ __all__ = [
     "elastic_shares",
     "error_sources",
     "influences",
+    "load_factors",
     "load_sharing",
     "mesh_load_factor",
     "monte_carlo",
@@ -68,6 +70,7 @@ __all__ = [
     "shaft_displacement",
     "share_coefficients",
     "sharing",
+    "sharing_checks",
     "sharing_problem",
     "sharing_study",
     "single_error_sharing",

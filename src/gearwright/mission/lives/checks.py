@@ -14,6 +14,9 @@ from gearwright.mission.lives.verdict import Durability
 from gearwright.parts.bearings import life_exponent
 from gearwright.sizing.bearings import planet_bodies, planet_room
 from gearwright.sizing.rating import method_for, rating_of
+from gearwright.spec import Design
+from gearwright.spec.design import RATINGS
+from gearwright.units import CELSIUS
 from gearwright.verbs import verb
 
 HOUR = 3600.0
@@ -33,7 +36,46 @@ def flight_checks(flight: Flight, lives: Durability, *, life: float | None = Non
     checks = [_gear(flight, gear, asked) for gear in lives.gears]
     for row in lives.bearings.rows:
         checks += [*_bearing(flight, row), *_room(flight, row)]
-    return (*checks, *film_checks_of(flight), *_charge(flight), *_open(lives))
+    return (*checks, *film_checks_of(flight), *_oil(flight), *_charge(flight), *_open(lives))
+
+
+def _oil(flight: Flight) -> Iterator[Check]:
+    """Yield the warmest oil of a flight beside the one that teeth, films and modified lives are rated with.
+
+    Where temperatures are followed, teeth are judged with the oil of every interval (`film_checks_of`), not by this.
+    """
+    followed = flight.history.oil_temperature is not None
+    if rated := [*oil_rated(flight.sizing.design), *([] if followed else teeth_rated(flight.sizing.design))]:
+        warm = flight.hottest_supply
+        limit, clause = min(rated) + CELSIUS, "as rated: [oil] and gears.iso6336.oil_temperature"
+        yield Check(
+            GEARBOX, "oil temperature", clause, warm, limit, "absolute_temperature", at_most=True, exponent=None
+        )
+    else:
+        why = "nothing limits it: flow and cooler are taken as large as the heat asks"
+        yield not_assessed(GEARBOX, "oil temperature", "heat balance", why)
+
+
+def teeth_rated(design: Design) -> list[float]:
+    """Return the temperatures of the oil that scuffing and micropitting of a design count on [°C].
+
+    Args:
+        design: With its rules.
+    """
+    rated = [stage for stage in design.stages if RATINGS[design.rating(stage)].table == "iso6336"]
+    return [design.rules(stage).iso6336.oil_temperature for stage in rated]
+
+
+def oil_rated(design: Design) -> list[float]:
+    """Return the temperatures of the oil that films in planets and modified lives count on [°C]; empty without them.
+
+    Args:
+        design: With its rules.
+    """
+    films = [row.planet_bearing for row in design.planetaries.values() if row.planet_bearing is not None]
+    own = [film.oil_temperature for film in films if film.kind == "plain"]
+    warmths = [design.oil.temperature if warmth is None else warmth for warmth in own]
+    return warmths + ([] if design.bearing_rules.life == "basic" else [design.oil.temperature])
 
 
 def _charge(flight: Flight) -> Iterator[Check]:
@@ -79,9 +121,7 @@ def _room(flight: Flight, row: BearingDamage) -> Iterator[Check]:
 
 
 def _open(lives: Durability) -> Iterator[Check]:
-    """Yield what of gears, bearings and oil a flight does not rate."""
-    why = "nothing limits it: flow and cooler are taken as large as the heat asks"
-    yield not_assessed(GEARBOX, "oil temperature", "heat balance", why)
+    """Yield what of gears and bearings a flight does not rate."""
     for note in lives.notes[: len(lives.notes) - len(lives.bearings.notes)]:
         yield not_assessed(GEARBOX, "gear lives", "Miner, ISO 6336-6", note)
     for seat in lives.bearings.unrated:

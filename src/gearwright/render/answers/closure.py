@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gearwright.closure import Closed, Outcome, Round, StageLife, Tried, Unmet, Variants
+from gearwright.closure import Closed, Contradiction, Outcome, Round, StageLife, Tried, Unmet, Variants
 from gearwright.render.answers.review import Factor, ReviewedCheck, reviewed_check
 from gearwright.spec.text import design_text
 from gearwright.study.running.equal_life import EqualLife
@@ -65,14 +66,19 @@ class CloseAnswer:
     """None where the design closes, none was looked for, or none closes."""
     tried: tuple[Tried, ...]
     """Variants that do not close."""
+    contradictions: tuple[Contradiction, ...] = ()
+    """What stands against what is not met, where that was asked for."""
 
 
-def close_answer(closed: Closed, variants: Variants | None = None) -> CloseAnswer:
+def close_answer(
+    closed: Closed, variants: Variants | None = None, against: Sequence[Contradiction] = ()
+) -> CloseAnswer:
     """Return what `gearwright close --json` answers.
 
     Args:
         closed: From `close`.
         variants: From `nearest_variant`; None where none were looked for.
+        against: From `contradictions`.
     """
     first, nearest = closed.worst, None if variants is None else variants.nearest
     return CloseAnswer(
@@ -94,6 +100,7 @@ def close_answer(closed: Closed, variants: Variants | None = None) -> CloseAnswe
         if nearest is None
         else VariantAnswer(nearest.what, nearest.closed.whole.total, design_text(nearest.closed.design)),
         tried=() if variants is None else variants.tried,
+        contradictions=tuple(against),
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.closure import Closed, Round, Variants
+from gearwright.closure import Closed, Contradiction, Round, Variants
 from gearwright.closure.life import LONGEST
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
@@ -48,6 +48,25 @@ def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
         grid.add_row(name, value)
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
     return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), Text(), grid)
+
+
+def against_text(found: Sequence[Contradiction]) -> RenderableType:
+    """Return what stands against the requirements that are not met.
+
+    Args:
+        found: From `contradictions`.
+    """
+    if not found:
+        return Text(
+            "No single requirement or given value stands against what is not met: without any of them it fails."
+        )
+    grid = Grid(show_header=False)
+    grid.add_column("what", no_wrap=True)
+    grid.add_column("value")
+    for row in found:
+        words = f"{', '.join(row.unmet)}: without it met, {text(row.mass, 'mass')} of solid wheels"
+        grid.add_row(f"{row.against} contradicts", words)
+    return grid
 
 
 def variants_text(found: Variants) -> RenderableType:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from gearwright.checks import Check, Status
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.confirm import changes_of
-from gearwright.closure.loop import Settled, settled
+from gearwright.closure.loop import Settled, Task, settled
 from gearwright.closure.proportion import Proportioned, proportioned, teeth_of
 from gearwright.closure.requirements import requirement_of, wanted
 from gearwright.errors import GearwrightError
@@ -69,12 +69,14 @@ def borne(state: Settled, tell: Callable[[str], None]) -> Settled:
 
 
 def open_sets(state: Settled) -> list[str]:
-    """Return the planetary sets whose design names no bearing, and whose planets turn under load.
+    """Return the planetary sets whose design names no bearing, and for which none is chosen.
 
     Args:
         state: From the loop.
     """
-    return [name for name, stage in state.task.design.planetaries.items() if stage.planet_bearing is None]
+    design, chosen = state.task.design, state.task.chosen
+    open_ = [name for name, stage in design.planetaries.items() if stage.planet_bearing is None]
+    return [name for name in open_ if f"{design.table(name)}.planet_bearing.kind" not in chosen]
 
 
 def short_of(sizing: Sizing, stage: str, left_out: frozenset[str]) -> float:
@@ -96,7 +98,7 @@ def _lacks(check: Check, stage: str) -> bool:
 def _tried(state: Settled, stage: str) -> Iterator[Tried]:
     """Yield every kind at the size as it is, and on smaller modules with wider faces until one kind serves."""
     for module, own in _sizes(state, stage):
-        rows = [*_kinds(own, stage, module, state.task.wishes.left_out)]
+        rows = [*_kinds(own, stage, module, state.task)]
         yield from rows
         if any(row.short <= 0.0 for row in rows):
             return
@@ -119,17 +121,19 @@ def _sizes(state: Settled, stage: str) -> Iterator[tuple[float | None, Proportio
         yield value, own
 
 
-def _kinds(own: Proportioned, stage: str, module: float | None, left_out: frozenset[str]) -> Iterator[Tried]:
+def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> Iterator[Tried]:
     """Yield a set on every kind of bearing."""
     path = f"planetaries.{stage}"
     for rank, (kind, count) in enumerate(ROLLING + FILM):
         changes: dict[str, Value] = {f"{path}.planet_bearing.kind": kind}
         if count > 1:
             changes[f"{path}.planet_bearing.side_by_side"] = count
+        if stage in task.planets and kind != "plain":
+            changes[f"{path}.planet_bearing.life_h"] = task.planets[stage]
         try:
             sizing = size(edited(own.design, changes))
         except GearwrightError:
             continue
         if module is not None:
             changes[f"{path}.module_mm"] = module
-        yield Tried(changes, short_of(sizing, stage, left_out), int(rank >= len(ROLLING)), sizing.mass)
+        yield Tried(changes, short_of(sizing, stage, task.wishes.left_out), int(rank >= len(ROLLING)), sizing.mass)

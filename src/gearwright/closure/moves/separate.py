@@ -1,0 +1,89 @@
+"""Critical speeds kept away from operating ones: other teeth or another module of one stage, the lightest that does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from gearwright.closure.closed import Round, Step
+from gearwright.closure.loop import Settled
+from gearwright.closure.moves.neighbours import (
+    Candidate,
+    Change,
+    confirmed_anew,
+    judged,
+    other_teeth,
+    screened,
+    words_of,
+)
+from gearwright.closure.proportion import is_tied, searched
+from gearwright.sizing.rating import STANDARD_MODULES
+from gearwright.spec.design import module_owners
+
+SWEEPS = 5
+"""Changes that are made one after another [-]."""
+CONFIRMED = 3
+"""The most promising choices of a sweep that are confirmed [-]."""
+MODULES = (1, 2)
+"""By how many steps of ISO 54 the module of a stage is changed, upwards: smaller ones do not bear the load [-]."""
+LARGER = (1.05, 1.1, 1.15)
+"""Factors on the modules of stages on common axes, which have no standard ones [-]."""
+_MM = 1e-3
+
+
+def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
+    """Return the lightest design among other teeth and modules whose critical speeds are clear, or the nearest to it.
+
+    Each sweep changes one stage, by teeth or by its module, and proportions and confirms every choice anew.
+
+    Args:
+        state: That the loop ended with.
+        tell: Called with what is being done.
+    """
+    best = judged(state)
+    for sweep in range(SWEEPS):
+        if best.near <= 0.0:
+            break
+        tell(f"separating critical speeds, sweep {sweep + 1}")
+        found = min(_settled_of(best.settled), key=lambda row: row.rank, default=best)
+        if found.rank >= best.rank:
+            break
+        mass, words = found.settled.sizing.mass, words_of(found.settled.task.chosen)
+        round_ = Round(Step.SEPARATE, mass, 1.0 - found.short, 0.0, words)
+        settled_ = replace(found.settled, rounds=(*best.settled.rounds, round_, *found.settled.rounds))
+        best = Candidate(settled_, found.short, found.near)
+    return best.settled
+
+
+def _settled_of(state: Settled) -> Iterator[Candidate]:
+    """Yield the most promising changes, confirmed, until one meets everything."""
+    rows = map(judged, screened(state, (*_changes(state), *_together(state))))
+    for near in sorted(rows, key=lambda row: row.rank)[:CONFIRMED]:
+        candidate = confirmed_anew(near.settled)
+        yield candidate
+        if candidate.near <= 0.0:
+            return
+
+
+def _changes(state: Settled) -> Iterator[Change]:
+    """Yield other numbers of teeth and other modules, stage by stage, where the design leaves them open."""
+    yield from other_teeth(state)
+    design, chosen = state.task.design, state.task.chosen
+    for name in searched(design):
+        table, own = design.table(name), next(gear.module for gear in state.sizing.gears if gear.stage == name)
+        alone = not is_tied(design, name, module_owners(design))
+        if alone and design.simple_stages[name].module is None and f"{table}.module_mm" not in chosen:
+            series = [value for value in STANDARD_MODULES if value * _MM > own * (1.0 + 1e-9)]
+            steps = (step for step in MODULES if step <= len(series))
+            yield from (Change("", {f"{table}.module_mm": series[step - 1]}) for step in steps)
+
+
+def _together(state: Settled) -> Iterator[Change]:
+    """Yield larger modules of the stages on common axes, all by one factor, where the design leaves them open."""
+    design, owners = state.task.design, module_owners(state.task.design)
+    tied = [name for name in searched(design) if is_tied(design, name, owners)]
+    modules = {gear.stage: gear.module for gear in state.sizing.gears}
+    if tied and all(design.simple_stages[name].module is None for name in tied):
+        own = {name: modules[name] for name in tied if owners[name] == name}
+        for factor in LARGER:
+            yield Change("", {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
