@@ -114,10 +114,22 @@ def _modules(state: Settled) -> Iterator[Change]:
     open_ = {name: own for name, own in _open_modules(state).items() if owners[name] == name}
     tied = {name: own for name, own in open_.items() if is_tied(design, name, owners)}
     for name, own in open_.items():
-        if name not in tied:
-            yield from (_scaled(state, {name: value}) for value in _others(state, name, own))
+        for value in _others(state, name, own) if name not in tied else ():
+            one = _scaled(state, {name: value})
+            yield one
+            yield from _as_large(state, name, one, own / value)
     for factor in FACTORS if tied else ():
         yield _scaled(state, {name: factor * own for name, own in tied.items()})
+
+
+def _as_large(state: Settled, stage: str, change: Change, factor: float) -> Iterator[Change]:
+    """Yield another module with other teeth, so that the gears stay about as large, where both are open."""
+    gear = next(gear for gear in state.sizing.gears if gear.stage == stage)
+    table = f"{state.task.design.table(stage)}."
+    steps = {round(factor * gear.teeth) + more - gear.teeth for more in (-1, 0, 1)}
+    for other in other_teeth(state, sorted(steps - {0})):
+        if f"{other.table}." == table:
+            yield other._replace(values={**other.values, **change.values})
 
 
 def _open_modules(state: Settled) -> dict[str, float]:
@@ -162,7 +174,8 @@ def _planets(state: Settled) -> Iterator[Change]:
         stage = state.sizing.design.planetaries.get(name)
         if stage is None:
             continue
-        table, sun = state.task.design.table(name), state.sizing.teeth[f"{name}.sun"]
+        table = state.task.design.table(name)
+        sun = next(gear.teeth for gear in state.sizing.gears if gear.stage == name and gear.role is Role.SUN)
         frees = tuple(f"{table}.{key}" for key in TEETH_OF_SETS)
         for count in (stage.planets - 1, stage.planets + 1):
             if 2 <= count <= MOST_PLANETS:
