@@ -7,7 +7,7 @@ import pytest
 from rich.console import Console
 
 from designs import PAIR
-from gearwright.closure import Outcome, Step, Wishes, close, requirement_of
+from gearwright.closure import Outcome, Step, Wishes, close, contradictions, requirement_of
 from gearwright.errors import DesignError
 from gearwright.render.words.review import closure_text
 from gearwright.reviews import Verdict, review
@@ -182,3 +182,13 @@ def test_the_screen_shows_the_first_round_of_each_kind_and_the_last_or_all():
     expected = sorted({*(kinds.index(kind) + 1 for kind in kinds), len(kinds)})
     assert told == [[str(number) for number in expected], [str(number + 1) for number in range(len(kinds))]]
     assert len(told[0]) < len(told[1])
+
+
+def test_what_stands_against_what_is_not_met_is_named():
+    design = edited(RATED, {"pairs.stage.face_width_mm": 12, "pairs.stage.module_mm": 2})
+    narrow = close(design, wishes=Wishes(separate=False, lighten=False))
+    found = {row.against: row for row in contradictions(design, narrow)}
+    assert "stage.pinion tooth root" in found["pairs.stage.face_width_mm = 12"].unmet
+    assert "flank" in found["pairs.stage.face_width_mm = 12"].requirements
+    assert found["pairs.stage.module_mm = 2"].mass < found["pairs.stage.face_width_mm = 12"].mass
+    assert contradictions(RATED, closed()) == ()

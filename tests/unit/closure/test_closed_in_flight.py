@@ -8,7 +8,7 @@ from gearwright.closure import OnMission, Step, Wishes, close, requirement_of
 from gearwright.closure import flown as flown_module
 from gearwright.reviews import review
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.spec import design_text, parse, read, read_mission
+from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission
 
 HOUR = 3600.0
 FLOWN = "life in flight"
@@ -56,3 +56,35 @@ def test_flights_that_do_not_come_to_rest_are_told(monkeypatch):
     assert told.fails
     assert "live through them" in told.clause
     assert told.margin == pytest.approx(min(c.reserve for c in found.checks if requirement_of(c) == FLOWN and c.fails))
+
+
+def test_oil_that_is_warmer_in_flight_is_what_teeth_are_rated_with():
+    """Oil of 96 °C into the gearbox, where scuffing counted on 90: the closure rates with it, unless 90 are given."""
+    warm = edited_mission(mission().mission, {"oil.inlet_temperature_k": 369.15})
+    wishes = Wishes(20000 * HOUR, separate=False, lighten=False, left_out=LIGHT - {"scuffing"} | {"life in flight"})
+    asked = OnMission(warm, mission().folder)
+    found = close(read(shipped_design("mixed-h2")), wishes=wishes, on_mission=asked)
+    assert found.design.oil.temperature == pytest.approx(96.0)
+    assert "oil of 96 °C" in " ".join(row.what for row in found.rounds if row.step is Step.FLY)
+    cool = edited(read(shipped_design("mixed-h2")), {"oil.temperature": 90.0})
+    kept = close(cool, wishes=wishes, on_mission=asked)
+    assert "oil temperature" in {row.check.mode for row in kept.unmet}
+    assert kept.design.oil.temperature == 90.0
+
+
+def test_planets_whose_bearings_die_in_flight_turn_on_what_lives():
+    """Cases that last at a third of the power choose bearings that the flights of the mission wear out."""
+    light = {"cases.cruise.share": 1.0, "cases.rated.share": 0.0,
+             "cases.cruise.gas-turbine.power_kw": 400, "cases.cruise.electric.power_kw": 300}  # fmt: skip
+    design = edited(read(shipped_design("mixed-h2")), light)
+    wishes = Wishes(9000 * HOUR, separate=False, lighten=False, left_out=frozenset({"peaks", FLOWN}))
+    by_cases, by_flights = close(design, wishes=wishes), close(design, wishes=wishes, on_mission=mission())
+    assert "second.planet bearing life" in dead(by_cases)
+    assert dead(by_flights) == set()
+    assert "planets of second turn" in next(row.what for row in by_flights.rounds if row.step is Step.FLY)
+
+
+def dead(found):
+    """Return the bearings that do not live through the flights of a written design."""
+    judged = review(parse(design_text(found.design)), mission().mission, folder=mission().folder)
+    return {check.name for check in judged.failing if requirement_of(check) == "bearings"}
