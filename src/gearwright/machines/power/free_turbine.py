@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.machines.power.spools import FuelControl, SpoolStep, stepped
-from gearwright.machines.power.turboshaft import Inlet, Turboshaft
+from gearwright.machines.power.turboshaft import EngineState, Inlet, Turboshaft
 
 
 class RotorGovernor(NamedTuple):
@@ -44,18 +44,21 @@ class Held(NamedTuple):
     """T_45 [K]."""
 
 
-def turbine_torque(power: float, rotor: float, speed: float) -> float:
+def turbine_torque(engine: Turboshaft, state: EngineState, rotor: float, speed: float) -> float:
     """Return the torque of a free turbine off the speed at which its power is told [N m].
 
     Args:
-        power: At that speed [W].
-        rotor: Its speed [rad/s].
+        engine: The engine.
+        state: Of its gas, with its power at that speed.
+        rotor: Speed of the turbine [rad/s].
         speed: At which the power is told [rad/s].
 
-    Source: torque falls linearly, T = P/ω_0 (2 - ω/ω_0), so that the power is greatest at ω_0; as the slope 1 of
-        turbines in windows.
+    Source: η = η_0 x (2 - x) with x ∝ ω/√Δh: T = (P + m η_0 Δh_0 (1 - ω/ω_0))/ω_0, which at the design point is P/ω_0
+        (2 - ω/ω_0), the slope 1 of turbines in windows; slower gas falls off more steeply.
     """
-    return power / speed * (2.0 - rotor / speed)
+    flow = state.air_flow + state.fuel_flow
+    caught = flow * engine.power_efficiency * engine.drop
+    return (state.power + caught * (1.0 - rotor / speed)) / speed
 
 
 def held_rotor(
@@ -83,26 +86,30 @@ def held_rotor(
     """
     (control, governor), (duration, step) = controls, times
     now, rotor, summed, base = start, governor.speed, 0.0, start.speed
-    rows = [_row(0.0, (rotor, now), load(0.0, rotor), governor)]
+    rows = [_row(engine, 0.0, (rotor, now, load(0.0, rotor)), governor)]
     for k in range(round(duration / step)):
         time, error = k * step, governor.speed - rotor
         wanted = base + governor.gain * error + governor.integral * (summed + error * step)
         if wanted < control.highest_speed:
             summed += error * step
         then = stepped(engine, control, inlet, (now, wanted), step)
-        first = _gain(now, rotor, load(time, rotor), governor)
-        second = _gain(then, rotor + first * step, load(time + step, rotor + first * step), governor)
+        first = _gain(engine, now, (rotor, load(time, rotor)), governor)
+        ahead = rotor + first * step
+        second = _gain(engine, then, (ahead, load(time + step, ahead)), governor)
         now, rotor = then, rotor + 0.5 * step * (first + second)
-        rows.append(_row(time + step, (rotor, now), load(time + step, rotor), governor))
+        rows.append(_row(engine, time + step, (rotor, now, load(time + step, rotor)), governor))
     return Held(*np.array(rows).T)
 
 
-def _gain(at: SpoolStep, rotor: float, load: float, governor: RotorGovernor) -> float:
-    """Return dω/dt [rad/s²]."""
-    return (turbine_torque(at.state.power, rotor, governor.speed) - load) / governor.inertia
+def _gain(engine: Turboshaft, now: SpoolStep, at: tuple[float, float], governor: RotorGovernor) -> float:
+    """Return dω/dt at a speed [rad/s] under a load [N m], in rad/s²."""
+    rotor, load = at
+    return (turbine_torque(engine, now.state, rotor, governor.speed) - load) / governor.inertia
 
 
-def _row(time: float, at: tuple[float, SpoolStep], load: float, governor: RotorGovernor) -> tuple[float, ...]:
-    rotor, now = at
-    torque = turbine_torque(now.state.power, rotor, governor.speed)
+def _row(
+    engine: Turboshaft, time: float, at: tuple[float, SpoolStep, float], governor: RotorGovernor
+) -> tuple[float, ...]:
+    rotor, now, load = at
+    torque = turbine_torque(engine, now.state, rotor, governor.speed)
     return (time, rotor, now.speed, now.fuel, torque, load, now.state.between)

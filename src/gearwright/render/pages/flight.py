@@ -48,7 +48,11 @@ BASIS = (
     ("Air", "standard atmosphere with offset; CAS, TAS and Mach by Saint-Venant", "ISO 2533:1975"),
     ("Propeller", "map J × β → C_P, C_T", "NASA CR-114399 (shipped maps), or a file of the user"),
     ("Need of thrust", "(D + m g sin γ + m dV/dt)/engines, C_D = C_D0 + k C_L²", "Newton along the path"),
-    ("Turbine", "P ∝ δ_t θ_t^n, flat rating, torque limit; Willans line", "Saravanamuttoo et al., Gas Turbine Theory"),
+    (
+        "Turbine",
+        "P ∝ δ_t θ_t^n and a Willans line, or the deck that [engine] names; flat rating, torque limit",
+        "Saravanamuttoo et al., Gas Turbine Theory; the deck's file",
+    ),
     ("Motor", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
     ("Battery", "V_oc(s) − R I, with limits of charge and C-rate", "first-order circuit"),
     ("Torques", "statics of the train with the losses of its meshes", "power flow with λ, the torque per tooth"),
