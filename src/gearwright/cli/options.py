@@ -27,6 +27,7 @@ MissionArgument = Annotated[
 ]
 CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
 DateOption = Annotated[str, typer.Option("--date", help="Date for the head of the page; left out: none")]
+PdfOption = Annotated[Path | None, typer.Option("--pdf", help="Print the page to this PDF file, by a browser")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write one self-contained HTML page")]
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object for machines, and write no files")]

@@ -1,4 +1,5 @@
 import re
+from dataclasses import replace
 
 import pytest
 from drawn_designs import MIXED, sized
@@ -128,6 +129,13 @@ def test_date_and_lines_come_from_the_caller_alone(in_line_h2) -> None:
     assert "24 November 2026" in stamped and "24 November 2026" not in bare
     row = re.search(r"<tr><td><code>turbines.gas-turbine.power</code>.*", stamped)
     assert "<td class=n>17<td" in row[0]
+
+
+def test_author_and_revision_stand_in_the_head_where_the_design_states_them(in_line_h2) -> None:
+    stated = in_line_h2.design.model_copy(update={"author": "A. <Smith>", "revision": "C"})
+    page = report(replace(in_line_h2, design=stated))
+    assert "<span>revision C</span>" in page and "by A. &lt;Smith&gt;" in page
+    assert "<span>revision" not in report(in_line_h2)
 
 
 def test_the_hash_follows_what_is_stated_and_not_its_order(in_line_h2) -> None:

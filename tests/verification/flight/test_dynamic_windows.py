@@ -168,4 +168,4 @@ def test_the_page_of_a_window_says_first_what_its_json_says():
     margins += [load.margin for load in window.shafts]
     assert ('class="verdict bad"' in page) == (min(margins) < 1.0)
     assert f'data-v="{min(margins):.7g}"' in page
-    assert f'data-v="{max(row["peak_torque_n_m"] for row in told["shafts"]):.7g}"' in page
+    assert f'data-v="{max(row["peak_torque_nm"] for row in told["shafts"]):.7g}"' in page

@@ -10,7 +10,7 @@ import typer
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import reviewed, sized, stamped
 from gearwright.cli.ends import end_interrupted, named_after, save_run
-from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption, LinesOption
+from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption, LinesOption, PdfOption
 from gearwright.cli.terminal.output import progress, show, tell
 from gearwright.writing import write_text
 
@@ -141,13 +141,18 @@ def report(
         Path | None, typer.Option("--out", help="HTML file to write; left out: NAME-report.html here")
     ] = None,
     results: Annotated[Path | None, typer.Option(help="Run (netCDF-4) to show with it")] = None,
+    pdf: PdfOption = None,
     date: DateOption = "",
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
+    from gearwright.cli.terminal.printing import find_browser, print_pdf
     from gearwright.dynamics import modes as find_modes
     from gearwright.dynamics.assembly import default_case
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.pages.report import report as make_report
+
+    if pdf is not None:
+        find_browser()
 
     sizing = sized(design)
     stored = _run_of(sizing, results) if results is not None else None
@@ -163,9 +168,11 @@ def report(
         review=reviewed(sizing, design),
         stamp=stamped(design, date),
     )
+    if pdf is not None:
+        print_pdf(page, pdf)
     file = file or named_after(design, "report.html")
     write_text(file, page)
-    show(f"wrote {file}")
+    show(f"wrote {file}{f' and {pdf}' if pdf else ''}")
 
 
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:

@@ -14,7 +14,7 @@ from gearwright.cli.answers import show_answer
 from gearwright.cli.commands.runs import refuse_files
 from gearwright.cli.completion import missions
 from gearwright.cli.designs import design_of, placed_in, sized, stamped
-from gearwright.cli.options import DateOption, DesignArgument, JsonOption
+from gearwright.cli.options import DateOption, DesignArgument, JsonOption, PdfOption
 from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import write_text
 
@@ -31,25 +31,34 @@ def review(
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(help="Write it as one self-contained HTML page")] = None,
+    pdf: PdfOption = None,
     date: DateOption = "",
     json: JsonOption = False,
 ) -> None:
     """Judge a design by every check there is, worst first; a failing one ends with exit code 1."""
+    from gearwright.cli.terminal.printing import find_browser, print_pdf
     from gearwright.render.answers.review import review_answer
     from gearwright.render.words.review import review_text
     from gearwright.reviews import Verdict
 
+    if pdf is not None:
+        find_browser()
     refuse_files(None, None, report)
     reviewed = _reviewed(design, mission)
     if json:
         show_answer("review", review_answer(reviewed), design=reviewed.design)
     else:
         show(review_text(reviewed))
-    if report is not None:
+    if report is not None or pdf is not None:
         from gearwright.render.pages.review import review_page
 
-        write_text(report, review_page(reviewed, design=design_of(design), stamp=stamped(design, date)))
-        tell(f"wrote {report}")
+        page = review_page(reviewed, design=design_of(design), stamp=stamped(design, date))
+        if report is not None:
+            write_text(report, page)
+            tell(f"wrote {report}")
+        if pdf is not None:
+            print_pdf(page, pdf)
+            tell(f"wrote {pdf}")
     if reviewed.verdict is Verdict.FAILS:
         raise typer.Exit(1)
 

@@ -68,6 +68,8 @@ class Design(Shown, Record):
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")
     name: str = Field(description="Name of the design")
     description: str = Field("", description="What it is for")
+    author: str = Field("", description="Who answers for it, for the head of its pages")
+    revision: str = Field("", description="Which state of it this is, for the head of its pages")
     level: Literal["concept", "preliminary", "built"] | None = Field(
         None,
         description="How far it is worked out: a first sizing with shafts of one diameter (concept), the same against"
