@@ -62,7 +62,7 @@ def test_a_flight_has_the_fuel_of_the_verb_and_what_is_wrong_stands_at_its_line(
     flight = gw.fly(gw.size(gw.read("in-line-h2")), gw.read_mission(gw.shipped_mission("thesis")))
     assert head["fuel_kg"] == flight.fuel and head["sankey"].startswith("<svg")
     assert np.array_equal(columns["altitude"], (flight.history.altitude / 0.3048).astype("f4"))
-    events, wrong = asked.job("mission", text="", mission=mission.replace("[battery]", "[batery]"))
+    events, wrong = asked.job("mission", text="", mission=mission.replace("[battery]", "[batterie]"))
     assert events[-1]["status"] == wrong.status_code == 422
     line = mission.splitlines().index(next(row for row in mission.splitlines() if row.startswith("[battery]"))) + 1
     assert wrong.json()["problems"][0]["line"] == line

@@ -26,6 +26,7 @@ function flat(result) {
   for (const [key, value] of Object.entries(result.teeth)) found.set(`teeth ${key}`, value);
   for (const room of ["gears", "shafts", "carriers"]) for (const record of result[room]) for (const key of ["module_mm", "face_width_mm", "diameter_mm", "mass_kg"])
     if (typeof record[key] === "number") found.set(`${record.part || record.name} ${key}`, record[key]);
+  for (const row of result.complete_mass.parts) found.set(`complete: ${row.part}, ${row.group}_kg`, row.total_kg);
   for (const row of result.margins) if (typeof row.margin === "number") found.set(`margin ${row.part} ${row.check}`, row.margin);
   return found;
 }

@@ -40,7 +40,7 @@ function told() {
   at("shaking").hidden = !shaken;
   if (!shaken) return;
   if (shaken.kind === "run" && !shaken.most) shaken.most = Math.max(1e-12, ...Object.values(shaken.turns).map(values => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0)));
-  const scale = shaken.kind === "run" ? ` × ${((LARGEST / shaken.most) * enlarged()).toPrecision(2)} beside the steady turning` : ", enlarged, without the steady turning";
+  const scale = shaken.kind === "run" ? `, ${Math.round(Number(((LARGEST / shaken.most) * enlarged()).toPrecision(2))).toLocaleString("en")} times enlarged, beside the steady turning` : ", enlarged, without the steady turning";
   at("shaken").textContent = shaken.title + scale;
 }
 

@@ -35,7 +35,7 @@ function draw() {
   at("timeline").replaceChildren(...groups().map(() => { const box = document.createElement("div"); box.className = "plot"; boxes.push(box); return box; }));
   for (const [k, group] of groups().entries()) {
     plots.push(plot(boxes[k], {
-      x: time, xLabel: "time [min]", yLabel: `${group.length === 1 ? group[0].name : group[0].group} [${group[0].unit || "-"}]`, sync: "flight",
+      x: time, xLabel: "time [min]", yLabel: `[${group[0].unit || "-"}]`, sync: "flight",
       lines: group.map(one => ({label: one.name, values: found.column(one.name)})), marks: one => phases(one, k === 0), moved: one => read(one),
       zoomed: (one, key) => { if (key === "x") together(plots, one); },
     }));

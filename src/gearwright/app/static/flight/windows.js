@@ -32,6 +32,7 @@ export function windows(given, text) {
 
 function show() {
   const {head} = found;
+  at("window-found").hidden = false;
   at("window-verdict").textContent = `${head.window}: ${head.headline}. ${number(head.duration_s, 3)} s from ${number(head.start_s / 60, 4)} min on.`;
   at("window-of").replaceChildren(...head.series.map(one => new Option(`${one.name}${one.unit ? ` [${one.unit}]` : ""}`, one.name)));
   const worst = head.meshes[0]?.mesh, first = head.series.find(one => worst && one.name.startsWith(worst));
