@@ -27,22 +27,25 @@ def design_of(name: str, folder: Path | None = None) -> Design:
     return read(find_design(name, folder))
 
 
-def sized(name: str, level: str | None = None) -> Sizing:
+def sized(name: str, level: str | None = None, life_h: float | None = None) -> Sizing:
     """Return the sizing of a design; what sizing finds wrong is placed at its line in the file.
 
     Args:
         name: Path or name of the design.
         level: At which it is sized; None: its own.
+        life_h: Life that is asked of gears and bearings [h]; None: its own.
 
     Raises:
         DesignError: If the design cannot be read or sized.
     """
     from gearwright.sizing import size
-    from gearwright.spec import at_level
+    from gearwright.spec import at_level, edited
 
     design = design_of(name)
     with placed_in(name):
-        return size(design if level is None else at_level(design, level))
+        design = design if level is None else at_level(design, level)
+        lives = {} if life_h is None else dict.fromkeys(("service.life_h", "service.bearing_life_h"), life_h)
+        return size(edited(design, lives) if lives else design)
 
 
 def reviewed(sizing: Sizing, name: str) -> Review:

@@ -236,3 +236,11 @@ def test_a_word_that_is_no_choice_is_told_without_the_words_of_a_library(monkeyp
     told = capsys.readouterr().err
     assert end.value.code == 2
     assert "Invalid value for '--level': 'nonsense' is not one of 'concept', 'preliminary'" in told
+
+
+def test_a_life_is_asked_of_a_sizing_that_knows_fatigue(call):
+    """Of one that does not, it would have no effect."""
+    done = call("size", "in-line", "--level", "preliminary", "--life-h", "20000")
+    assert "limit 20000 h (ISO 281:2007)" in done.out
+    refused = call("size", "in-line", "--life-h", "20000")
+    assert refused.code != 0 and "service: has no effect without a rated part" in refused.err

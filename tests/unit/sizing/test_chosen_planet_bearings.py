@@ -195,3 +195,20 @@ def test_compound_sets_ask_for_a_name():
     text = shipped_design("wolfrom-reducer").read_text(encoding="utf-8")
     found = problem(text.replace('meshes = ["sun", "held"]', 'meshes = ["sun", "held"]\nbearing = { kind = "plain" }'))
     assert found.path == "epicyclics.wolfrom.planets.wide.bearing" and "designation" in found.message
+
+
+def test_what_has_no_room_is_told_with_the_planets_that_have_it():
+    """Half a millimetre of module leaves a bore of less than 30 mm, the outside of NU 200; a pin of 43 mm none has."""
+    text = (
+        ONE_SET.format(speed=1900) + 'sun = "fast"\nring = "ground"\ncarrier = "slow"\nplanets = 3\n'
+        '[planetaries.set.planet_bearing]\nkind = "cylindrical"\n[overrides]\n'
+    )
+    small = problem(text + "set.module_mm = 0.7\nset.face_width_mm = 6\n", sized=True)
+    assert small.path == "planetaries.set.planet_bearing"
+    assert (
+        "NU 200, 30 mm outside, has it with planets of" in small.message and "and a face of 9 mm; or" in small.message
+    )
+    narrow = problem(text + "set.module_mm = 3\nset.face_width_mm = 6\n", sized=True)
+    assert "has it with a face of 9 mm; or" in narrow.message
+    pin = problem(text + "set.pin_diameter_mm = 43\n", sized=True)
+    assert pin.message.endswith("sits on a pin of 43 mm; the nearest are for 40 and 45 mm")

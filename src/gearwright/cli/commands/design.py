@@ -76,9 +76,12 @@ def size(
         Literal["concept", "preliminary"] | None,
         typer.Option(help="Size it at this level: preliminary rates against fatigue, with gears as they are made"),
     ] = None,
+    life_h: Annotated[
+        float | None, typer.Option(help="Life of gears and bearings; left out: as the design says", min=0.001)
+    ] = None,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    sizing = sized(design, level)
+    sizing = sized(design, level, life_h)
     if json:
         from gearwright.render.answers.design import Asked, size_answer
 

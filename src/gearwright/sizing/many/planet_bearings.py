@@ -77,7 +77,7 @@ def of_catalogue(module: ModuleType) -> None:
                 better = fits & (nearness > best)
                 best, place = lanes_of(chosen(better, nearness, best)), lanes_of(chosen(better, k, place))
         if bool(best == -np.inf):
-            module._refuse_room(task, module.ROLLERS)
+            raise Unsupported("planets without room for a bearing")
         taken, own = np.unique(place.data, return_inverse=True)
         return each_of([on_rollers(kind, sizes[k], count) for k in taken.tolist()], own)
 

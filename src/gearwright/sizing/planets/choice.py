@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from functools import cache
 from typing import NamedTuple, NoReturn
@@ -61,7 +62,7 @@ def _of_catalogue(task: Task) -> PlanetBearingSizing:
     count = task.asked.side_by_side
     fitting = [on_rollers(task.asked.kind, size, count) for size in cylindrical() if fits(task, size)]
     if not fitting:
-        _refuse_room(task, ROLLERS)
+        refuse_catalogue(task)
     tried = (Tried(size, margin(task, size)) for size in fitting)
     return _first(list(_until_one_serves(tried)))
 
@@ -80,15 +81,14 @@ def fits(task: Task, size: Bearing) -> bool:
         task: The planet.
         size: Of the bearings.
     """
-    bore = task.asked.diameter or task.context.given.get(f"{task.planet.stage}.pin_diameter")
-    width = task.asked.side_by_side * size.width
+    bore, width = _pin(task), task.asked.side_by_side * size.width
     within = (size.outer_diameter <= task.room + _NARROW) & (width <= task.width + _NARROW)
     return within if bore is None else within & (abs(size.bore - bore) < _NARROW)
 
 
 def _by_diameter(task: Task, made: Made) -> PlanetBearingSizing:
     """Return the bearing on the thinnest pin that serves, or on the one that is given."""
-    given = task.asked.diameter or task.context.given.get(f"{task.planet.stage}.pin_diameter")
+    given = _pin(task)
     if given is not None:
         if (runs_on := made(given)) is None:
             _refuse_room(task, f"{task.asked.kind} bearing on a pin of {1e3 * given:.4g} mm")
@@ -188,9 +188,50 @@ def _static_share(runs_on: PlanetBearingSizing) -> float:
     return runs_on.side_by_side / pair_factor(runs_on.bearing.kind, runs_on.side_by_side)
 
 
-def _refuse_room(task: Task, what: str) -> NoReturn:
+def _refuse_room(task: Task, what: str, least: str = "") -> NoReturn:
     message = (
-        f"no {what} has room: its bore may have {1e3 * task.room:.4g} mm and its width {1e3 * task.width:.4g} mm; take"
-        " another kind, larger or fewer planets, or thinner rims (gears.rim_thickness_ratio)"
+        f"no {what} has room: its bore may have {1e3 * task.room:.4g} mm and its width {1e3 * task.width:.4g} mm;"
+        f" {least}take another kind, larger or fewer planets, or thinner rims (gears.rim_thickness_ratio)"
     )
     raise DesignError([Problem(task.path, message)])
+
+
+def refuse_catalogue(task: Task) -> NoReturn:
+    """Raise where no bearing of the catalogue has room, with what has it: the diameter and number of planets.
+
+    Args:
+        task: The planet.
+
+    Raises:
+        DesignError: Always.
+    """
+    if (bore := _pin(task)) is not None and not any(abs(size.bore - bore) < _NARROW for size in cylindrical()):
+        bores = sorted({size.bore for size in cylindrical()}, key=lambda known: abs(known - bore))[:2]
+        near = " and ".join(f"{1e3 * known:g}" for known in sorted(bores))
+        message = f"no {ROLLERS} sits on a pin of {1e3 * bore:.4g} mm; the nearest are for {near} mm"
+        raise DesignError([Problem(task.path, message)])
+    _refuse_room(task, ROLLERS, _with_room(task))
+
+
+def _with_room(task: Task) -> str:
+    """Return which bearing comes nearest to having room, and the planets in which it has: its teeth keep their number.
+
+    Fewer planets bear more each, and their module grows with the cube root of that.
+    """
+    bore, planet, count = _pin(task), task.planet, task.asked.side_by_side
+    sizes = [size for size in cylindrical() if bore is None or abs(size.bore - bore) < _NARROW]
+    size = min(sizes, key=lambda size: max(size.outer_diameter / task.room, count * size.width / task.width))
+    larger, wide = size.outer_diameter / task.room, count * size.width
+    fewer = math.floor(planet.bodies / larger**3 + 1e-9)
+    which = f", which {fewer} planets ask for" if 1 < fewer < planet.bodies else ""
+    asked = [
+        f"planets of {1e3 * larger * planet.pitch_diameter:.4g} mm in place of {1e3 * planet.pitch_diameter:.4g} mm (a"
+        f" module of {1e3 * larger * planet.module:.4g} mm{which})"
+    ] if larger > 1.0 else []  # fmt: skip
+    asked += [f"a face of {1e3 * wide:.4g} mm"] if wide > task.width else []
+    return f"{size.designation}, {1e3 * size.outer_diameter:g} mm outside, has it with {' and '.join(asked)}; or "
+
+
+def _pin(task: Task) -> float | None:
+    """Return the diameter of the pin that the design gives [m]; None where it is left open."""
+    return task.asked.diameter or task.context.given.get(f"{task.planet.stage}.pin_diameter")

@@ -9,6 +9,7 @@ from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
 from gearwright.spec.checks.bands import band_problems
 from gearwright.spec.checks.cases import case_problems
+from gearwright.spec.checks.contradictions import contradiction_problems
 from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.epicyclics import epicyclic_problems
 from gearwright.spec.checks.gears import gear_problems
@@ -17,7 +18,6 @@ from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.oils import oil_problems
-from gearwright.spec.checks.places import place_problems
 from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
 from gearwright.spec.design import GROUND, MACHINES, RATINGS, Damper, Design, gear_named, given_values
 from gearwright.units import text
@@ -39,7 +39,7 @@ def reference_problems(design: Design) -> list[Problem]:
     problems = [problem for check in checks for problem in check(design)]
     more = (
         material_problems, gear_problems, effect_problems, motion_problems, mounting_problems, oil_problems,
-        place_problems, band_problems,
+        contradiction_problems, band_problems,
     )  # fmt: skip
     return [*problems, *(problem for check in more for problem in check(design))]
 

@@ -189,7 +189,10 @@ def _methods(design: Design) -> Iterator[Problem]:
         yield from _idle("gears.iso6336", design.gears.iso6336, _OF_RINGS, "this design has no ring")
     lives = any(RATINGS[method].table for method in methods)
     if "service" in design.model_fields_set and not design.bearings and not lives:
-        message = 'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it out'
+        message = (
+            'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it out;'
+            " gearwright size --level preliminary takes --life-h"
+        )
         yield Problem("service", message)
 
 
