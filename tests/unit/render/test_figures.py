@@ -6,8 +6,10 @@ from gearwright.dynamics import Outputs, simulate
 from gearwright.errors import DesignError
 from gearwright.render.figures.motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.figures.treemap import squarified, treemap_figure
 from gearwright.render.style import theme
 from gearwright.render.vector.marks import Box, Curve
+from gearwright.sizing.mass import complete_mass
 
 
 def every_figure(sizing, modal, run):
@@ -84,3 +86,14 @@ def test_mesh_frequencies_follow_from_teeth_and_relative_speed(in_line_h2) -> No
 
 def test_mode_shapes_leave_out_rigid_motion(modal) -> None:
     assert len(mode_figure(modal).axes) == 2
+
+
+def test_areas_of_a_treemap_are_its_masses_and_cover_the_place_once(in_line_h2):
+    sizes = [6.0, 6.0, 4.0, 3.0, 2.0, 2.0, 1.0]
+    places = squarified(sizes, (1.0, 2.0, 6.0, 4.0))
+    assert [width * height for *_, width, height in places] == pytest.approx(sizes)  # their sum is the place's area
+    assert all(left >= 1.0 and left + width <= 7.0 + 1e-9 for left, _, width, _ in places)
+    assert all(low >= 2.0 and low + height <= 6.0 + 1e-9 for _, low, _, height in places)
+    assert max(max(width / height, height / width) for *_, width, height in places) < 3.0
+    figure = treemap_figure(complete_mass(in_line_h2), 80.0, 120.0)
+    assert any("second.ring" in words for words in figure.texts()) and "61 real gearboxes" in figure.texts()

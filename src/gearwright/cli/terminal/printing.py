@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from gearwright.errors import DesignError, Problem
-from gearwright.writing import write_bytes
+from gearwright.writing import write_bytes, write_text
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge",
             "microsoft-edge")  # fmt: skip
@@ -51,7 +51,7 @@ def print_pdf(page: str, target: Path) -> None:
     browser = find_browser()
     with TemporaryDirectory(prefix="gearwright-") as folder:
         source, made = Path(folder) / "page.html", Path(folder) / "page.pdf"
-        source.write_text(page, encoding="utf-8")
+        write_text(source, page)
         # A browser refuses its sandbox to the superuser; the page is our own and asks for nothing.
         unguarded = ("--no-sandbox",) if sys.platform != "win32" and os.geteuid() == 0 else ()
         profile, output = f"--user-data-dir={folder}/profile", f"--print-to-pdf={made}"

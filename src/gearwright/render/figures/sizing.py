@@ -100,13 +100,18 @@ def _bars(axes: Axes, checks: Sequence[Check]) -> None:
         number = f"{margin:.3f}" if math.isfinite(margin) else "no load"
         axes.annotate(f"{number}{told}", (length, place), (3, 0), fontsize=7.5,
                        va="center", color=colour)  # fmt: skip
-    axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}" for check in checks])
+    axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}{_case(check)}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
     axes.set_ylim(len(checks) - 0.4, -0.6)
     axes.set_xlim(0.0, LARGEST_MARGIN * 1.12)
     if len(set(kinds)) > 1:
         axes.legend("upper right")
     axes.only_grid("x")
+
+
+def _case(check: Check) -> str:
+    """Return the case that governs, where it is one."""
+    return f", {check.case}" if check.case and check.exponent is not None else ""
 
 
 def _kind_of(check: Check) -> str:

@@ -5,8 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
+from gearwright.render.figures.treemap import treemap_figure
 from gearwright.render.grid.table import Table, table
-from gearwright.render.pages.page import UNSTAMPED, Number, Page, Section, Stamp, judged, quantity, reserve, set_page
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    figure,
+    judged,
+    quantity,
+    reserve,
+    set_page,
+)
 from gearwright.render.tables.requirements import failed_table, met_table, open_table, order_table, waived_table
 from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import unneeded_text
@@ -75,12 +88,17 @@ def _sections(review: Review) -> tuple[Section, ...]:
     chapters = (
         Section("What fails, and what would help", tables=(failed_table(review.checks),)),
         Section("Requirement by requirement", tables=(met_table(review.checks),)),
-        Section("Kilograms", tables=(groups, parts), notes=(mass_sentence(mass, review.statistics),)),
+        Section("Kilograms", (groups, parts), (_areas(review),), notes=(mass_sentence(mass, review.statistics),)),
         Section("Orders and natural frequencies", tables=(order_table(review.checks),)),
         Section("Waived by the design", tables=(waived_table(review.checks),), notes=waived),
         Section("Not assessed, and why", tables=(open_table(review.checks),)),
     )
     return tuple(section for section in chapters if section.notes or _rows(section.tables))
+
+
+def _areas(review: Review) -> Figure:
+    drawn = treemap_figure(review.complete, review.statistics.low, review.statistics.high)
+    return figure(drawn, "kilograms", "Every part as an area, in the colour of its group; below, where the whole lies.")
 
 
 def _rows(tables: tuple[Table, ...]) -> bool:
