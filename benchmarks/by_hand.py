@@ -1,7 +1,8 @@
 """What a patient user writes by hand: RK4 in numba over sparse lines, and straight-line C for one system.
 
-The C is a bound rather than a peer: its numbers are constants, it keeps no record but the grid's, no statistics and no
-book of energies.
+The C is a bound rather than a peer: its numbers are constants. Without duties it keeps no record but the grid's, no
+statistics and no book of energies; with them it does what our stepper does: a row of states, line forces and
+deflections for each step, least, most, sum and sum of squares of each column, and five works by the scheme's weights.
 """
 
 from __future__ import annotations
@@ -71,10 +72,15 @@ def numba_rk4(case: Case, setting: float) -> Callable[[], np.ndarray]:
     return lambda: whole(case.start)
 
 
-def c_rk4(case: Case, setting: float) -> Callable[[], np.ndarray]:
+def c_rk4_duties(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """RK4 as straight-line C with all that our stepper does; setting: steps in an interval of the grid."""
+    return c_rk4(case, setting, duties=True)
+
+
+def c_rk4(case: Case, setting: float, *, duties: bool = False) -> Callable[[], np.ndarray]:
     """RK4 as straight-line C, tones turned from half step to half step; setting: steps in an interval of the grid."""
     h = case.duration / (case.intervals * int(setting))
-    text = _source(case.arrays, h)
+    text = _source_of_duties(case.arrays, h) if duties else _source(case.arrays, h)
     folder = Path(tempfile.gettempdir()) / "gearwright-benchmarks"
     folder.mkdir(exist_ok=True)
     library = folder / f"{hashlib.sha256(text.encode()).hexdigest()[:16]}.so"
@@ -123,7 +129,33 @@ void whole(const double*restrict y,double*restrict rows,int intervals,int steps)
 """
 
 
-def _slope(arrays: Arrays) -> str:
+def _source_of_duties(arrays: Arrays, h: float) -> str:
+    """Return the C that also keeps rows, statistics and works."""
+    plain = _source(arrays, h)
+    size, lines = len(arrays.mass), len(arrays.stiffness)
+    width = 2 * (size + lines)
+    signature = "const double*c,const double*s,const double*q,const double*v,double*a"
+    more = f"{signature},double*restrict o,double*restrict w,double share"
+    text = plain.replace(f"slope({signature}){{\n{_slope(arrays)}", f"slope({more}){{\n{_slope(arrays, duties=True)}")
+    for stage, (place, share) in enumerate(((1, "h/6"), (2, "h/3"), (3, "h/3"), (4, "h/6"))):
+        seen = f"row+{2 * size}" if stage == 0 else "rest"
+        text = text.replace(f",a{place});", f",a{place},{seen},w,{share});")
+    begin = f"memcpy(row,q,sizeof q);memcpy(row+{size},v,sizeof v);\n   slope(c,s,q,v,a1"
+    text = text.replace("slope(c,s,q,v,a1", begin)
+    # All are visible outside, so that the compiler leaves out nothing.
+    rows = f"double block[512*{width}],least[{width}],most[{width}],sum[{width}],square[{width}],works[5];\n"
+    text = text.replace("void whole(", f"{rows}void whole(")
+    text = text.replace("const double h=", f"double w[5]={{0}},rest[{2 * lines}];const double h=")
+    text = text.replace("   if(step%64==0)", f"   double*row=block+(step%512)*{width};\n   if(step%64==0)")
+    count = f"""
+   if(step%512==511)for(int r=0;r<512;r++)for(int j=0;j<{width};j++){{double x=block[r*{width}+j];
+    least[j]=x<least[j]?x:least[j];most[j]=x>most[j]?x:most[j];sum[j]+=x;square[j]+=x*x;}}}}
+  memcpy(rows+(m+1)"""
+    text = text.replace("}\n  memcpy(rows+(m+1)", count, 1)
+    return text.replace("v,sizeof v);}}\n", "v,sizeof v);}memcpy(works,w,sizeof w);}\n")
+
+
+def _slope(arrays: Arrays, *, duties: bool = False) -> str:
     """Return the statements that fill the accelerations."""
     series, lines, force = (
         (arrays.variation, arrays.error),
@@ -144,10 +176,33 @@ def _slope(arrays: Arrays) -> str:
                 else:
                     d += f"-({a!r})*c[{tone}]-({b!r})*s[{tone}]"
                     v += f"-({b * rate!r})*c[{tone}]+({a * rate!r})*s[{tone}]"
+        if duties:
+            lines.append(_works(arrays, j))
         gap = float(arrays.backlash[j])
         both = f"(d{j}>0?d{j}:0)+(d{j}+{gap!r}<0?d{j}+{gap!r}:0)" if gap > 0.0 else f"d{j}"
-        lines.append(f" double d{j}={d},u{j}={v};double f{j}=({k})*({both})+{float(arrays.damping[j])!r}*(u{j});")
+        damper = float(arrays.damping[j])
+        lines.append(f" double d{j}={d},u{j}={v},g{j}={both};double f{j}=({k})*g{j}+{damper!r}*(u{j});")
+        if duties:
+            lines[-2:] = [lines[-1], lines[-2]]
+            lines.append(f" o[{j}]=f{j};o[{j + len(arrays.stiffness)}]=d{j};")
         for weight, dof in pairs:
             force[dof].append(f"-({weight!r})*f{j}")
+    for i, load in enumerate(arrays.loads.constant.tolist()):
+        if duties and load:
+            power = f"{load!r}*({float(arrays.speed[i])!r}+v[{i}])"
+            lines.append(f" {{double p={power};w[0]+=share*(p>0?p:0);w[1]-=share*(p<0?p:0);}}")
     lines += [f" a[{i}]=({''.join(parts)})*{1.0 / float(arrays.mass[i])!r};" for i, parts in enumerate(force)]
     return "\n".join(lines) + "\n"
+
+
+def _works(arrays: Arrays, j: int) -> str:
+    """Return what a line adds to the works: of its damper, of its changing stiffness, of its error."""
+    slopes = []
+    for part, scale in ((arrays.variation, float(arrays.stiffness[j])), (arrays.error, 1.0)):
+        terms = ["0"]
+        for i in range(part.start[j], part.start[j + 1]):
+            tone, rate = int(part.tone[i]), float(arrays.tone_rate[part.tone[i]]) * scale
+            terms.append(f"({float(part.sine[i]) * rate!r})*c[{tone}]-({float(part.cosine[i]) * rate!r})*s[{tone}]")
+        slopes.append("+".join(terms))
+    damper = float(arrays.damping[j])
+    return f" w[2]+=share*{damper!r}*u{j}*u{j};w[3]+=share*0.5*({slopes[0]})*g{j}*g{j};w[4]-=share*({slopes[1]})*f{j};"

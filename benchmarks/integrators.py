@@ -22,7 +22,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from by_hand import c_rk4, numba_rk4
+from better_peers import BETTER
+from by_hand import c_rk4, c_rk4_duties, numba_rk4
 from cases import CASES, mesh_columns
 from ceilings import ceilings
 from peers import PEERS, STEPS, Case, numba_slope
@@ -40,6 +41,7 @@ TARGETS = (1e-3, 1e-5)
 BY_HAND = {"RK4 by hand in numba": (numba_rk4, STEPS)}
 if shutil.which("gcc"):
     BY_HAND["RK4 as straight-line C, gcc (a bound)"] = (c_rk4, STEPS)
+    BY_HAND["RK4 as straight-line C, gcc, with our stepper's duties"] = (c_rk4_duties, STEPS)
 PACKAGES = ("numpy", "scipy", "numba", "jax", "diffrax", "casadi", "numbalsoda")
 
 
@@ -89,7 +91,7 @@ def loosest(
 ) -> tuple[dict[str, tuple[float, float, Callable]], list[str]]:
     """Return for each peer the loosest setting that reaches the target: (setting, error, run); what was left out."""
     found, left = {}, list[str]()
-    for name, (make, settings) in {**PEERS, **BY_HAND}.items():
+    for name, (make, settings) in {**PEERS, **BETTER, **BY_HAND}.items():
         if search.only and not any(part in name for part in search.only):
             continue
         target, begun = search.target, time.process_time()

@@ -16,9 +16,10 @@ from numba import njit
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import Outputs, System, simulate
+from gearwright.dynamics.codegen import summarise
 from gearwright.dynamics.equations import line_state
 from gearwright.dynamics.model import Arrays, line_matrix
-from gearwright.dynamics.motion import blank_record, stepper
+from gearwright.dynamics.motion import blank_record, blank_summary, stepper
 
 
 @dataclass
@@ -154,12 +155,14 @@ def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:
     h = case.duration / (case.intervals * steps)
     advance, width = stepper(case.arrays, "runge-kutta", h), len(case.start)
     record = blank_record(case.arrays, 512)
+    summary = blank_summary(record.shape[1])
 
     def run() -> np.ndarray:
         state, rows = np.concatenate([case.start, np.zeros(6)]), []
         for first in range(0, case.intervals * steps + 1, 512):
             part = record[: min(512, case.intervals * steps + 1 - first)]
             advance(first, part, state)
+            summarise(part, summary)
             rows.append(part[-first % steps :: steps, :width].copy())
         return np.concatenate(rows)
 

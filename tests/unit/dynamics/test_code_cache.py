@@ -197,6 +197,22 @@ def test_damaged_code_of_a_structure_is_compiled_again(cache):
         assert kept.read_bytes() == whole, "it is compiled and kept anew"
 
 
+def test_code_of_another_processor_or_version_is_not_used(cache, monkeypatch):
+    """The name of a file says for which processor, sources and compilers it holds: others have files of their own."""
+    import llvmlite.binding as llvm
+
+    answer()
+    here = llvm.get_host_cpu_name()
+    monkeypatch.setattr(llvm, "get_host_cpu_name", lambda: "x86-64" if here != "x86-64" else here)
+    before = len(list(cache.glob("code-*/structure-*")))
+    assert answer() == 7.0
+    assert len(list(cache.glob("code-*/structure-*"))) == before + (here != "x86-64")
+    monkeypatch.setattr(kept_code, "_stamp", lambda: "another version")
+    kept_code.folder.cache_clear()
+    assert answer() == 7.0
+    assert sorted(len(list(one.glob("structure-*"))) for one in cache.glob("code-*")) == [1, before + 1]
+
+
 def test_a_full_disk_keeps_nothing_and_harms_nothing(cache, monkeypatch):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")

@@ -57,6 +57,50 @@ def test_each_trajectory_of_an_ensemble_is_the_run_of_its_system_alone():
             np.testing.assert_allclose(getattr(many, key)[number], values, rtol=1e-9, atol=1e-9 * scale)
 
 
+def different(count: int):
+    """Return systems of one structure that differ in every number that has a meaning."""
+    rng, members = np.random.default_rng(3), []
+    for system in family(count):
+        arrays = system.arrays
+
+        def other(values, rng=rng):
+            return values * rng.uniform(0.9, 1.1, len(values))
+
+        series = {
+            name: getattr(arrays, name)._replace(
+                cosine=other(getattr(arrays, name).cosine), sine=other(getattr(arrays, name).sine)
+            )
+            for name in ("variation", "error")
+        }
+        loads = arrays.loads._replace(
+            constant=other(arrays.loads.constant), damping=other(arrays.loads.damping),
+            quadratic=other(arrays.loads.quadratic),
+        )  # fmt: skip
+        scale = float(rng.uniform(0.9, 1.1))
+        plain = {name: other(getattr(arrays, name)) for name in ("mass", "stiffness", "damping", "backlash")}
+        turned = {name: scale * getattr(arrays, name) for name in ("speed", "tone_rate", "slip")}
+        framed = {
+            name: getattr(arrays, name)._replace(value=power * getattr(arrays, name).value)
+            for name, power in (("gyroscopic", scale), ("centripetal", scale**2))
+        }
+        weight = arrays.line_weight * float(rng.uniform(0.9, 1.1))
+        members.append(
+            replace(
+                system, arrays=arrays._replace(line_weight=weight, loads=loads, **series, **plain, **turned, **framed)
+            )
+        )
+    return members
+
+
+def test_members_that_differ_in_every_number_are_the_runs_of_their_systems_alone():
+    systems = different(5)
+    many = simulate_many(systems, 0.2, step=5e-5, start=rest(systems))
+    for number in (0, 3, 4):
+        alone = simulate(systems[number], 0.2, step=5e-5, start="rigid", method="runge-kutta")
+        scale = np.max(np.abs(alone.force.rms))
+        np.testing.assert_allclose(many.rms[number], alone.force.rms[0], rtol=1e-8, atol=1e-8 * scale)
+
+
 def test_results_do_not_depend_on_the_number_of_threads():
     systems = family(20)
     one, four = (simulate_many(systems, 0.05, step=1e-4, start=rest(systems), threads=threads) for threads in (1, 4))
