@@ -22,11 +22,14 @@ from pathlib import Path
 
 import numpy as np
 from cases import split_torque
+from ceilings import measured
 from integrators import machine, mesh_forces, reference
 from peers import Case, dense, has, numba_slope
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import System, simulate_many, statics
+from gearwright.dynamics.codegen import compiled, parameter_rows, topology
+from gearwright.dynamics.model import own_groups, stacked
 
 DURATION, TARGET, TRIED = 0.1, 1e-3, 4
 WORKERS = os.cpu_count() or 1
@@ -267,6 +270,59 @@ def growth(rounds: int) -> list[str]:
     return lines + [f"| {count} | {1e3 * statistics.median(costs[count]):.3f} |" for count in counts]
 
 
+def multiplications(members: list[System]) -> int:
+    """Return the products of whole vectors in one step of eight members side by side: units take one each a turn."""
+    arrays = [member.arrays for member in members]
+    shape, together = topology(arrays[0]), stacked(arrays)
+    layout, rows = parameter_rows(together, 1.5e-5)
+    text = compiled(shape, layout, 8, own_groups(together, layout, layout._fields, rows)).assembly
+    parts = {part.split("(")[0].split("@")[-1]: part.count(" fmul ") for part in text.split("define ")[1:]}
+    return 2 * parts["instant"] + parts["look"] + 3 * parts["slope"] + parts["advance"]
+
+
+def ceiling(rounds: int) -> list[str]:
+    """Return how many of the products that a core could do in that time it does: alike but for stiffness, and not."""
+    start, rng = np.tile(start_of(split_torque()), (256, 1)), np.random.default_rng(1)
+    alike = family(256)
+    flops, loaded = measured()
+    lines = ["", "### Products of whole vectors beside what one core can do", ""]
+    lines += [
+        f"One core, measured: {flops / 1e9:.1f} GFLOP/s fused, {loaded / 1e9:.0f} GB/s from the nearest cache.",
+        "",
+    ]
+    lines += ["| members differ in | products a step | time of eight steps side by side [ns] | of the most [%] |"]
+    lines += ["| --- | --- | --- | --- |"]
+    for name, systems in {"stiffness": alike, "every number": [scattered(one, rng) for one in alike]}.items():
+        times = {duration: list[float]() for duration in (0.04, 0.08)}
+        for _ in range(2 * rounds + 1):
+            for duration, spent in times.items():
+                begun = time.process_time()
+                simulate_many(systems, duration, step=1.5e-5, start=start, threads=1)
+                spent.append(time.process_time() - begun)
+        steps = min(times[0.08]) - min(times[0.04])  # without what is done once; other work only lengthens it
+        taken = round(0.04 / 1.5e-5) * 1.5 * 256 / 8  # half as many again measure the error
+        step, products = steps / taken, multiplications(systems)
+        lines.append(f"| {name} | {products} | {step * 1e9:.0f} | {100 * products * 16 / step / flops:.0f} |")
+    return lines
+
+
+def scattered(system: System, rng: np.random.Generator) -> System:
+    """Return a system whose numbers are all a little different."""
+    arrays = system.arrays
+
+    def other(values: np.ndarray) -> np.ndarray:
+        return values * rng.uniform(0.95, 1.05, len(values))
+
+    loads = arrays.loads._replace(constant=other(arrays.loads.constant))
+    series = {
+        name: one._replace(cosine=other(one.cosine), sine=other(one.sine))
+        for name, one in (("variation", arrays.variation), ("error", arrays.error))
+    }
+    plain = {name: other(getattr(arrays, name)) for name in ("mass", "stiffness", "damping", "backlash", "tone_rate")}
+    weight = arrays.line_weight * float(rng.uniform(0.95, 1.05))
+    return replace(system, arrays=arrays._replace(line_weight=weight, loads=loads, **plain, **series))
+
+
 def main() -> None:
     """Print the tables, and write them where asked."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -275,7 +331,17 @@ def main() -> None:
     parser.add_argument("--scipy", type=int, default=64)
     parser.add_argument("--write", type=Path)
     chosen = parser.parse_args()
-    text = "\n".join([machine(), *compare(chosen.count, chosen.rounds, chosen.scipy), *growth(chosen.rounds)]) + "\n"
+    text = (
+        "\n".join(
+            [
+                machine(),
+                *compare(chosen.count, chosen.rounds, chosen.scipy),
+                *growth(chosen.rounds),
+                *ceiling(chosen.rounds),
+            ]
+        )
+        + "\n"
+    )
     print(text)
     if chosen.write:
         chosen.write.write_text("# Ensembles compared\n\n`python benchmarks/ensembles.py`\n\n" + text)
