@@ -18,6 +18,7 @@ SHIPPED = {
     "thesis-chapter-4": "in-line-h2",
     "equal-power": "off-set-h2",
     "strategies": "in-line-h2",
+    "ways-down": "in-line-h2",
     "regional-250nm": "in-line",
     "regional-aircraft": "in-line",
     "hybrid-reserves": "in-line-h2",
