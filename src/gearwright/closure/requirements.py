@@ -61,7 +61,7 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     "bearings": Requirement(
         ("", "life", "bearing life", "static safety", "bearing static safety", "room around the pin", "room in the rim",
          "room for its bearing", "room beside the plate", "shaft in its bore"),
-        (Kind.BEARING,), "bearings of shafts, by the sizing; of planets where they are named, by the catalogue",
+        (Kind.BEARING,), "bearings of shafts, by the sizing; what planets turn on, where the design leaves it open",
         "more or lighter planets, plain bearings, a star stage in place of the planetary one, a slower carrier",
     ),
     "room of planets": Requirement(
