@@ -150,3 +150,35 @@ def test_what_no_instrument_writes_is_no_number(cell, tmp_path):
     file.write_text(f"time_s,torque_nm,speed_rpm\n0,10,100\n{cell},20,100\n", encoding="utf-8")
     with pytest.raises(DesignError, match=r"line 3, time_s: .* is no finite number"):
         read_duty(file)
+
+
+def test_every_unit_of_a_column_is_read(tmp_path):
+    """100 lbf ft at 10 Hz and 212 °F for a second are 135.58 N m at 62.83 rad/s and 373.15 K."""
+    text = "time_ms,torque_lbf_ft,speed_hz,temperature_f\n0,100,10,212\n1000,0,0,212\n"
+    duty = read_duty(written(tmp_path, text))
+    assert duty.torque[0] == pytest.approx(135.5818, rel=1e-6) and duty.speed[0] == pytest.approx(62.83185, rel=1e-6)
+    assert duty.duration[0] == pytest.approx(1.0) and duty.temperature[0] == pytest.approx(373.15)
+
+
+def test_load_bins_have_durations_in_any_order(tmp_path):
+    """A bin is a row with its duration: the spectrum is that of the record of which they were counted."""
+    bins = read_duty(written(tmp_path, "duration_s,torque_nm,speed_rpm\n60,60,900\n10,120,600\n30,240,1200\n"))
+    record = "time_s,torque_nm,speed_rpm\n0,120,600\n10,240,1200\n40,60,900\n100,0,0\n"
+    one, other = (duty_spectrum(duty, classes=4) for duty in (bins, read_duty(written(tmp_path, record))))
+    assert (one.torque.tolist(), one.time) == (other.torque.tolist(), other.time)
+    assert one.share.tolist() == pytest.approx(other.share.tolist()) and one.turns.tolist() == pytest.approx(
+        other.turns.tolist()
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("duration_s,time_s,torque_nm,speed_rpm\n1,0,1,1\n1,1,1,1\n", "durations of load bins, and not both"),
+        ("duration_s,torque_nm,speed_rpm\n1,1,1\n0,1,1\n", "line 3: a duration that is not above 0"),
+        ("duration_s,torque_nm,speed_rpm\n", "two rows at least"),
+    ],
+)
+def test_what_is_wrong_with_load_bins_is_told(text, said, tmp_path):
+    with pytest.raises(DesignError, match=said):
+        read_duty(written(tmp_path, text))

@@ -18,25 +18,25 @@ from gearwright.parts.shafts import LoadCycle, Residue, rainflow
 from gearwright.reading import text_of
 from gearwright.showing import Shown
 from gearwright.spec import NAME_RULE, is_name
-from gearwright.units import CELSIUS, RPM
+from gearwright.units import CELSIUS, INCH, POUND_FORCE, RPM, SUFFIXES
 from gearwright.verbs import verb
 
-COLUMNS: Mapping[str, tuple[str, float]] = MappingProxyType(
+_UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
-        "time_s": ("time", 1.0),
-        "time_min": ("time", 60.0),
-        "time_h": ("time", 3600.0),
-        "torque_nm": ("torque", 1.0),
-        "torque_knm": ("torque", 1e3),
-        "power_w": ("power", 1.0),
-        "power_kw": ("power", 1e3),
-        "speed_rpm": ("speed", RPM),
-        "speed_rad_s": ("speed", 1.0),
-        "temperature_k": ("temperature", 1.0),
-        "temperature_c": ("temperature", 1.0),
+        "time": SUFFIXES["time"],
+        "duration": SUFFIXES["time"],
+        "torque": {**SUFFIXES["torque"], "nmm": 1e-3, "lbf_in": POUND_FORCE * INCH},
+        "power": SUFFIXES["power"],
+        "speed": {**SUFFIXES["speed"], "hz": 2.0 * math.pi, "deg_s": math.pi / 180.0},
+        "temperature": {"k": 1.0, "c": 1.0, "f": 5.0 / 9.0},
     }
 )
+COLUMNS: Mapping[str, tuple[str, float]] = MappingProxyType(
+    {f"{kind}_{unit}": (kind, factor) for kind, units in _UNITS.items() for unit, factor in units.items()}
+)
 """Name in a file's first line -> what it is, and its unit in SI; of temperatures the zero differs, too."""
+ZEROS = {"temperature_c": CELSIUS, "temperature_f": CELSIUS - 32.0 * 5.0 / 9.0}
+"""Temperature -> its zero [K]."""
 SEPARATORS = (";", "\t")
 """Between cells, where the first line has them; else the comma."""
 LARGEST = 50_000_000
@@ -121,8 +121,9 @@ def read_duty(path: str | Path) -> MeasuredDuty:
     """Return a measured duty.
 
     Args:
-        path: Of a CSV file whose first line names its columns with their units: time_s, time_min or time_h; torque_nm,
-            torque_knm, power_w or power_kw; speed_rpm or speed_rad_s; if it has them temperature_c or temperature_k.
+        path: Of a CSV file whose first line names its columns with their units: time_s (ms, min, h), or of load bins
+            duration_s; torque_nm (knm, nmm, lbf_ft, lbf_in) or power_kw (w, mw, hp); speed_rpm (rad_s, deg_s, hz); if
+            it has them temperature_c (k, f).
 
     Raises:
         DesignError: Columns that are missing or unknown; with their lines: cells that are no finite numbers, missing
@@ -133,7 +134,7 @@ def read_duty(path: str | Path) -> MeasuredDuty:
     rows = _rows(path)
     header = [cell.strip() for cell in rows[0][1]] if rows else []
     refuse(_header_problems(header) if header else [Problem("", "the file is empty; " + _NEEDED)], str(path))
-    if len(rows) < 3:
+    if len(rows) < (2 if any(COLUMNS[name][0] == "duration" for name in header) else 3):
         refuse([Problem("", "a duty needs two rows at least, below the names of its columns")], str(path))
     problems, numbers = list[Problem](), list[list[float]]()
     for number, cells in rows[1:]:
@@ -142,8 +143,11 @@ def read_duty(path: str | Path) -> MeasuredDuty:
         numbers.append([_number(cell) for cell in cells] if fits else [math.nan] * len(header))
     table = np.array(numbers)
     columns = {COLUMNS[name][0]: table[:, k] * COLUMNS[name][1] for k, name in enumerate(header)}
-    if "temperature_c" in header:
-        columns["temperature"] = columns["temperature"] + CELSIUS
+    for name in header:
+        if name in ZEROS:
+            columns["temperature"] = columns["temperature"] + ZEROS[name]
+    if "duration" in columns:
+        columns["time"] = np.concatenate([[0.0], np.cumsum(columns["duration"])])
     problems += _order_problems([number for number, _ in rows[1:]], columns)
     refuse(_short(problems), str(path))
     return _duty(columns)
@@ -166,14 +170,12 @@ def _duty(columns: Mapping[str, Floats]) -> MeasuredDuty:
     torque = columns.get("torque")
     if torque is None:
         torque = np.divide(columns["power"], speed, out=np.zeros_like(speed), where=speed != 0.0)
-    temperature = columns.get("temperature")
+    temperature, rows = columns.get("temperature"), len(columns["time"]) - 1  # the last row only ends the one before
+    duration = columns.get("duration", np.diff(columns["time"]))
     return MeasuredDuty(
-        columns["time"][:-1],
-        np.diff(columns["time"]),
-        torque[:-1],
-        speed[:-1],
-        None if temperature is None else temperature[:-1],
-    )
+        columns["time"][:-1], duration, torque[:rows], speed[:rows],
+        None if temperature is None else temperature[:rows],
+    )  # fmt: skip
 
 
 @verb
@@ -241,8 +243,10 @@ def _header_problems(header: Sequence[str]) -> list[Problem]:
     problems += [
         Problem(kind, "is given twice; keep one column") for kind in dict.fromkeys(kinds) if kinds.count(kind) > 1
     ]
+    if "time" in kinds and "duration" in kinds:
+        problems.append(Problem("duration", "give times of rows or durations of load bins, and not both"))
     for kind in ("time", "speed"):
-        if kind not in kinds:
+        if kind not in kinds and not (kind == "time" and "duration" in kinds):
             names = [name for name, (what, _) in COLUMNS.items() if what == kind]
             problems.append(Problem(kind, f"there is no such column; give one of {', '.join(names)}"))
     if ("torque" in kinds) == ("power" in kinds):
@@ -275,7 +279,9 @@ def _row_problems(number: int, cells: Sequence[str], header: Sequence[str]) -> I
 
 def _order_problems(lines: Sequence[int], columns: Mapping[str, Floats]) -> Iterator[Problem]:
     time, speed = columns["time"], columns["speed"]
-    for k in np.flatnonzero(np.diff(time) <= 0.0).tolist():
+    for k in np.flatnonzero(columns.get("duration", np.ones(1)) <= 0.0).tolist():
+        yield Problem(f"line {lines[k]}", "a duration that is not above 0; leave the bin out")
+    for k in np.flatnonzero(np.diff(time) <= 0.0).tolist() if "duration" not in columns else ():
         message = f"{time[k + 1]:g} s comes after {time[k]:g} s; time has to rise from row to row"
         yield Problem(f"line {lines[k + 1]}", message)
     if "power" in columns:
