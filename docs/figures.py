@@ -7,16 +7,21 @@ from pathlib import Path
 from typing import Any
 
 import gearwright as gw
+from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import fly
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.svg import sheet_svg
+from gearwright.render.figures.dynamics import campbell_figure
+from gearwright.render.figures.flight import profile_figure
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.sizing import margin_figure, mass_figure
 from gearwright.render.figures.study.lines import study_figure
+from gearwright.render.figures.treemap import treemap_figure
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.render.style.theme import to_svg
 from gearwright.shipped import shipped_mission, shipped_study
 from gearwright.sizing import Sizing
+from gearwright.sizing.mass import complete_mass
 from gearwright.spec import read_mission, read_study
 from gearwright.study import run
 
@@ -41,6 +46,9 @@ FIGURES: Mapping[str, Callable[[], Any]] = {
     "in-line-h2-mass": lambda: mass_figure(_sized("in-line-h2")),
     "motor-speed": lambda: _study("motor-speed"),
     "architectures": lambda: _study("architectures"),
+    "in-line-h2-campbell": lambda: campbell_figure(_sized("in-line-h2"), critical_speeds(_sized("in-line-h2"))[0]),
+    "in-line-h2-kilograms": lambda: treemap_figure(complete_mass(_sized("in-line-h2")), None, None),
+    "flight-profile": lambda: profile_figure(fly(_sized("in-line-h2"), read_mission(shipped_mission("thesis")))),
     "flight-energy": lambda: sankey_figure(fly(_sized("in-line-h2"), read_mission(shipped_mission("thesis")))),
 }
 """Name of the file -> what draws it."""
