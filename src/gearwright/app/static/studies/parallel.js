@@ -1,9 +1,9 @@
 /* Parallel coordinates: a line for every design; a brush on an axis, or its numbers below, keeps a part. */
-import {made, number} from "/static/made.js";
+import {at, made, number} from "/static/made.js";
 import {ink} from "/static/plots.js";
 import {held, title} from "/static/studies/table.js";
 
-const SVG = "http://www.w3.org/2000/svg", TOP = 34, BOTTOM = 22, SIDE = 56, GRIP = 14;
+const SVG = at("axes").namespaceURI, TOP = 34, BOTTOM = 22, SIDE = 56, GRIP = 14;
 
 function shape(tag, properties) {
   const element = document.createElementNS(SVG, tag);
