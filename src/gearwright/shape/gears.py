@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from gearwright.identity import Role
-from gearwright.parts.bevel import Hand
+from gearwright.parts.bevel import Hand, bevel_way
 from gearwright.parts.gears import Blank, transverse_form
 from gearwright.shape.solids import Fineness, Solid, bevel_gear, disc_gear, face_wheel, loop_of, ring_gear
 from gearwright.shape.stands import Stand
 from gearwright.shape.teeth import bevel_pair, halves_of, hand_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.mass import bevel_web, ring_outside, tooth_of
+from gearwright.sizing.mass import bevel_hub, bevel_web, ring_outside, tooth_of
 
 
 class Leaning(NamedTuple):
@@ -69,7 +69,8 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
         pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
         bore = blanks[gear.name].bore_radius
         web = bevel_web(sizing, gear, bore)
-        return bevel_gear(pair, side, hand=leaning.hand, bore=bore, web=web, fine=fine)
+        way = bevel_way(pair, side, bore, web, bevel_hub(sizing, gear, bore))
+        return bevel_gear(pair, side, way, hand=leaning.hand, fine=fine)
     if kind == "face" and gear.role is Role.WHEEL:
         pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
         bore, width = blanks[gear.name].bore_radius, pinion.face_width

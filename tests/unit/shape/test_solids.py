@@ -8,7 +8,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
-from gearwright.parts.bevel import BevelPair
+from gearwright.parts.bevel import BevelPair, bevel_way
 from gearwright.parts.gears import (
     BasicRack,
     Blank,
@@ -114,7 +114,7 @@ def test_a_ring_has_the_volume_of_its_wall_and_its_teeth():
 def test_bevel_teeth_fill_the_cones_of_their_blank(side):
     """Between root and tip cones, by Pappus about half of the space: teeth and gaps are alike on the pitch cone."""
     pair = BevelPair((14, 43), 9e-3, 0.06, math.radians(35.0))
-    solid = surface_of(bevel_gear(pair, side, hand=1.0, bore=0.02, fine=FINE), FINE.circle)
+    solid = surface_of(bevel_gear(pair, side, bevel_way(pair, side, 0.02), hand=1.0, fine=FINE), FINE.circle)
     assert edges_of(solid).open == 0
     height = pair.addenda[side] * pair.outer_cone_distance / pair.mean_cone_distance
     reach = pair.outer_diameters[side] / 2.0 + height * math.cos(pair.pitch_angles[side])

@@ -11,6 +11,7 @@ from gearwright.arrays import Floats
 from gearwright.parts.bevel.geometry import BevelPair
 from gearwright.parts.gears import (
     BasicRack,
+    SeatHub,
     TransverseTooth,
     outline_area,
     revolved_volume,
@@ -22,7 +23,7 @@ RIM = 1.2
 """Metal behind the roots over the depth of the teeth [-] (AGMA 2001-D04, backup ratio without loss of strength)."""
 WEB = 0.3
 """Web over face width [-], an assumption where no web is sized."""
-_THINNEST, _WHOLE, _HALVINGS = 0.05, 2.0, 24
+_THINNEST, _WHOLE, _HALVINGS = 0.15, 2.0, 24
 """Webs over face widths between which one is looked for, and how often their distance is halved [-]."""
 
 
@@ -58,7 +59,9 @@ def bevel_form(pair: BevelPair, side: int, *, fillet: int, flank: int) -> tuple[
     return transverse_form(virtual_tooth(pair, side), fillet=fillet, flank=flank)
 
 
-def bevel_way(pair: BevelPair, side: int, bore: float, web: float = WEB) -> list[tuple[float, float]]:
+def bevel_way(
+    pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None
+) -> list[tuple[float, float]]:
     """Return the way behind the teeth from the large end to the small one, z and radius [m].
 
     Args:
@@ -66,16 +69,17 @@ def bevel_way(pair: BevelPair, side: int, bore: float, web: float = WEB) -> list
         side: 0 for the pinion, 1 for the wheel.
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate between rim and hub over the face width [-].
+        seat: The hub where its seat is sized.
 
     Source: cones about the apex, ISO 23509:2016; rim 1.2 times the depth of the teeth behind the roots (AGMA 2001-D04).
     """
     tooth, mean = virtual_tooth(pair, side), pair.mean_cone_distance
     back = tooth.root_radius - RIM * (tooth.tip_radius - tooth.root_radius) - tooth.pitch_radius
     toe, heel = (_under(pair, side, far, back * far / mean) for far in _ends(pair))
-    return way_behind(toe, heel, bore, web=web * pair.face_width)
+    return way_behind(toe, heel, bore, web=web * pair.face_width, seat=seat)
 
 
-def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB) -> float:
+def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None) -> float:
     """Return what a bevel gear fills: its teeth, and the body under their roots [m³].
 
     Args:
@@ -83,6 +87,7 @@ def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB) -> f
         side: 0 for the pinion, 1 for the wheel.
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate between rim and hub over the face width [-].
+        seat: The hub where its seat is sized.
 
     Source: teeth that taper to the apex are a pyramid's frustum, V = z A (R_e³ − R_i³)/(3 R_m²), as every point of a
         back cone is R from the apex along its normal; frusta of cones behind them.
@@ -91,10 +96,10 @@ def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB) -> f
     crown = pair.teeth[side] * outline_area(tooth) * (outer**3 - inner**3) / (3.0 * mean**2)
     root = (tooth.root_radius - tooth.pitch_radius) / mean
     roots = [_under(pair, side, far, root * far) for far in (inner, outer)]
-    return crown + revolved_volume([*bevel_way(pair, side, bore, web), *roots])
+    return crown + revolved_volume([*bevel_way(pair, side, bore, web, seat), *roots])
 
 
-def lightened_web(pair: BevelPair, side: int, bore: float, share: float) -> float:
+def lightened_web(pair: BevelPair, side: int, bore: float, share: float, seat: SeatHub | None = None) -> float:
     """Return the web, over the face width, with which a gear fills a share of what it fills without a web [-].
 
     Args:
@@ -102,14 +107,15 @@ def lightened_web(pair: BevelPair, side: int, bore: float, share: float) -> floa
         side: 0 for the pinion, 1 for the wheel.
         bore: Radius of what the gear sits on [m].
         share: Of the volume with a plate as thick as the rim is long [-]; the nearest that a web gives.
+        seat: The hub where its seat is sized.
 
     Source: `bevel_volume` by bisection.
     """
     low, high = _THINNEST, _WHOLE
-    target = share * bevel_volume(pair, side, bore, high)
+    target = share * bevel_volume(pair, side, bore, high, seat)
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if bevel_volume(pair, side, bore, middle) > target else (middle, high)
+        low, high = (low, middle) if bevel_volume(pair, side, bore, middle, seat) > target else (middle, high)
     return 0.5 * (low + high)
 
 

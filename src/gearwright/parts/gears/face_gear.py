@@ -8,6 +8,7 @@ motion within the width of a tooth is left out.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +18,8 @@ RIM = 1.2
 """Metal behind the roots over the depth of the teeth [-] (AGMA 2001-D04, backup ratio without loss of strength)."""
 HUB = 1.25
 """Hub over bore [-], an assumption."""
+NEXT = 0.98
+"""Hub over the radius inside the rim, at most [-]."""
 _STRIPS = 65
 """Cylinders in which teeth are weighed [-]."""
 
@@ -104,8 +107,19 @@ def face_thickness(pinion: TransverseTooth, teeth: int, radius: float) -> tuple[
     return half + (top - roll) * math.tan(angle), min(half + (root - roll) * math.tan(angle), most)
 
 
+class SeatHub(NamedTuple):
+    """A hub over its seat, from the middle of the face away from the mate [m]."""
+
+    low: float
+    """Where it begins."""
+    high: float
+    """Where it ends."""
+    radius: float
+    """Outside; at most what the rim leaves."""
+
+
 def way_behind(
-    toe: tuple[float, float], heel: tuple[float, float], bore: float, *, web: float
+    toe: tuple[float, float], heel: tuple[float, float], bore: float, *, web: float, seat: SeatHub | None = None
 ) -> list[tuple[float, float]]:
     """Return the way behind teeth on a cone or a face from heel to toe: a rim, a plate, a hub about the bore.
 
@@ -114,19 +128,21 @@ def way_behind(
         heel: The same under the outer end [m].
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate [m].
+        seat: The hub where its seat is sized; None: about the plate, in proportion to the bore.
 
     Returns:
         One that goes straight to the bore where rim and hub meet, or the gear has no bore.
 
     Source: geometry.
     """
-    bore, hub = min(bore, 0.85 * toe[1]), HUB * bore
-    if hub > 0.8 * toe[1] or bore <= 0.0:
+    bore = min(bore, 0.85 * toe[1])
+    hub = HUB * bore if seat is None else max(min(seat.radius, NEXT * toe[1]), bore)
+    if (seat is None and hub > 0.8 * toe[1]) or bore <= 0.0:
         return [heel, (heel[0], bore), (toe[0], bore), toe]
     upper = min(toe[0] + web, heel[0])
     share = 1.0 if heel[0] == toe[0] else (upper - toe[0]) / (heel[0] - toe[0])
     under = (upper, toe[1] + share * (heel[1] - toe[1]))
     middle, half = (toe[0] + upper) / 2.0, max(1.6 * (upper - toe[0]), 1.2 * (hub - bore)) / 2.0
-    low, high = middle - half, middle + half
+    low, high = (middle - half, middle + half) if seat is None else (seat.low, seat.high)
     way = [heel] + ([under] if share < 1.0 else [])
     return [*way, (upper, hub), (high, hub), (high, bore), (low, bore), (low, hub), (toe[0], hub), toe]

@@ -10,8 +10,8 @@ from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
-from gearwright.render.drawings.sheet.dimensions import extent
-from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.sheet.dimensions import drawn, extent
+from gearwright.render.drawings.sheet.entities import SMALL, Arc, Box, Distance, Entity, Layer, Path, Words, trimmed
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import balloon
 from gearwright.render.drawings.sheet.tables import Grid
@@ -19,6 +19,7 @@ from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, pl
 from gearwright.render.drawings.views.end_view import end_view
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.render.drawings.views.weights import made_of
 from gearwright.render.schematic.layout import pair_meshes
 from gearwright.render.style.labels import overlap, spread
 from gearwright.shape.teeth import kind_of
@@ -32,8 +33,12 @@ _APART = 10.0
 """Between item numbers [mm]."""
 SIDES = ("left", "right", "top", "bottom")
 """On which item numbers stand."""
+BEYOND = 8.0
+"""From the outermost item numbers to lengths over all [mm]."""
 DOT = 1.5
 """Room for the dot at the end of a leader [mm]."""
+_FURTHER = 60
+"""Places of a centre distance that are tried, further and further left [-]."""
 _TRIES = 12
 """Places of a name that are tried, a line further down or out [-]."""
 
@@ -51,9 +56,12 @@ def arrangement_content(sizing: Sizing) -> Content:
         for k, item in enumerate(items, start=1)
     )
     heads = ("Item", "Qty", "Part", "Remark", "Mass [kg]")
-    title = Title(sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{sizing.mass:.1f}")
+    title = Title(
+        sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{made_of(sizing).total:.1f}"
+    )
     return Content(
-        NAME, title, lambda scale: _views(sizing, plane, scale), (Grid("Parts; mass of one", rows, heads),),
+        NAME, title, lambda scale: _views(sizing, plane, scale),
+        (Grid("Parts; mass of one", rows, heads), _axes(sizing)),
         (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0, kind=NAME,
     )  # fmt: skip
 
@@ -71,7 +79,7 @@ def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
     yield from _crowded(sizing)
     if any(pair.kind == "face" for pair in sizing.design.pairs.values()):
         yield "Face-gear wheels are drawn by their pitch circle alone: their tooth form is not sized."
-    yield "Mass: gears, shafts and carriers, without bearings and housing."
+    yield "Mass: gears, shafts and carriers as the complete mass has them, without bearings and housing."
     yield "Gears in section by ISO 2203. Housing, seals and lubrication are not sized; they are not drawn."
 
 
@@ -83,12 +91,23 @@ def _crowded(sizing: Sizing) -> Iterator[str]:
             yield f"{check.place} {verb} {check.why}: put one of them elsewhere."
 
 
+def _axes(sizing: Sizing) -> Grid:
+    """Return where the axes of all shafts stand in space: their first ends, and which way they go."""
+    rows = []
+    for name, frame in sizing.arrangement.frames.items():
+        place = (trimmed(MM * at, 3) for at in frame.origin)
+        rows.append((name, *place, ", ".join(trimmed(way, 4) for way in frame.along)))
+    return Grid("Axes: first ends [mm]", tuple(rows), ("Shaft", "x", "y", "z", "direction"))
+
+
 def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
     entities, items = _parts(sizing, plane, scale)
-    entities += _distances(sizing, plane, scale)
+    parts = extent([mark for mark in entities if isinstance(mark, Path | Arc) and mark.layer is Layer.OUTLINE])
+    entities += _distances(sizing, plane, scale, list(segments(entities)))
     dots = [(item.anchor - arm, item.anchor + arm) for item in items for arm in (DOT, 1j * DOT)]
     entities += _machines(sizing, plane, scale, [*segments(entities), *dots])
     entities += _balloons(items, extent(entities), texts(entities))
+    entities += _overall(parts, entities, scale, tall=plane.exact and not plane.notes)
     return [[*([end_view(sizing, scale)] if _has_end_view(sizing, plane) else []), entities]]
 
 
@@ -160,8 +179,8 @@ def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:
     return min(seats, default=middle), max(seats, default=middle)
 
 
-def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
-    """Yield centre distances that the plane shows, left of both gears."""
+def _distances(sizing: Sizing, plane: Positions, scale: float, marks: Sequence[Segment]) -> Iterator[Entity]:
+    """Yield centre distances that the plane shows, left of both gears, where no line runs through their texts."""
     seen: set[tuple[float, float]] = set()
     for mesh in pair_meshes(sizing.train):
         lines = [plane.shafts[node] for node in mesh.nodes[:2]]
@@ -174,7 +193,20 @@ def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entit
         if key not in seen and abs(lines[0].along.imag) < 1e-9:
             seen.add(key)
             left = min(end.real for end in ends) - 30.0 - 9.0 * (len(seen) - 1)
-            yield Distance(ends[0] - 4.0, ends[1] - 4.0, complex(left, 0.0), math.pi / 2.0, scale)
+            tried = [Distance(ends[0] - 4.0, ends[1] - 4.0, complex(left - 6.0 * k, 0.0), math.pi / 2.0, scale)
+                     for k in range(_FURTHER)]  # fmt: skip
+            yield next((each for each in tried if clear_of(texts(drawn([each])), marks)), tried[0])
+
+
+def _overall(parts: Box, entities: Sequence[Entity], scale: float, *, tall: bool) -> Iterator[Entity]:
+    """Yield the length over all parts, and their height where the plane shows it true, where no line meets a text."""
+    around, words = extent(entities), texts(entities)
+    corners = complex(parts[0], parts[1]), complex(parts[2], parts[1]), complex(parts[2], parts[3])
+    wide = Distance(corners[0], corners[1], complex(corners[0].real, around[1] - BEYOND), 0.0, scale)
+    high = Distance(corners[1], corners[2], complex(around[2] + BEYOND, corners[1].imag), math.pi / 2.0, scale)
+    for size in (wide, high) if tall else (wide,):
+        if clear_of(words, list(segments(drawn([size])))):
+            yield size
 
 
 def _balloons(items: Sequence[Item], box: Box, words: Sequence[Words]) -> Iterator[Entity]:

@@ -13,9 +13,9 @@ from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, crossings, segments
 from gearwright.render.drawings.sheet.dimensions import arrow, corner_leader, corner_words, words_corners
-from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words, trimmed
 from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import texture
+from gearwright.render.drawings.sheet.symbols import texture, texture_length
 from gearwright.render.drawings.sheet.tolerances import (
     HIGH,
     TRIANGLE,
@@ -36,6 +36,7 @@ from gearwright.render.drawings.views.gear_view import (
 from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
 from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.render.drawings.views.weights import made_of
 from gearwright.shape.teeth import (
     bevel_pair,
     cylindrical_gear,
@@ -56,6 +57,8 @@ SHARES = (1.0, 0.93, 0.86, 0.8, 0.74, 0.68, 0.62, 0.56, 0.5, 0.44, 0.38)
 """Of the radius of an angle's arc that are tried where lines run through its text [-]."""
 FACE_GRADE = 5
 """Of the run-out of a gear's faces; assumed."""
+LEAST_ACROSS = 20.0
+"""Diameter on paper below which that of a hub stands in the notes alone [mm]."""
 ASIDE = 9.0
 """From a part to its nearest dimension line [mm]."""
 
@@ -72,7 +75,7 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
     hub, rules = hub_of(sizing, gear, shaft), sizing.design.rules(gear.stage)
     title = Title(
         sizing.design.name, f"Gear {label}", f"gear-{label}", "Component drawing",
-        rules.material, f"{gear.mass:.2f}",
+        rules.material, f"{made_of(sizing).weights[gear.name]:.2f}",
     )  # fmt: skip
     bevel = kind_of(sizing, gear.stage) == "bevel"
     notes = [hub.note, *_notes(sizing, gear, hub), "General surfaces Ra 3.2 (assumed). Dimensions in mm."]
@@ -88,8 +91,10 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
 
 def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
     ratio = sizing.design.rules(gear.stage).web_ratio
-    if gear.role is Role.WHEEL and ratio < 1.0:
-        yield f"Web not sized: the mass is {ratio:g} of the solid disc's, the solid disc is drawn."
+    if hub.web is not None:
+        share = f"; both leave {ratio:g} of the solid disc" if gear.role is Role.WHEEL and ratio < 1.0 else ""
+        wide, inside, outside = (trimmed(size, 2) for size in (hub.web.width, 2.0 * hub.web.rim, 2.0 * hub.web.hub))
+        yield f"Web {wide} thick in the middle, rim inside Ø{inside}, hub Ø{outside}: as weighed{share}."
     if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
         yield f"Axial run-out of the faces IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if gear.bodies > 1:
@@ -132,8 +137,13 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
             Path((axis.at(middle, side * outer), axis.at(middle, side * root)), Layer.OUTLINE) for side in (-1.0, 1.0)
         ]
     entities.append(_across(axis, outer, span[1], ASIDE + 16.0))
+    if hub.web is not None and not internal and 2.0 * axis.scale * hub.web.hub > LEAST_ACROSS:
+        entities += [_across(axis, hub.web.hub, span[1], ASIDE), _across(axis, hub.web.rim, span[1], ASIDE + 8.0)]
     entities.append(_width(axis, span, outer))
-    entities += _flank(sizing, gear, axis.at(span[1], -MM * teeth.pitch_radius))
+    left = hub.web is not None and not internal
+    entities += _flank(
+        sizing, gear, axis.at(span[0 if left else 1], (1.0 if left else -1.0) * MM * teeth.pitch_radius), left=left
+    )
     if hub.teeth is not None:
         entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation)
     return entities
@@ -173,12 +183,14 @@ def _width(axis: Axis, span: tuple[float, float], radius: float) -> Distance:
     return Distance(axis.at(span[0], -radius), axis.at(span[1], -radius), line, 0.0, axis.scale)
 
 
-def _flank(sizing: Sizing, gear: GearSizing, pitch_point: complex) -> Iterator[Entity]:
+def _flank(sizing: Sizing, gear: GearSizing, pitch_point: complex, *, left: bool) -> Iterator[Entity]:
     """Yield the texture of the flanks on the pitch line, where the rules of the stage give it."""
     roughness = making_of(sizing, gear.stage).roughness
     if roughness is not None:
-        yield from texture(pitch_point + 4.0, f"Rz {1e6 * roughness[0]:g}")
-        yield Path((pitch_point, pitch_point + 6.0), Layer.SYMBOL)
+        words = f"Rz {1e6 * roughness[0]:g}"
+        far = -texture_length(words) - 4.0 if left else 4.0
+        yield from texture(pitch_point + far, words)
+        yield Path((pitch_point, pitch_point + far + (-2.0 if left else 2.0)), Layer.SYMBOL)
 
 
 def _leader(target: complex, words: str) -> Iterator[Entity]:
@@ -244,7 +256,8 @@ def _uncrossed(arcs: Sequence[Corner], lines: Sequence[Segment]) -> list[Corner]
 
 def _bored(corners: Sequence[complex], hub: Hub) -> tuple[float, float]:
     """Return where the bore begins and ends [mm]."""
-    return (corners[0].real, corners[2].real) if hub.boss is None else (hub.boss.start, hub.boss.end)
+    ends = [corner.real for corner in corners if corner.imag <= hub.bore / 2.0]
+    return min(ends), max(ends)
 
 
 def _hub_length(axis: Axis, boss: Boss, bore: float) -> Distance:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from gearwright.catalogue import SEAT_SOURCE, shaft_limits, standard_tolerance
+from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits, standard_tolerance
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import arrow, extent
 from gearwright.render.drawings.sheet.entities import (
@@ -24,12 +24,14 @@ from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import cutting_plane, texture, texture_length
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum, tolerance_frame
-from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
+from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
 from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.render.drawings.views.weights import mass_with_gears
 from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
+from gearwright.sizing.shafts import ENDS, Retention, retentions
 
 DATUMS = ("A", "B")
 """Seats of the two radial bearings."""
@@ -71,14 +73,14 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     body = shaft_body(sizing, name)
     seats = datum_seats(sizing, body)
     material = sizing.design.shaft_material
-    mass = f"{mass_with_gears(sizing, body, name):.2f}"
+    mass = f"{mass_with_gears(sizing, body.gears, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
     fits = (*_fits(body), *_fillets(body), *_splines(body))
     return Content(
         f"shaft-{name}",
         title,
-        lambda scale: _views(body, seats, scale),
+        lambda scale: _views(body, seats, _grooves(sizing, name), scale),
         (*grids, *fits),
         tuple(_notes(sizing, body, seats)),
         kind="shaft",
@@ -98,9 +100,12 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
     return seats if len(seats) == len(DATUMS) else ()
 
 
-def _views(body: ShaftBody, seats: Sequence[Piece], scale: float) -> Rows:
+def _views(
+    body: ShaftBody, seats: Sequence[Piece], grooves: Sequence[tuple[float, float, float]], scale: float
+) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
+    main += [line for start, end, radius in grooves for line in _groove(axis, start, end, radius)]
     main += _diameters(axis, body, seats)
     main += _lengths(axis, body, below=BELOW if seats else 0.0)
     for letter, seat in zip(DATUMS, seats, strict=False):
@@ -246,6 +251,53 @@ def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
     return (Grid("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
 
 
+def _ends_of(sizing: Sizing, name: str) -> list[Retention]:
+    """Return what both ends of a shaft need, where the design says how its bearings locate."""
+    if any(bearing.name not in sizing.design.bearings for bearing in sizing.bearings):
+        return []
+    return [held for held in retentions(sizing) if held.shaft == name]
+
+
+def _grooves(sizing: Sizing, name: str) -> list[tuple[float, float, float]]:
+    """Return where the grooves of retaining rings begin and end, and the radius in them [mm]."""
+    found = []
+    for held in _ends_of(sizing, name):
+        if held.ring is not None and held.has_ring:
+            ends = sorted(MM * (held.place + held.way * far) for far in (0.0, held.ring.groove_width))
+            found.append((ends[0], ends[1], MM * held.ring.groove / 2.0))
+    return found
+
+
+def _groove(axis: Axis, start: float, end: float, radius: float) -> Iterator[Entity]:
+    """Yield the edges of a groove, both halves."""
+    for side in (1.0, -1.0):
+        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), Layer.OUTLINE)
+    for x in (start, end):
+        yield Path((axis.at(x, -radius), axis.at(x, radius)), Layer.OUTLINE)
+
+
+def _held(sizing: Sizing, name: str) -> Iterator[str]:
+    """Yield what holds the parts at the ends of a built shaft, and the centres in its ends."""
+    for held in _ends_of(sizing, name):
+        yield f"{held.outermost} is held at the {ENDS[held.way]} end by {_holder(held)}."
+    steps = next((shaft.steps for shaft in sizing.built_shafts if shaft.name == name and not shaft.bore), ())
+    holes = {way: centre_hole(step.diameter) for way, step in ((-1, steps[0]), (1, steps[-1]))} if steps else {}
+    cut = [f"{hole.designation} at the {ENDS[way]} end" for way, hole in holes.items() if hole is not None]
+    if cut:
+        yield f"Centres (assumed, by the ends' diameters): {', '.join(cut)}."
+
+
+def _holder(held: Retention) -> str:
+    """Return what holds a part, and what is cut into the shaft for it."""
+    if held.has_ring and held.ring is not None:
+        ends = sorted(MM * (held.place + held.way * far) for far in (0.0, held.ring.groove_width))
+        places = f"{millimetres(ends[0])} to {millimetres(ends[1])}"
+        return f"{held.ring.designation}, groove Ø{millimetres(MM * held.ring.groove)} from {places}"
+    if held.has_plate and held.hole is not None:
+        return f"an end plate with a screw {held.hole.screw}, 8.8 (neither is drawn)"
+    return "a nut, which is to be sized"
+
+
 def _splines(body: ShaftBody) -> Iterator[Grid]:
     """Yield the data of every spline."""
     for toothing in body.splines:
@@ -276,6 +328,7 @@ def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
         yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
         axis = f" against {'–'.join(DATUMS)}, the seats of the radial bearings" if seats else ""
         yield f"Run-out of bearing seats IT5/2 in total, of their shoulders IT5 (usual; assumed){axis}."
+    yield from _held(sizing, body.name)
     if body.slots:
         forms = " and ".join(sorted({slot.form for slot in body.slots}))
         yield f"Keyways DIN 6885-1, form {forms}, width P9 (assumed)."

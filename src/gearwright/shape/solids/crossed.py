@@ -11,11 +11,12 @@ meshes with there; the curvature of the wheel's motion within the width of a too
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.parts.bevel import WEB, BevelPair, bevel_form, bevel_way
+from gearwright.parts.bevel import BevelPair, bevel_form
 from gearwright.parts.gears import TransverseTooth, face_reach, face_thickness, face_way
 from gearwright.shape.solids.solid import Section, Solid
 from gearwright.shape.solids.toothed import Loop, loop_of
@@ -36,15 +37,14 @@ class Fineness(NamedTuple):
     """Sections along the face of a bevel or face gear, less one [-]."""
 
 
-def bevel_gear(pair: BevelPair, side: int, *, hand: float, bore: float, web: float = WEB, fine: Fineness) -> Solid:
+def bevel_gear(pair: BevelPair, side: int, way: Sequence[tuple[float, float]], *, hand: float, fine: Fineness) -> Solid:
     """Return a bevel gear with its body.
 
     Args:
         pair: Its pair.
         side: 0 for the pinion, 1 for the wheel.
+        way: Behind its teeth, `bevel_way`.
         hand: +1 for a right-hand spiral, −1 for a left-hand one, 0 for straight teeth.
-        bore: Radius of what it sits on [m].
-        web: Thickness of the plate between rim and hub over the face width [-].
         fine: How finely.
 
     Source: Tredgold's virtual gear z/cos δ of the back cone; standard depth taper, ISO 23509:2016.
@@ -59,7 +59,7 @@ def bevel_gear(pair: BevelPair, side: int, *, hand: float, bore: float, web: flo
         _on_cone(loop, cone, mean, far=float(far), turn=hand * spiral_turn(pair, side, float(far)))
         for far in np.linspace(*ends, count + 1)
     ]
-    return Solid(tuple(bevel_way(pair, side, bore, web)), tuple(sections), loop.edges)
+    return Solid(tuple(way), tuple(sections), loop.edges)
 
 
 def spiral_turn(pair: BevelPair, side: int, far: float) -> float:

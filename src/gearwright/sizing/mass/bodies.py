@@ -10,10 +10,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
+from gearwright.catalogue import key_for_shaft
 from gearwright.identity import Role
 from gearwright.parts.bevel import WEB, BevelPair, bevel_volume, lightened_web
 from gearwright.parts.gears import (
     Blank,
+    SeatHub,
     TransverseTooth,
     blank_volume,
     face_crown,
@@ -24,6 +26,7 @@ from gearwright.parts.gears import (
 )
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
+from gearwright.sizing.places import BOSS
 from gearwright.sizing.rating import rating_of, standard_teeth
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
@@ -111,7 +114,7 @@ def gear_volume(sizing: Sizing, gear: GearSizing, seats: Seats) -> float:
     if kind == "bevel":
         pair, side = bevel_cones(sizing, gear.stage), 0 if gear.role is Role.PINION else 1
         bore = gear_blank(sizing, gear, seats).bore_radius
-        return bevel_volume(pair, side, bore, bevel_web(sizing, gear, bore))
+        return bevel_volume(pair, side, bore, bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore))
     if kind == "face" and gear.role is Role.WHEEL:
         return _face_volume(sizing, gear, gear_blank(sizing, gear, seats).bore_radius)
     tooth = tooth_of(sizing, gear)
@@ -152,7 +155,30 @@ def bevel_web(sizing: Sizing, gear: GearSizing, bore: float) -> float:
     share = sizing.design.rules(gear.stage).web_ratio
     if gear.role is Role.PINION or share >= 1.0:
         return WEB
-    return lightened_web(bevel_cones(sizing, gear.stage), 1, bore, share)
+    return lightened_web(bevel_cones(sizing, gear.stage), 1, bore, share, bevel_hub(sizing, gear, bore))
+
+
+def bevel_hub(sizing: Sizing, gear: GearSizing, bore: float) -> SeatHub | None:
+    """Return the hub of a bevel gear over its seat on a built shaft; None where none is sized, or of one piece with it.
+
+    Args:
+        sizing: As sized.
+        gear: A bevel gear.
+        bore: Radius of its bore [m].
+    """
+    joint = next((joint for joint in sizing.joints if joint.part == gear.name and joint.kind != "integral"), None)
+    if joint is None:
+        return None
+    steps = next(built.steps for built in sizing.built_shafts if built.name == joint.shaft)
+    edges = [edge for step in steps if step.seat == gear.name for edge in (step.start, step.end)]
+    if not edges:
+        return None
+    pair, cut = sizing.design.pairs[gear.stage], joint.diameter
+    if joint.kind == "key":
+        cut += 2.0 * key_for_shaft(joint.diameter).section.hub_depth
+    away = -1.0 if (pair.pinion_apex if gear.role is Role.PINION else pair.wheel_apex) == "second" else 1.0
+    low, high = sorted(away * (edge - joint.position) for edge in (min(edges), max(edges)))
+    return SeatHub(low, high, max(BOSS * cut / 2.0, bore))
 
 
 def gear_blanks(sizing: Sizing) -> dict[str, Blank]:

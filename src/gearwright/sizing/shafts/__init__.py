@@ -5,11 +5,12 @@ from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
-from gearwright.sizing.shafts.retention import Retention, retention_checks, retentions
+from gearwright.sizing.shafts.retention import ENDS, Retention, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 
 __all__ = [
+    "ENDS",
     "Built",
     "Retention",
     "Section",

@@ -76,7 +76,12 @@ class Retention(NamedTuple):
     @property
     def holds(self) -> bool:
         """Whether a ring has room and bears the force, or an end plate does."""
-        return not _lacking(self) or self.has_plate
+        return self.has_ring or self.has_plate
+
+    @property
+    def has_ring(self) -> bool:
+        """Whether a retaining ring holds it."""
+        return not _lacking(self)
 
     @property
     def has_plate(self) -> bool:

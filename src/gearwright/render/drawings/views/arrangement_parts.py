@@ -19,13 +19,18 @@ from gearwright.render.drawings.views.shaft_parts import (
     ShaftBody,
     away_of,
     bevel_profile,
-    mass_with_gears,
     shaft_body,
 )
 from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
+from gearwright.render.drawings.views.weights import made_of, mass_with_gears
 from gearwright.shape.teeth import cylindrical_gear, halves_of, is_internal, kind_of
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
+from gearwright.sizing.mass import Cage, cage_of
+from gearwright.sizing.places import runs
 from gearwright.spec import GROUND
+
+LEAST_RING = 0.5
+"""Room between pin and planet below which nothing is drawn in it [mm]."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +73,7 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
     items: list[Item] = []
     if body.pieces[0].diameter > 0.0 and body.length > 0.0:
         entities += shaft_outline(axis, body)
-        remark, mass = ", ".join(f"with {gear}" for gear in body.gears), mass_with_gears(sizing, body, name)
+        remark, mass = ", ".join(f"with {gear}" for gear in body.gears), mass_with_gears(sizing, body.gears, name)
         items.append(Item(f"Shaft {name}", remark, 1, mass, _free(axis, body)))
     lean = math.pi / 4.0 * (1.0 if sizing.design.shafts.index(name) % 2 == 0 else 3.0)
     for gear in sizing.gears:
@@ -117,7 +122,7 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
         lean: Of the hatching [rad].
     """
     full = hub_of(sizing, gear, shaft)
-    hub = Hub(full.bore, boss=full.boss)
+    hub = Hub(full.bore, boss=full.boss, web=full.web, way=full.way)
     if kind_of(sizing, gear.stage) == "bevel":
         moved = Axis(axis.at(middle), axis.along, axis.scale)
         return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
@@ -147,7 +152,13 @@ def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> It
     if kind_of(sizing, gear.stage) == "bevel":
         profile = bevel_profile(sizing, gear)
         offset, radius = away_of(sizing, gear) * profile.roots[1].real, profile.roots[1].imag
-    return Item(f"Gear {gear.name}", _toothing(gear), 1, gear.mass, axis.at(middle + offset, share * radius))
+    return Item(
+        f"Gear {gear.name}",
+        _toothing(gear),
+        1,
+        made_of(sizing).weights[gear.name],
+        axis.at(middle + offset, share * radius),
+    )
 
 
 def _toothing(gear: GearSizing) -> str:
@@ -172,7 +183,8 @@ def planetary_parts(
     gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
     carrier = next(carrier for carrier in sizing.carriers if carrier.stage == stage)
     planet, half = gears[Role.PLANET], MM * gears[Role.PLANET].face_width / 2.0
-    hub = Hub(hub_of(sizing, planet, planet.shafts[0]).bore)
+    full = hub_of(sizing, planet, planet.shafts[0])
+    hub = Hub(full.bore, web=full.web)
     entities: list[Entity] = []
     for up in (1.0, -1.0):
         pin_axis = Axis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
@@ -180,16 +192,43 @@ def planetary_parts(
             pin_axis, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
         )
     side = _towards(plane, planetary.carrier, middle, plane.places[shaft].get(str(carrier.part), middle))
-    entities += _carrier(axis, carrier, middle, half, side)
-    anchor = axis.at(middle - 0.3 * half, MM * (carrier.radius + 0.35 * planet.pitch_diameter))
-    items = [Item(f"Planet {planet.name}", _toothing(planet), planet.bodies, planet.mass, anchor)]
+    cage = cage_of(sizing, carrier, runs(sizing)[0])
+    entities += _carrier(axis, carrier, cage, middle, half=half, side=side)
+    teeth, bore = cylindrical_gear(sizing, planet), max(hub.bore / 2.0, MM * carrier.pin_diameter / 2.0)
+    anchor = axis.at(middle - 0.3 * half, MM * carrier.radius + 0.1 * bore + 0.9 * MM * teeth.root_radius)
+    for up in (1.0, -1.0):
+        pin_axis = Axis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
+        entities += _turning(pin_axis, MM * carrier.pin_diameter / 2.0, bore, (middle - half, middle + half))
+    items = [
+        Item(f"Planet {planet.name}", _toothing(planet), planet.bodies, made_of(sizing).weights[planet.name], anchor)
+    ]
     plate = middle + side * (half + PLATE_GAP + MM * carrier.plate_thickness / 2.0)
-    items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
+    whole, mass = _made(cage), made_of(sizing).weights[str(carrier.part)]
+    items.append(Item(f"Carrier {stage}", whole, 1, mass, axis.at(plate, 0.6 * MM * carrier.radius)))
     if planetary.ring == GROUND:
         ring = gears[Role.RING]
         entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
         items.append(gear_item(sizing, ring, axis, middle))
     return entities, items
+
+
+def _turning(axis: Axis, pin: float, bore: float, span: tuple[float, float]) -> Iterator[Entity]:
+    """Yield what a planet turns on, as ISO 8826-1 has bearings: a box with an upright cross."""
+    if bore - pin < LEAST_RING:
+        return
+    middle, half = (span[0] + span[1]) / 2.0, 0.2 * min(bore - pin, span[1] - span[0])
+    for side in (1.0, -1.0):
+        corners = ((span[0], pin), (span[1], pin), (span[1], bore), (span[0], bore))
+        yield Path(tuple(axis.at(x, side * radius) for x, radius in corners), Layer.OUTLINE, closed=True)
+        centre = side * (pin + bore) / 2.0
+        yield Path((axis.at(middle - half, centre), axis.at(middle + half, centre)), Layer.THIN)
+        yield Path((axis.at(middle, centre - half), axis.at(middle, centre + half)), Layer.THIN)
+
+
+def _made(cage: Cage) -> str:
+    """Return what a carrier consists of."""
+    bridges = "" if cage.bridge is None else f", {cage.bridges} bridges"
+    return f"{'two plates' if len(cage.plates) > 1 else 'plate'}, {cage.pins} pins{bridges}"
 
 
 def _towards(plane: Positions, shaft: str, middle: float, plate: float) -> float:
@@ -202,22 +241,25 @@ def _towards(plane: Positions, shaft: str, middle: float, plate: float) -> float
     return 1.0 if lying.end - middle >= middle - lying.start else -1.0
 
 
-def _carrier(axis: Axis, carrier: CarrierSizing, middle: float, half: float, side: float) -> Iterator[Entity]:
-    """Yield the pins, and the plate beside the planets."""
-    pin, plate = MM * carrier.pin_diameter / 2.0, MM * carrier.plate_thickness
-    near, far = middle + side * (half + PLATE_GAP), middle + side * (half + PLATE_GAP + plate)
-    outer = MM * carrier.radius + 2.0 * pin
+def _carrier(
+    axis: Axis, carrier: CarrierSizing, cage: Cage, middle: float, *, half: float, side: float
+) -> Iterator[Entity]:
+    """Yield the pins, and the plates beside the planets."""
+    pin, outer = MM * carrier.pin_diameter / 2.0, MM * cage.plates[0].body.radius
+    faces = []
+    for way, plate in zip((side, -side), cage.plates, strict=False):
+        near = middle + way * (half + PLATE_GAP)
+        faces.append((near, near + way * MM * plate.body.length))
+    far = faces[0][1]
+    last = faces[1][1] if len(faces) > 1 else middle - side * half
     for sign in (1.0, -1.0):
-        pins = [(middle - side * half, -pin), (far, -pin), (far, pin), (middle - side * half, pin)]
-        yield Path(tuple(axis.at(x, sign * MM * carrier.radius + r) for x, r in pins), Layer.OUTLINE, closed=True)
-        yield Path(
-            (
-                axis.at(middle - side * (half + 3.0), sign * MM * carrier.radius),
-                axis.at(far + side * 3.0, sign * MM * carrier.radius),
-            ),
-            Layer.CENTRE,
+        radius = sign * MM * carrier.radius
+        pins = [(last, -pin), (far, -pin), (far, pin), (last, pin)]
+        yield Path(tuple(axis.at(x, radius + r) for x, r in pins), Layer.OUTLINE, closed=True)
+        ends = (last - side * 3.0, far + side * 3.0)
+        yield Path((axis.at(ends[0], radius), axis.at(ends[1], radius)), Layer.CENTRE)
+    for near, end in faces:
+        corners = [(near, -outer), (end, -outer), (end, outer), (near, outer)]
+        yield from (
+            Path((axis.at(*start), axis.at(*stop)), Layer.OUTLINE) for start, stop in pairwise([*corners, corners[0]])
         )
-    corners = [(near, -outer), (far, -outer), (far, outer), (near, outer)]
-    yield from (
-        Path((axis.at(*start), axis.at(*end)), Layer.OUTLINE) for start, end in pairwise([*corners, corners[0]])
-    )

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from gearwright.catalogue import key_for_shaft
 from gearwright.identity import Role
+from gearwright.parts.bevel import bevel_way
 from gearwright.parts.joints import KeySection, Spline
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, spline_of, toothed_piece
-from gearwright.shape.teeth import cylindrical_gear, is_internal, kind_of
+from gearwright.render.drawings.views.weights import made_of
+from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, is_internal, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
+from gearwright.sizing.mass import bevel_hub, bevel_web
 from gearwright.sizing.places import BOSS
 
 LEAST_WALL = 1.0
@@ -28,6 +32,17 @@ class Boss:
     """[mm]"""
 
 
+class Web(NamedTuple):
+    """What is turned out of a cylindrical gear on both sides, between its rim and its hub [mm]."""
+
+    rim: float
+    """Radius inside the rim."""
+    hub: float
+    """Radius outside of the hub."""
+    width: float
+    """Of what is left between them."""
+
+
 @dataclass(frozen=True)
 class Hub:
     """The bore of a gear and what is cut into it."""
@@ -43,6 +58,10 @@ class Hub:
     """Where the bore comes from, or why there is none."""
     boss: Boss | None = None
     """Of a bevel gear whose seat is sized."""
+    web: Web | None = None
+    """Of a cylindrical gear that is not solid between rim and hub."""
+    way: tuple[complex, ...] = ()
+    """Behind the teeth of a bored bevel gear, as it is weighed: along the axis away from the apex, and radius [mm]."""
 
     @property
     def reach(self) -> float:
@@ -60,6 +79,31 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
         gear: One of its gears.
         shaft: That carries it.
     """
+    hub = _bored(sizing, gear, shaft)
+    return replace(hub, web=_web(sizing, gear), way=_way(sizing, gear, hub))
+
+
+def _way(sizing: Sizing, gear: GearSizing, hub: Hub) -> tuple[complex, ...]:
+    """Return the way behind the teeth of a bored bevel gear, with the bore that is drawn."""
+    if not hub.bore or kind_of(sizing, gear.stage) != "bevel":
+        return ()
+    pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
+    bore = made_of(sizing).blanks[gear.name].bore_radius
+    points = bevel_way(pair, side, bore, bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore))
+    inner = min(radius for _, radius in points)
+    return tuple(complex(MM * z, hub.bore / 2.0 if radius == inner else MM * radius) for z, radius in points)
+
+
+def _web(sizing: Sizing, gear: GearSizing) -> Web | None:
+    """Return what is turned out of a cylindrical gear, as it is weighed; None of a solid one."""
+    blank = made_of(sizing).blanks.get(gear.name)
+    if blank is None or blank.is_solid or kind_of(sizing, gear.stage) != "cylindrical":
+        return None
+    return Web(MM * blank.rim_radius, MM * blank.hub_radius, MM * halves_of(gear) * blank.web_width)
+
+
+def _bored(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
+    """Return the bore of a gear."""
     joint = next((joint for joint in sizing.joints if joint.part == gear.name and joint.shaft == shaft), None)
     if joint is not None:
         hub = _joined(joint)
@@ -68,7 +112,11 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
         return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
     carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
     if gear.role is Role.PLANET and carrier is not None:
-        return _fitting(sizing, gear, MM * carrier.pin_diameter, "Bore: diameter of the pin; its bearing is not sized.")
+        bore = 2.0 * MM * made_of(sizing).blanks[gear.name].bore_radius
+        what = (
+            "its bearings" if gear.runs_on else f"what its load asks for on a pin of Ø{MM * carrier.pin_diameter:.4g}"
+        )
+        return _fitting(sizing, gear, bore, f"Bore: outside of {what}, as weighed.")
     sized = next((body for body in sizing.shafts if body.name == shaft), None)
     diameter = MM * sized.diameter if sized is not None else 0.0
     return _fitting(sizing, gear, diameter, "Bore: diameter of the shaft; their joint is not sized.")

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.gears import CylindricalGear
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
-from gearwright.render.drawings.views.gear_parts import Hub
+from gearwright.render.drawings.views.gear_parts import Hub, Web
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
 from gearwright.sizing.places import BACKUP
@@ -31,15 +31,35 @@ def cylinder_section(
     entities: list[Entity] = []
     for side in (1.0, -1.0):
         inner = (hub.reach if side > 0.0 else _bottom(hub)) / 2.0
-        body = _box(span, inner, root, side)
+        body = _box(span, inner, root, side) if hub.web is None else _webbed(span, hub.web, inner, root, side)
         outline = _box(span, hub.bore / 2.0, tip, side)
         # Without a bore the two halves are one: no edge lies on the axis.
         entities += [_hatched(axis, body, lean), _line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0)]
         entities.append(_line(axis, _along(span, side * root)))
+        if hub.web is not None:
+            entities += [_line(axis, recess) for recess in _recesses(span, hub.web, side)]
         if inner > hub.bore / 2.0:
             entities.append(_line(axis, _along(span, side * inner)))
         entities.append(_pitch(axis, span, side * MM * teeth.pitch_radius))
     return entities
+
+
+def _recesses(span: tuple[float, float], web: Web, side: float) -> list[list[complex]]:
+    """Return the edges of what is turned out on both faces, from the hub over the web to the rim."""
+    middle, half = (span[0] + span[1]) / 2.0, web.width / 2.0
+    ways = ((span[0], middle - half), (span[1], middle + half))
+    return [
+        [complex(face, side * web.hub), complex(deep, side * web.hub),
+         complex(deep, side * web.rim), complex(face, side * web.rim)]
+        for face, deep in ways
+    ]  # fmt: skip
+
+
+def _webbed(span: tuple[float, float], web: Web, inner: float, root: float, side: float) -> list[complex]:
+    """Return the section of a body with rim, web and hub."""
+    first, second = _recesses(span, web, side)
+    return [complex(span[0], side * inner), *first, *_along(span, side * root), *second[::-1],
+            complex(span[1], side * inner)]  # fmt: skip
 
 
 def ring_section(
@@ -67,26 +87,21 @@ def ring_section(
 
 
 def bevel_corners(profile: BevelProfile, hub: Hub) -> list[complex]:
-    """Return the body of a bevel gear below the roots of its teeth, with rim and hub that are assumed, upper half.
+    """Return the body of a bevel gear below the roots of its teeth, as it is weighed, upper half.
 
     Args:
         profile: Corners of its teeth.
-        hub: Its bore, and the hub over its seat; where that ends within the body, its face is recessed.
+        hub: Its bore, and the way behind the teeth; of one piece with its shaft, without one.
 
     Returns:
         Root at the small end, root at the large end, heel of the back cone, back to the bore, front from the bore:
         along the axis away from the apex, from the mean point, and radius [mm].
     """
-    bore, boss = hub.bore / 2.0, hub.boss
     small, large = profile.roots
-    depth = large - profile.large[0]
-    heel = large + BACKUP * depth
-    heel = complex(heel.real, max(heel.imag, bore if boss is None else boss.diameter / 2.0))
-    if boss is None:
-        return [small, large, heel, complex(heel.real, bore), complex(small.real, bore)]
-    outer, start, end = boss.diameter / 2.0, boss.start, boss.end
-    back = [complex(heel.real, outer), complex(end, outer), complex(end, bore)]
-    return [small, large, heel, *back, complex(start, bore), complex(start, outer), complex(small.real, outer)]
+    if hub.way:
+        return [small, large, *hub.way]
+    heel = large + BACKUP * (large - profile.large[0])
+    return [small, large, heel, complex(heel.real, 0.0), complex(small.real, 0.0)]
 
 
 def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, lean: float) -> list[Entity]:

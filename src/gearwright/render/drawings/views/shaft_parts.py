@@ -126,19 +126,6 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     )
 
 
-def mass_with_gears(sizing: Sizing, body: ShaftBody, name: str) -> float:
-    """Return the mass of a shaft with the gears that are one piece with it [kg].
-
-    Args:
-        sizing: What was sized.
-        body: The shaft as drawn.
-        name: Of the shaft.
-    """
-    gears = [gear_of(sizing, part) for part in body.gears]
-    shaft = next(shaft for shaft in sizing.shafts if shaft.name == name)
-    return shaft.mass + sum(part.mass * part.bodies / len(part.shafts) for part in gears)
-
-
 def _turned(sizing: Sizing, step: ShaftStep) -> Piece:
     bearing = next((seated.bearing for seated in sizing.bearings if seated.name == step.seat), None)
     tolerance = seat_tolerance(bearing.kind, bearing.bore) if bearing else ""

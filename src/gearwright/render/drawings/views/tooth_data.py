@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
-from gearwright.parts.bevel import face_and_root
+from gearwright.parts.bevel import face_and_root, mean_thickness
 from gearwright.parts.gears import (
     CylindricalGear,
     ball_measurement,
@@ -36,6 +36,8 @@ from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, stated_pi
 from gearwright.spec import Pair
 from gearwright.units import INCH
 
+CASE = (0.15, 0.2)
+"""Depth of the case over the module, at least and at most [-]: within 0.1 to 0.2 of ISO 6336-5."""
 BALL = 1.75
 """Diameter of measuring balls over the module, rounded to 0.25 mm [-]."""
 Row = tuple[str, str, str]
@@ -188,6 +190,12 @@ def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Mean addendum", "h_{am}", _mm(pair.addenda[side])
     yield "Mean dedendum", "h_{fm}", _mm(pair.dedenda[side])
     yield "Face width", "b", _mm(pair.face_width)
+    yield "Mean normal tooth thickness", "s_{mn}", _mm(mean_thickness(pair, side))
+    crown = pair.outer_cone_distance * math.cos(pitch) - scale * pair.addenda[side] * math.sin(pitch)
+    yield "Apex to crown", "t_{xo}", _mm(crown)
+    stage = sizing.design.stages[gear.stage]
+    backlash = stage.backlash or least_backlash(pair.mean_cone_distance, pair.mean_module)
+    yield "Least backlash, mean cone" + ("" if stage.backlash else " (assumed)"), "j_{t}", _mm(backlash)
 
 
 def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
@@ -199,6 +207,9 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     table, steel = making.steel
     if steel:
         yield f"Steel ({table})", "", steel
+    if steel.startswith("case-hardened"):
+        low, high = (_mm(share * gear.module) for share in CASE)
+        yield "Case depth at 550 HV, ground (assumed)", "CHD", f"{low} to {high}; bore and splines soft"
 
 
 def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:

@@ -1,0 +1,67 @@
+"""What drawn parts weigh and how their bodies are: as the complete mass has them, whose bodies the solids have, too."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import NamedTuple
+
+from gearwright.parts.gears import Blank
+from gearwright.shape.teeth import gear_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import complete_mass, gear_blanks
+
+DRAWN = ("gears", "shafts", "carriers")
+"""Groups of the complete mass that drawings show."""
+
+
+class Made(NamedTuple):
+    """Parts as they are made."""
+
+    weights: Mapping[str, float]
+    """Gear, shaft or carrier -> mass of one [kg]."""
+    total: float
+    """Of all of them [kg]."""
+    blanks: Mapping[str, Blank]
+    """External gear -> its body."""
+
+
+class _Same:
+    """A sizing that equals itself alone, by which what is made of it is remembered."""
+
+    def __init__(self, sizing: Sizing) -> None:
+        self.sizing = sizing
+
+    def __hash__(self) -> int:
+        return id(self.sizing)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.sizing is self.sizing
+
+
+def made_of(sizing: Sizing) -> Made:
+    """Return the parts of a sizing as they are made.
+
+    Args:
+        sizing: What was sized.
+    """
+    return _made(_Same(sizing))
+
+
+@lru_cache(maxsize=1)
+def _made(same: _Same) -> Made:
+    items = [item for item in complete_mass(same.sizing).parts if item.group in DRAWN]
+    weights = {str(item.part): item.each for item in items}
+    return Made(weights, sum(item.total for item in items), gear_blanks(same.sizing))
+
+
+def mass_with_gears(sizing: Sizing, gears: tuple[str, ...], shaft: str) -> float:
+    """Return the mass of a shaft with the gears that are one piece with it [kg].
+
+    Args:
+        sizing: What was sized.
+        gears: One piece with it.
+        shaft: Its name.
+    """
+    weights, whole = made_of(sizing).weights, [gear_of(sizing, name) for name in gears]
+    return weights.get(shaft, 0.0) + sum(weights[gear.name] * gear.bodies / len(gear.shafts) for gear in whole)
