@@ -81,8 +81,11 @@ def test_a_carrier_is_two_plates_with_hollow_pins_and_bridges_between_them():
     plates = sizing.design.carriers.fill * math.pi * reach**2 * (carrier.plate_thickness + second)
     pins = 3 * math.pi / 4.0 * (1.0 - PIN_BORE**2) * carrier.pin_diameter**2
     width = carrier.radius * math.sqrt(3.0) - tip - 2e-3
-    assert width > 0.0
-    assert cage.volume == near(plates + (pins + 3 * width * tip / 2.0) * apart)
+    sun, ring = (tooth_of(sizing, gear).tip_radius for gear in sizing.gears if gear.name in ("first.sun", "first.ring"))
+    inner = max(carrier.radius / 2.0 - tip / 4.0, sun + 1e-3)
+    outer = min(carrier.radius / 2.0 + tip / 4.0, math.sqrt((ring - 1e-3) ** 2 - width**2 / 4.0))
+    assert width > 0.0 and inner == near(sun + 1e-3)
+    assert cage.volume == near(plates + (pins + 3 * width * (outer - inner)) * apart)
 
 
 def test_bearings_of_one_series_weigh_as_the_cube_of_their_bore():

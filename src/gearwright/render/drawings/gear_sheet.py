@@ -230,7 +230,8 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     arcs = _bevel_angles(sizing, gear, axis, profile=profile, boss=hub.boss)
     angles = _uncrossed(arcs, list(segments(entities)))
     entities += _bevel_lengths(axis, profile, angles, hub=hub, back=heel.real)
-    entities += angles
+    lines = list(segments(entities))
+    entities += [angle for angle in angles if not crossings(corner_words(angle), lines)]
     tip = profile.large[0]
     right = axis.at(max(heel.real, tip.real, bored[1])).real + 9.0
     entities.append(_at(axis, tip, right + (8.0 if hub.boss is None else 16.0)))
@@ -244,10 +245,15 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
 
 
 def _uncrossed(arcs: Sequence[Corner], lines: Sequence[Segment]) -> list[Corner]:
-    """Return the first angle at the largest radius at which no line runs through its text, and the clear others."""
+    """Return the first angle at the largest radius at which no line runs through its text, and the clear others.
+
+    Where no radius is clear, the table of tooth data has it alone.
+    """
     first, *others = arcs
     tried = [replace(first, radius=share * first.radius) for share in SHARES]
-    wide = next((arc for arc in tried if not crossings(corner_words(arc), lines)), first)
+    wide = next((arc for arc in tried if not crossings(corner_words(arc), lines)), None)
+    if wide is None:
+        return []
     return [
         wide,
         *(arc for arc in others if not crossings(corner_words(arc), lines) and arc.radius < 0.8 * wide.radius),
@@ -281,7 +287,7 @@ def _bevel_lengths(
     clear = ((axis.on(profile.large[0]) - far) * above.conjugate()).real
     yield Distance(near, far, far + above * (clear + 9.0), turn, axis.scale)
     texts = [point for angle in angles for point in words_corners(corner_words(angle))]
-    over = max(((point - far) * above.conjugate()).real for point in texts)
+    over = max((((point - far) * above.conjugate()).real for point in texts), default=0.0)
     yield Distance(apex, far, far + above * max(clear + 17.0, over + 1.0), turn, axis.scale)
     crown = axis.on(profile.large[0].conjugate())
     points = [] if hub.boss is None else [axis.at(hub.boss.start, -hub.boss.diameter / 2.0)]

@@ -9,6 +9,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import Entity, moved
 from gearwright.render.drawings.sheet.frame import BLOCK_HEIGHT, BLOCK_WIDTH, Title, frame, inside, title_block
+from gearwright.render.drawings.sheet.relief import relieved
 from gearwright.render.drawings.sheet.sheets import SCALES, SIZES, Sheet, Size
 from gearwright.render.drawings.sheet.tables import Grid, grid_entities, grid_size, notes_entities, notes_height
 
@@ -114,6 +115,6 @@ def _placed(rows: Rows, room: Room) -> Iterator[Entity]:
         gap = (room[2] - room[0] - wide) / (len(row) + 1)
         left = room[0] + gap
         for view, box in zip(row, boxes, strict=True):
-            yield from moved(view, complex(left - box[0], top - above))
+            yield from moved(relieved(view), complex(left - box[0], top - above))
             left += box[2] - box[0] + gap
         top -= above - below + spare + AIR

@@ -207,7 +207,7 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     table, steel = making.steel
     if steel:
         yield f"Steel ({table})", "", steel
-    if steel.startswith("case-hardened"):
+    if "case-hardened" in steel:
         low, high = (_mm(share * gear.module) for share in CASE)
         yield "Case depth at 550 HV, ground (assumed)", "CHD", f"{low} to {high}; bore and splines soft"
 
