@@ -66,9 +66,10 @@ WRONG = {
     "a missing unit": (FVA.replace(' unit="mm">4.5<', ">4.5<"), r"normal_module: has no unit; allowed: mm"),
     "a wrong unit": (FVA.replace('unit="mm">4.5<', 'unit="kg">4.5<'), r"normal_module: is in 'kg'; allowed: mm"),
     "no number": (FVA.replace('unit="mm">4.5<', 'unit="mm">nan<'), r"normal_module: is 'nan'; give a number"),
-    "JSON": ('{"model": {}}', r"this is JSON \(\.rexsj\); REXS is read as XML"),
-    "an archive": ("PK\x03\x04", r"this is an archive \(\.rexsz\)"),
-    "too much": ("<model>" + " " * 20_000_000, r"more than 20,000,000 bytes"),
+    "truncated JSON": ('{"model": {', r"no whole JSON file"),
+    "JSON of another version": ('{"model": {"version": "3.9"}}', r"REXS 1.0 to 1.7 is read"),
+    "a broken archive": ("PK\x03\x04", r"the archive cannot be unpacked"),
+    "too much": ("<model>" + " " * 10_000_000, r"more than 10,000,000 bytes"),
 }
 
 
