@@ -21,8 +21,8 @@ from gearwright.spec import GROUND
 
 TOUCH = 1e-5
 """How deep points may stand in another body by rounding and by chords [m]."""
-CORNERS, MANY = 4, 25
-"""Of the outline of a bridge, and points along each of its edges [-]."""
+CORNERS, MANY = 8, 13
+"""Points of the outline of a bridge, and along each of its edges [-]."""
 
 
 class Overlap(NamedTuple):

@@ -27,6 +27,8 @@ def made_of(solid: Solid) -> Any:
     """
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
+    if not any(radius for _, radius in solid.profile):
+        return _prism(solid)
     wires, wall = _wall(solid)
     behind = occ.BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
     flat = _is_flat(solid.sections[0])
@@ -47,6 +49,15 @@ def made_of(solid: Solid) -> Any:
     mended = occ.ShapeFix_Shape(body)
     mended.Perform()
     return mended.Shape()
+
+
+def _prism(solid: Solid) -> Any:
+    """Return a body without a bore, whose outline is the same at both ends."""
+    assert solid.edges is not None
+    first, last = solid.sections[0], solid.sections[-1]
+    plane = occ.gp_Pln(occ.gp_Pnt(0.0, 0.0, MM * float(first.height[0])), _up())
+    face = occ.BRepBuilderAPI_MakeFace(plane, wire_of(first, pieces_of(first, solid.edges)), True).Face()
+    return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(0.0, 0.0, MM * float(last.height[0] - first.height[0]))).Shape()
 
 
 def volume_of(shape: Any) -> float:

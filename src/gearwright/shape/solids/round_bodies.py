@@ -13,6 +13,8 @@ from gearwright.shape.solids.toothed import Loop, disc_gear
 
 RING = 0.28
 """Thickness of a bearing's ring over its section, an assumption [-]."""
+USUAL = 60
+"""Corners of circles up to which outlines of plates are cut as coarsely [-]."""
 RECESS = 0.15
 """How far rolling elements and cage stand behind the faces of the rings over the width, an assumption [-]."""
 
@@ -68,12 +70,13 @@ def arms(angles: Sequence[float], reach: float, thickness: float, *, bore: float
         thickness: [m].
         bore: Radius of its bore; 0: none [m].
         fill: Share of the disc that is left [-].
-        segments: Corners of a circle; its outline has as many, or eight an arm.
+        segments: Corners of a circle; its outline has as many, or a seventh of it an arm, a quarter where it is fine.
     """
-    count = max(segments, 8 * len(angles))
+    count = max(segments, segments * len(angles) // (7 if segments <= USUAL else 4))
     turn = circle(count)
     near = np.min(np.abs(np.angle(np.exp(1j * (turn[:, None] - np.asarray(angles)[None, :])))), axis=1)
     share = np.clip(0.5 + 1.1 * np.cos(np.minimum(near * len(angles), np.pi)), 0.0, 1.0)
+    share = share**2 * (3.0 - 2.0 * share)  # without corners: splines through the outline stay on it
     low, high, left = min(1.05 * bore, 0.95 * reach), reach, min(fill + (bore / reach) ** 2, 1.0)
     for _ in range(40):
         middle = 0.5 * (low + high)
@@ -94,9 +97,18 @@ def block(width: float, depth: float, length: float) -> Solid:
         depth: Along x [m].
         length: Along the axis [m].
     """
-    corners = np.array([complex(x, y) for x, y in ((1, -1), (1, 1), (-1, 1), (-1, -1))])
-    corners = 0.5 * (depth * corners.real + 1j * width * corners.imag)
-    loop = Loop(np.abs(corners), np.unwrap(np.angle(corners)), np.ones(4, dtype=bool))
+    around = (
+        (1, -1),
+        (1, 0),
+        (1, 1),
+        (0, 1),
+        (-1, 1),
+        (-1, 0),
+        (-1, -1),
+        (0, -1),
+    )  # sides have middles: they are no arcs
+    corners = 0.5 * np.array([complex(depth * x, width * y) for x, y in around])
+    loop = Loop(np.abs(corners), np.unwrap(np.angle(corners)), np.arange(len(around)) % 2 == 0)
     blank = Blank(abs(corners[0]), 0.0, 0.0, 0.0, length, length)
     return disc_gear(loop, [(-length / 2.0, 0.0), (length / 2.0, 0.0)], blank)
 
