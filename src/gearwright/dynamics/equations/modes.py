@@ -113,7 +113,8 @@ def modes(system: System, count: int | None = None) -> Modes:
     if count is not None and count < 1:
         raise DesignError([Problem("count", f"{count} modes; ask for one or more, or leave it out")])
     with finite_numbers(system):
-        large = len(system.arrays.mass) > LARGE
+        size = len(system.arrays.mass)
+        large = size > LARGE and 2 * (count or LOWEST) < size  # most of all modes are had from the whole matrix
         solved = _lowest(system, count or LOWEST) if large else _modes(system, count)
     numbers = [f"mode {number}" for number in range(1, 1 + len(solved.frequency))]
     refuse_not_finite(solved.frequency, numbers, "frequency")
