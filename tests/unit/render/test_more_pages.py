@@ -28,7 +28,7 @@ def test_a_validation_page_says_first_whether_all_numbers_come_out():
 def test_a_page_of_drawings_has_every_sheet_once_and_its_ids_apart():
     sizing = sized("in-line-h2")
     drawn = [
-        DrawnSheet(sheet.name, sheet.title, sheet.size.name, "1:1", sheet_svg(sheet))
+        DrawnSheet(sheet.name, sheet.title, sheet.size.name, "1:1", sheet_svg(sheet, f"{sheet.name}-"))
         for sheet in sheets(sizing, ["shaft"])
     ]
     page = sheets_page(sizing, drawn)

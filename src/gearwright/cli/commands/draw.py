@@ -67,7 +67,7 @@ def _page(sizing: Sizing, drawn: Sequence[Sheet], date: str) -> str:
     from gearwright.render.pages.sheets import DrawnSheet, sheets_page
 
     rows = [
-        DrawnSheet(sheet.name, sheet.title, sheet.size.name, scale_text(sheet.scale), sheet_svg(sheet))
+        DrawnSheet(sheet.name, sheet.name, sheet.size.name, scale_text(sheet.scale), sheet_svg(sheet, f"{sheet.name}-"))
         for sheet in drawn
     ]
     return sheets_page(sizing, rows, stamp=Stamp(date))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -20,8 +19,6 @@ from gearwright.render.pages.page import (
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement import envelope
 
-_REFERENCE = re.compile(r'(\bid="|url\(#|href="#)')
-
 
 class DrawnSheet(NamedTuple):
     """A sheet as it stands on the page."""
@@ -34,6 +31,7 @@ class DrawnSheet(NamedTuple):
     scale: str
     """Such as ``1:2``."""
     svg: str
+    """With ids of its own."""
 
 
 def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = UNSTAMPED) -> str:
@@ -52,9 +50,7 @@ def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = U
         quantity("height", room.height, "length"),
         quantity("length", room.length, "length"),
     )
-    sections = tuple(
-        Section(sheet.title.rpartition(": ")[2] or sheet.name, figures=(_figure(sheet),)) for sheet in drawn
-    )
+    sections = tuple(Section(sheet.title, figures=(_figure(sheet),)) for sheet in drawn)
     return set_page(
         Page("Drawings", sizing.design.name, sizing.design.description, judged_by_sizing(sizing), numbers, sections,
              design=sizing.design, stamp=stamp, footer="Sheets to ISO conventions, in mm; print each from its file.")
@@ -62,6 +58,5 @@ def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = U
 
 
 def _figure(sheet: DrawnSheet) -> Figure:
-    svg = _REFERENCE.sub(rf"\g<1>{sheet.name}-", sheet.svg)
-    titled = svg.replace("<svg ", '<svg role="img" ', 1)
+    titled = sheet.svg.replace("<svg ", '<svg role="img" ', 1)
     return Figure(titled, f"{sheet.name}: {sheet.size}, {sheet.scale}.", sheet.name)

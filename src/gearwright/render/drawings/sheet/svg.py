@@ -26,11 +26,12 @@ _ANCHOR = {"left": "start", "middle": "middle", "right": "end"}
 _FONT = "Arial, 'Liberation Sans', Helvetica, sans-serif"
 
 
-def sheet_svg(sheet: Sheet) -> str:
+def sheet_svg(sheet: Sheet, prefix: str = "") -> str:
     """Return a sheet as an SVG image of its true size.
 
     Args:
         sheet: The sheet.
+        prefix: Goes before every id, so that several sheets can share a page.
     """
     width, height = sheet.size.width, sheet.size.height
     hatches = {(entity.angle, entity.spacing) for entity in sheet.entities if isinstance(entity, Hatch)}
@@ -45,7 +46,8 @@ def sheet_svg(sheet: Sheet) -> str:
         elements = [_element(mark, height) for mark in drawn(sheet.entities) if mark.layer is layer]
         if elements:
             lines += [_group(layer), *elements, "</g>"]
-    return "\n".join([*lines, "</svg>"]) + "\n"
+    text = "\n".join([*lines, "</svg>"]) + "\n"
+    return text.replace(' id="', f' id="{prefix}').replace("url(#", f"url(#{prefix}")
 
 
 def _group(layer: Layer) -> str:
