@@ -46,6 +46,7 @@ LINES = {
     "check": "check hybrid.toml",
     "size": "size hybrid.toml",
     "close": "close pair.toml --crossings",
+    "architectures": "architectures pair.toml --stages 1 --close 0 --workers 0",
     "review": "review hybrid.toml",
     "modes": "modes hybrid.toml",
     "simulate": f"simulate hybrid.toml {SHORT}",
