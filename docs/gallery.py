@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import contextlib
 import io
+import json
 import os
 import sys
 import tempfile
@@ -16,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-NOTEBOOKS = Path(__file__).parent / "notebooks"
+NOTEBOOKS = Path(__file__).parents[1] / "src" / "gearwright" / "shipped" / "notebooks"
 
 
 @dataclass(frozen=True)
@@ -31,16 +32,9 @@ class Cell:
 
 
 def cells(text: str) -> Iterator[Cell]:
-    """Yield the cells of a script in the percent format, not yet run."""
-    for part in f"\n{text}".split("\n# %%")[1:]:
-        head, _, body = part.partition("\n")
-        if head.strip() == "[markdown]":
-            yield Cell(
-                is_code=False,
-                source="\n".join(line.removeprefix("#").removeprefix(" ") for line in body.strip().splitlines()),
-            )
-        else:
-            yield Cell(is_code=True, source=body.strip())
+    """Yield the cells of a notebook file, not yet run."""
+    for cell in json.loads(text)["cells"]:
+        yield Cell(is_code=cell["cell_type"] == "code", source="".join(cell["source"]))
 
 
 def run(cell: Cell, names: dict[str, Any]) -> Cell:
@@ -77,7 +71,7 @@ def page(notebook: Path, cells: list[Cell]) -> tuple[str, list[str]]:
             shown.append(f'<div class="shown">{cell.value._repr_html_()}</div>')
         elif cell.value is not None:
             parts.append(f"```text\n{cell.value!r}\n```")
-    parts.append(f"This page is `docs/notebooks/{notebook.name}`, run as it was built.")
+    parts.append(f"`gearwright new {notebook.stem}` writes this notebook as a file; the page is its run.")
     return "\n\n".join(parts) + "\n", shown
 
 
@@ -89,7 +83,7 @@ def mark(place: int) -> str:
 def main() -> None:
     """Write every page with its figures as HTML into a folder."""
     folder = Path(sys.argv[1])
-    for notebook in sorted(NOTEBOOKS.glob("*.py")):
+    for notebook in sorted(NOTEBOOKS.glob("*.ipynb")):
         text, shown = page(notebook, executed(notebook))
         for place, html in enumerate(shown):
             text = text.replace(mark(place), html)

@@ -36,7 +36,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the changelog, which lies beside the documentation's folder."""
     changelog = Path(config.config_file_path).with_name("CHANGELOG.md").read_text(encoding="utf-8")
     files.append(File.generated(config, "changelog.md", content=changelog))
-    for notebook in sorted(gallery.NOTEBOOKS.glob("*.py")):
+    for notebook in sorted(gallery.NOTEBOOKS.glob("*.ipynb")):
         uri = f"notebooks/{notebook.stem}.md"
         text, _shown[uri] = gallery.page(notebook, gallery.executed(notebook))
         files.append(File.generated(config, uri, content=text))

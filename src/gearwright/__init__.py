@@ -66,6 +66,7 @@ if TYPE_CHECKING:
         shipped_studies,
         shipped_study,
     )
+    from gearwright.shipped.gallery import notebook
     from gearwright.sizing import influences, methods_beside, named_results, size, size_many
     from gearwright.sizing.losses import loss_balance
     from gearwright.sizing.mass import complete_mass
@@ -129,6 +130,7 @@ _VERBS = {
     "modes": "dynamics",
     "named_results": "sizing",
     "nearest_variant": "closure",
+    "notebook": "shipped.gallery",
     "parse": "spec",
     "periodic": "dynamics",
     "phase_forces": "mission",
@@ -229,6 +231,7 @@ __all__ = [
     "modes",
     "named_results",
     "nearest_variant",
+    "notebook",
     "parse",
     "periodic",
     "phase_forces",

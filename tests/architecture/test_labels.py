@@ -22,6 +22,7 @@ ALLOWED = {
     "exchange/rexs/files/opening.py": "how files of each form begin",
     "exchange/step/kernel.py": "packages in names of Open CASCADE's classes",
     "study/cases/": "paths and names of results that a study asks for",
+    "shipped/gallery.py": "heading of a notebook",
     "replays/colibri/report/printed.py": "keys and digits of the report's own table",
     "replays/colibri/page.py": "indices of printed symbols",
     "replays/colibri/words.py": "headings of the report",

@@ -1,20 +1,22 @@
 """The notebooks run from the first cell to the last, and what each cell ends with can be shown.
 
-They are scripts in the percent format, which notebook editors open; nothing of theirs is needed to run them.
+They are notebook files of the package; nothing of Jupyter's is needed to run them.
 """
 
 from __future__ import annotations
 
 import importlib.util
+import json
 import sys
 from pathlib import Path
 
 import pytest
 
 import gearwright as gw
+from gearwright.shipped import shipped_notebook, shipped_notebooks
 
 DOCS = Path(__file__).parents[2] / "docs"
-NOTEBOOKS = sorted((DOCS / "notebooks").glob("*.py"))
+NOTEBOOKS = [shipped_notebook(name) for name in shipped_notebooks()]
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +44,28 @@ def test_there_is_one_for_each_kind_of_user():
     """An engineer of preliminary design, a researcher, a student."""
     assert len(NOTEBOOKS) == 5
     for notebook in NOTEBOOKS:
-        assert "\n# For " in notebook.read_text(encoding="utf-8")
+        first, *_ = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+        assert any(line.startswith("For ") for line in first["source"])
+
+
+def test_one_is_written_as_it_is_shipped_not_run_and_leaves_what_is_there(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name, title in gw.notebook().items():
+        written = gw.notebook(name)
+        book = json.loads(written.read_text(encoding="utf-8"))
+        assert written == Path(f"{name}.ipynb") and book["cells"][0]["source"][0] == f"# {title}\n"
+        assert (book["nbformat"], book["nbformat_minor"]) == (4, 5)
+        assert len({cell["id"] for cell in book["cells"]}) == len(book["cells"])
+        code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
+        assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in code)
+    Path("mine.ipynb").write_text("mine", encoding="utf-8")
+    with pytest.raises(gw.DesignError, match=r"there already; .*replace=True"):
+        gw.notebook("a-measured-duty", "mine.ipynb")
+    assert Path("mine.ipynb").read_text(encoding="utf-8") == "mine"
+    assert gw.notebook("a-measured-duty", "mine.ipynb", replace=True).stat().st_size > 1000
+    with pytest.raises(gw.DesignError, match="did you mean a-measured-duty"):
+        gw.notebook("a_measured_duty", "other.ipynb")
+    assert not Path("other.ipynb").exists()
 
 
 def test_a_cell_that_fails_is_noticed(gallery):

@@ -242,6 +242,7 @@ UNKNOWN = {
     ),
     "size_many axes": lambda: gw.size_many(sizing().design, {"gears.face_width_rati": [1.0]}),
     "sheets names": lambda: gw.draw(sizing(), ["shaf"]),
+    "notebook name": lambda: gw.notebook("a-first-architectur"),
     "shipped_file name": lambda: shipped_file("thesi"),
     "shipped_mission name": lambda: shipped_mission("thesi"),
     "shipped_mix name": lambda: shipped_mix("regional-lif"),
@@ -263,7 +264,7 @@ UNKNOWN = {
 FREE = {
     "source", "title", "text", "results", "designs", "beside", "tell",
     "path of load", "path of save", "shaft of waterfall_figure", "name of bending_shaft",
-    "path of read_duty", "path of read_blades", "path of from_rexs",
+    "path of read_duty", "path of read_blades", "path of from_rexs", "file of notebook",
     "lives of mixed_life", "shares of mixed_life", "chosen of bearing_lives",
     "bearings of durability",
 }  # fmt: skip

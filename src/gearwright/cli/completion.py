@@ -1,4 +1,4 @@
-"""What a shell completes: names of shipped designs, missions, mixes and studies, and files beside them."""
+"""What a shell completes: names of shipped designs, missions, mixes, studies and notebooks, and files beside them."""
 
 from __future__ import annotations
 
@@ -56,9 +56,15 @@ def shipped(incomplete: str) -> list[str]:
     Args:
         incomplete: What stands on the command line.
     """
-    from gearwright.shipped import shipped_designs, shipped_missions, shipped_mixes, shipped_studies
+    from gearwright.shipped import (
+        shipped_designs,
+        shipped_missions,
+        shipped_mixes,
+        shipped_notebooks,
+        shipped_studies,
+    )
 
-    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies())
+    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies(), *shipped_notebooks())
     return [name for name in names if name.startswith(incomplete)]
 
 

@@ -1,4 +1,4 @@
-"""Design, mission, mix and study files that come with gearwright; `gearwright new` copies them."""
+"""Design, mission, mix and study files and notebooks that come with gearwright; `gearwright new` copies them."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ _DESIGNS = Path(__file__).parent / "designs"
 _MISSIONS = Path(__file__).parent / "missions"
 _MIXES = Path(__file__).parent / "mixes"
 _STUDIES = Path(__file__).parent / "studies"
+_NOTEBOOKS = Path(__file__).parent / "notebooks"
 
 
 def shipped_designs() -> tuple[str, ...]:
@@ -36,7 +37,7 @@ def shipped_design(name: str) -> Path:
 
 @verb
 def shipped_file(name: str) -> Path:
-    """Return the path of a shipped design, mission, mix or study file; no two share a name.
+    """Return the path of a shipped design, mission, mix or study file or notebook; no two share a name.
 
     Args:
         name: Such as ``in-line-h2`` or ``thesis``.
@@ -50,12 +51,13 @@ def shipped_file(name: str) -> Path:
         return shipped_mix(name)
     if name in shipped_studies():
         return shipped_study(name)
+    if name in shipped_notebooks():
+        return shipped_notebook(name)
     if name in shipped_designs():
         return shipped_design(name)
-    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies())
-    raise DesignError(
-        [Problem("name", f"there is no shipped design, mission, mix or study {excerpt(name)!r}; {near(name, names)}")]
-    )
+    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies(), *shipped_notebooks())
+    kinds = "design, mission, mix, study or notebook"
+    raise DesignError([Problem("name", f"there is no shipped {kinds} {excerpt(name)!r}; {near(name, names)}")])
 
 
 @verb
@@ -170,6 +172,24 @@ def shipped_study(name: str) -> Path:
     return _named(_STUDIES, "study", name)
 
 
+def shipped_notebooks() -> tuple[str, ...]:
+    """Return the names of all shipped notebooks."""
+    return _names(_NOTEBOOKS, ".ipynb")
+
+
+@verb
+def shipped_notebook(name: str) -> Path:
+    """Return the path of a shipped notebook.
+
+    Args:
+        name: Such as ``a-first-architecture``.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    return _named(_NOTEBOOKS, "notebook", name, ".ipynb")
+
+
 def shipped_missions() -> tuple[str, ...]:
     """Return the names of all shipped missions."""
     return _names(_MISSIONS)
@@ -190,13 +210,13 @@ def shipped_mission(name: str) -> Path:
     return _named(_MISSIONS, "mission", name)
 
 
-def _names(folder: Path) -> tuple[str, ...]:
-    return tuple(sorted(path.stem for path in folder.glob("*.toml")))
+def _names(folder: Path, ending: str = ".toml") -> tuple[str, ...]:
+    return tuple(sorted(path.stem for path in folder.glob(f"*{ending}")))
 
 
-def _named(folder: Path, kind: str, name: str) -> Path:
+def _named(folder: Path, kind: str, name: str, ending: str = ".toml") -> Path:
     """Return a shipped file of a kind, or refuse its name with the nearest one."""
-    names = _names(folder)
+    names = _names(folder, ending)
     if name not in names:
         raise DesignError([Problem("name", f"there is no shipped {kind} {excerpt(name)!r}; {near(name, names)}")])
-    return folder / f"{name}.toml"
+    return folder / f"{name}{ending}"

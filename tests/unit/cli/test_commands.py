@@ -17,6 +17,7 @@ from gearwright.shipped import (
     shipped_mission,
     shipped_missions,
     shipped_mixes,
+    shipped_notebooks,
     shipped_studies,
     shipped_study,
 )
@@ -103,9 +104,9 @@ def test_new_lists_and_copies_and_does_not_overwrite(call, tmp_path):
 def test_new_lists_and_copies_missions_and_studies_too(call, tmp_path):
     """Under headings; every file is written as it is shipped, and told how it is used; names are unique."""
     listed = call("new").out.splitlines()
-    titles = ["designs", "missions", "mixes", "studies"]
+    titles = ["designs", "missions", "mixes", "studies", "notebooks"]
     assert [line for line in listed if line in titles] == titles
-    names = [*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies()]
+    names = [*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies(), *shipped_notebooks()]
     assert [line.split()[0] for line in listed if " " in line] == names
     assert len(set(names)) == len(names)
     assert "next: gearwright fly DESIGN thesis.toml" in call("new", "thesis").out

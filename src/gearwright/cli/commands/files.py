@@ -13,7 +13,7 @@ from gearwright.cli.answers import ANSWERS, answer_schema, show_answer
 from gearwright.cli.completion import shipped
 from gearwright.cli.options import JsonOption
 from gearwright.cli.terminal.output import show, show_json
-from gearwright.writing import write_text
+from gearwright.writing import write_bytes, write_text
 
 
 class File(StrEnum):
@@ -29,15 +29,17 @@ def new(
     name: Annotated[
         str | None,
         typer.Argument(
-            help="A shipped design, mission, mix or study; left out: list them",
+            help="A shipped design, mission, mix, study or notebook; left out: list them",
             autocompletion=shipped,
         ),
     ] = None,
-    file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
+    file: Annotated[
+        Path | None, typer.Argument(help="File to write; left out: NAME.toml here, of a notebook NAME.ipynb")
+    ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
     json: JsonOption = False,
 ) -> None:
-    """Write a shipped design, mission, mix or study as a file to start from, or list all of them."""
+    """Write a shipped design, mission, mix, study or notebook as a file to start from, or list all of them."""
     from gearwright.errors import DesignError, Problem
     from gearwright.shipped import shipped_file
 
@@ -45,17 +47,25 @@ def new(
         _list(json=json)
         return
     source = shipped_file(name)
-    text = source.read_text(encoding="utf-8")
-    target = file or Path(f"{name}.toml")
+    target = file or Path(source.name)
     if target.exists() and not force:
         raise DesignError(
             [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
         )
+    if source.parent.name == "notebooks":
+        write_bytes(target, source.read_bytes())
+        show(f"wrote {target}; next: jupyter lab {target}, or any editor of notebooks")
+        return
+    _write_headed(source, target)
+
+
+def _write_headed(source: Path, target: Path) -> None:
+    """Write a shipped file under a line that names its schema, and the schema beside it; say what follows."""
     kind = {"designs": File.DESIGN, "missions": File.MISSION, "mixes": File.MIX, "studies": File.STUDY}[
         source.parent.name
     ]
     beside = target.with_name(f"gearwright-{kind.value}.schema.json")
-    write_text(target, f"#:schema ./{beside.name}\n{text}")
+    write_text(target, f"#:schema ./{beside.name}\n{source.read_text(encoding='utf-8')}")
     write_text(beside, _schema_text(kind))
     follows = {"designs": "run", "missions": "fly DESIGN", "mixes": "mix DESIGN", "studies": "study"}[
         source.parent.name
@@ -80,7 +90,13 @@ def _list(*, json: bool) -> None:
         show_answer("new", NewAnswer(files))
         return
     width = max(len(file.name) for file in files)
-    for kind, title in (("design", "designs"), ("mission", "\nmissions"), ("mix", "\nmixes"), ("study", "\nstudies")):
+    for kind, title in (
+        ("design", "designs"),
+        ("mission", "\nmissions"),
+        ("mix", "\nmixes"),
+        ("study", "\nstudies"),
+        ("notebook", "\nnotebooks"),
+    ):
         show(title)
         for file in files:
             if file.kind == kind:

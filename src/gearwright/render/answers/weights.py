@@ -177,6 +177,6 @@ class ValidateAnswer:
 
 @dataclass(frozen=True)
 class NewAnswer:
-    """Designs, missions and studies to start from."""
+    """Designs, missions, mixes, studies and notebooks to start from."""
 
     shipped: tuple[ShippedFile, ...]
