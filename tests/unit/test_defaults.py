@@ -38,6 +38,7 @@ FACTORS_OF_ONE = """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
+    Chosen.gear_mass Trying.at Trying.looked
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
     CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
@@ -131,6 +132,8 @@ OF_STANDARDS = {
     "BevelSurfaces.peak_exponent": 1.5, "VirtualPair.peak_exponent": 1.5,
     # λ_M 45 W/(m K), ρ_M 7800 kg/m³, c_M 440 J/(kg K).
     "FilmMesh.thermal": math.sqrt(45.0 * 7800.0 * 440.0),
+    # A plate of three tenths of the width between rim and hub of a bevel gear.
+    "bevel_way.web": 0.3, "bevel_volume.web": 0.3,
     "GearBlank.rim_ratio": 5.0, "rectangular_curve.step": 0.75,
     # Bearing steel of 7850 kg/m³; splines bear on three of four flanks; ISO/TR 14179-1: 0.0011, 0.003737 N m/mm a seal.
     "rolling_weights.density": 7850.0, "Proportions.density": 7850.0, "spline_pressure.share": 0.75,

@@ -9,6 +9,7 @@ from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome
 from gearwright.closure.wishes import Wishes
 from gearwright.errors import GearwrightError
+from gearwright.showing import Shown
 from gearwright.spec import Design, edited
 from gearwright.spec.design import given_values
 from gearwright.units import Mass
@@ -18,8 +19,8 @@ MOVED = ("flank", "root", "scuffing", "static strength", "teeth", "sharing", "pe
 """Requirements that ask for other sizes, so that leaving one out leaves room for others."""
 
 
-@dataclass(frozen=True)
-class Contradiction:
+@dataclass(frozen=True, repr=False)
+class Contradiction(Shown):
     """Things that are asked of a gearbox and that no freedom of the closure meets together."""
 
     against: str
