@@ -62,6 +62,7 @@ def test_bearings_with_which_nothing_can_be_sized_are_left_out_with_the_reason()
     """The gearbox of SEW has a shaft in three bearings, and a pinion cut into its shaft below the bearings' bore."""
     found = gw.from_rexs(EXAMPLES / "sew_3stage_1.0.rexs")
     assert {seat.shaft for seat in found.design.bearings.values()} == {"ANW-4", "ABW-54"}
+    assert any("RW3-5 5 of 14 to 16 mm" in note and "layout.NAME" in note for note in found.assumed)
     assert any("3 radial bearings of RW5-36 are not read" in note for note in found.assumed)
     assert any("bearings of RW3-5 are not taken, for" in note and "root circle" in note for note in found.assumed)
     assert any("rolling_bearing_with_catalog_geometry[32] and 4 more" in entry for entry in found.not_read)

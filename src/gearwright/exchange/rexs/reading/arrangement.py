@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,27 +21,66 @@ CASE_HARDENED = "18CrNiMo7-6"
 """Steel of bevel gears whose own is not known."""
 
 
-def read_sections(asking: Asking) -> dict[int, tuple[float, float]]:
-    """Return shaft -> its length and the diameter of its thickest section [m]; count all sections as read.
+@dataclass(frozen=True)
+class Sections:
+    """Cylinders and cones of a shaft, as a file has them."""
+
+    length: float
+    """From the shaft's first end to the end of the last [m]."""
+    outer: tuple[float, ...]
+    """Diameters at both ends of each [m]."""
+    inner: tuple[float, ...]
+
+
+def read_sections(asking: Asking) -> dict[int, Sections]:
+    """Return shaft -> its sections; count all of them as read, as `told` says which are there.
 
     Args:
         asking: The document.
     """
-    found: dict[int, tuple[float, float]] = {}
+    found: dict[int, Sections] = {}
     for shaft in asking.document.of_kind("shaft"):
         asking.used.add(shaft.number)
         asking.number(shaft, "mass_of_component")
-        ends, diameters = [0.0], [0.0]
-        for part in asking.document.related("assembly", "assembly", shaft.number, "part"):
-            section = asking.document.components[part]
-            if section.kind != "shaft_section":
-                continue
-            asking.used.add(part)
-            start = asking.number(section, "u_coordinate_on_shaft") or 0.0
-            ends.append(start + (asking.number(section, "length") or 0.0))
-            diameters += [asking.number(section, f"outer_diameter_{end}") or 0.0 for end in ("begin", "end")]
-        found[shaft.number] = (max(ends), max(diameters))
+        parts = asking.document.related("assembly", "assembly", shaft.number, "part")
+        sections = [section for part in parts if (section := asking.document.components[part]).kind == "shaft_section"]
+        asking.used |= {section.number for section in sections}
+        ends = [
+            (asking.number(section, "u_coordinate_on_shaft") or 0.0) + (asking.number(section, "length") or 0.0)
+            for section in sections
+        ]
+        outer, inner = (
+            tuple(
+                asking.number(section, f"{side}_diameter_{end}") or 0.0
+                for section in sections
+                for end in ("begin", "end")
+            )
+            for side in ("outer", "inner")
+        )
+        found[shaft.number] = Sections(max(ends, default=0.0), outer, inner)
     return found
+
+
+def told(sections: Mapping[str, Sequence[Sections]]) -> str:
+    """Return what is said of the steps of shafts, which a design has no words for.
+
+    Args:
+        sections: Of the components that each shaft is.
+    """
+    said = []
+    for name, parts in sections.items():
+        outer = [diameter for part in parts for diameter in part.outer]
+        inner = max((diameter for part in parts for diameter in part.inner), default=0.0)
+        if outer:
+            range_ = " to ".join(f"{1e3 * diameter:g}" for diameter in sorted({min(outer), max(outer)}))
+            bore = f", bored {1e3 * inner:g} mm" if inner else ""
+            said.append(f"{name} {len(outer) // 2} of {range_} mm{bore}")
+    return (
+        "sections of shafts are not read, as a design states one diameter and one bore of a shaft (diameter_mm, bore_mm"
+        f" of layout.NAME), and its steps follow from strength, bearings and joints. The file has {'; '.join(said)}"
+        if said
+        else ""
+    )
 
 
 def read_layout(asking: Asking, bodies: Bodies, gearing: Gearing, gears: Mapping[int, Gear]) -> Table:
@@ -53,18 +93,18 @@ def read_layout(asking: Asking, bodies: Bodies, gearing: Gearing, gears: Mapping
         gears: Gears by id.
     """
     sections = read_sections(asking)
+    shafts = {name: [number for number in sections if bodies.name_of(number) == name] for name in gearing.shafts}
+    steps = told({name: [sections[number] for number in numbers] for name, numbers in shafts.items()})
+    asking.notes += [steps] if steps else []
     if gearing.planetaries or gearing.compounds or any(pair.get("kind") == "bevel" for pair in gearing.pairs.values()):
         asking.notes.append("lengths and places of shafts are not read in a train with planetary or bevel stages")
         return {}
-    shafts = {name: [number for number in sections if bodies.name_of(number) == name] for name in gearing.shafts}
     layout: Table = {}
     for name, numbers in shafts.items():
-        if len(numbers) == 1 and sections[numbers[0]][0] > 0.0:
-            layout[name] = {"length_m": sections[numbers[0]][0]}
+        if len(numbers) == 1 and sections[numbers[0]].length > 0.0:
+            layout[name] = {"length_m": sections[numbers[0]].length}
     for shaft, angle in _angles(asking, gearing, shafts, gears).items():
         layout.setdefault(shaft, {})["angle_rad"] = angle
-    if layout:
-        asking.notes.append("diameters of shafts are not read: gearwright sizes shafts itself")
     return layout
 
 
