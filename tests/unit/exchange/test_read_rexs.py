@@ -7,6 +7,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.exchange.rexs import LARGEST
+from gearwright.units import RPM
 from mounted_designs import PAIR
 from rexs_database import EXAMPLES
 from shipped_work import sized
@@ -258,7 +259,18 @@ def test_a_gear_on_no_shaft_is_refused_by_its_line(tmp_path, pair):
 
 
 def test_an_unequal_pair_of_clutch_states_makes_a_clutch(tmp_path, pair):
-    """The e-axle's parking lock holds in one case of five."""
+    """The e-axle's parking lock holds in the last of its cases alone."""
     design = read(pair, tmp_path).design
     assert [clutch.kind for clutch in design.clutches.values()] == ["open"]
-    assert [bool(case.engaged) for case in design.cases.values()] == [False, False, False, False, True]
+    assert [case.engaged for case in design.cases.values()] == [[]] * 10 + [["parking-lock"]]
+
+
+def test_levels_of_a_spectrum_are_load_cases_of_their_part_of_load_and_life(tmp_path, pair):
+    """Four levels of the e-axle's town, of 40 % of its life at 28 kW; the other cases have their own."""
+    cases = list(read(pair, tmp_path).design.cases.values())
+    levels = gw.read("e-axle").spectra["pedal"]
+    town = cases[5:9]
+    assert [case.machines["motor"].power for case in town] == pytest.approx([28e3 * load for load in levels.load])
+    assert [case.share for case in town] == pytest.approx([0.40 * share for share in levels.share])
+    assert [case.machines["motor"].speed for case in town] == pytest.approx([3400 * RPM] * 4)
+    assert sum(case.share or 0.0 for case in cases) == pytest.approx(1.0) and cases[-1].static

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gearwright.exchange.rexs.writing.sheet import Value
 from gearwright.exchange.rexs.writing.task import Task
 from gearwright.spec import GROUND
-from gearwright.spec.design import shares_of
+from gearwright.spec.design import levels_of, shares_of
 
 
 def write_machines(task: Task) -> None:
@@ -41,23 +41,31 @@ def write_clutches(task: Task) -> None:
 
 
 def write_cases(task: Task) -> None:
-    """Write every load case: torques of machines, speeds of shafts, clutches that hold.
+    """Write every level of every load case: torques of machines, speeds of shafts, clutches that hold.
 
     Args:
         task: Whose machines and clutches are written.
     """
     sizing = task.sizing
     shares = shares_of(sizing.design) or {next(iter(sizing.flows)): 1.0}
-    for name, flow in sizing.flows.items():
-        said: dict[int, dict[str, Value]] = {
-            task.unit: {"operating_time_fraction": float(shares.get(name, 0.0))},
-            task.casing: {"temperature_lubricant": sizing.design.oil.temperature},
-        }
-        for machine in sizing.machines:
-            torque, power = flow.machine_torques[machine.name], flow.machine_powers[machine.name]
-            said[task.loads[machine.name]] = {"torque_around_u_axis": torque, "power": power}
-        for shaft in sizing.shafts:
-            said[task.shafts[shaft.name]] = {"rotational_speed": flow.speeds[shaft.name]}
-        for clutch in sizing.design.clutches:
-            said[task.loads[clutch]] = {"is_engaged": (clutch in flow.joints,)}
-        task.sheet.cases.append(said)
+    for name in sizing.flows:
+        for load, share in levels_of(sizing.design, name):
+            if share > 0.0:  # a case without a share of the life is a static one
+                task.sheet.cases.append(_case(task, name, load, float(shares.get(name, 0.0) * share)))
+
+
+def _case(task: Task, name: str, load: float, share: float) -> dict[int, dict[str, Value]]:
+    """Return what the components say in a part of the loads of a case, which lasts a share of the life."""
+    sizing, flow = task.sizing, task.sizing.flows[name]
+    said: dict[int, dict[str, Value]] = {
+        task.unit: {"operating_time_fraction": share},
+        task.casing: {"temperature_lubricant": sizing.design.oil.temperature},
+    }
+    for machine in sizing.machines:
+        torque, power = load * flow.machine_torques[machine.name], load * flow.machine_powers[machine.name]
+        said[task.loads[machine.name]] = {"torque_around_u_axis": torque, "power": power}
+    for shaft in sizing.shafts:
+        said[task.shafts[shaft.name]] = {"rotational_speed": flow.speeds[shaft.name]}
+    for clutch in sizing.design.clutches:
+        said[task.loads[clutch]] = {"is_engaged": (clutch in flow.joints,)}
+    return said

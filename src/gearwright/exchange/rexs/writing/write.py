@@ -113,8 +113,6 @@ def _left_out(sizing: Sizing) -> Iterator[str]:
     for joint in sizing.joints:
         if joint.kind != "integral":
             yield f"joints.{joint.part}: the {joint.kind} is not written; the gear stands on its shaft"
-    for name in design.spectra:
-        yield f"spectra.{name}: its levels are not written; each load case stands once"
     for name, screw in design.airscrews.items():
         if screw.thrust:
             yield f"{name}: its thrust and other forces are not written, its torque is"
