@@ -82,7 +82,7 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
             tables["loads"][names[load]] = {"shaft": loads[load]}
     tables.pop("sense", None)
     _free_speeds(tables, gearing, cases[0])
-    return tables | _cases(asking, gearing, cases, {names[load]: load for load in known}, loads)
+    return tables | _cases(asking, gearing, cases, {names[load]: load for load in known}, loads, tables["motors"])
 
 
 def _hold_still(asking: Asking, gearing: Gearing, loads: dict[int, str], cases: list[Said]) -> None:
@@ -204,9 +204,14 @@ def _free_speeds(tables: Table, gearing: Gearing, said: Said) -> None:
 
 
 def _cases(
-    asking: Asking, gearing: Gearing, cases: list[Said], names: Mapping[str, int], loads: Mapping[int, str]
+    asking: Asking,
+    gearing: Gearing,
+    cases: list[Said],
+    names: Mapping[str, int],
+    loads: Mapping[int, str],
+    motors: Table,
 ) -> Table:
-    """Return the table of cases where there are several."""
+    """Return the table of cases where there are several; what may drive has its speed, also where it brakes."""
     if len(cases) < 2:
         return {}
     shares = [said.share for said in cases]
@@ -226,7 +231,7 @@ def _cases(
         for name, load in names.items():
             speed, power = said.speeds[loads[load]], said.power(load, loads[load])
             table[name] = {"power_w": power} if abs(speed) > _SLOW else {"torque_nm": said.torques[load]}
-            if power > 0.0 and abs(speed) > _SLOW:
+            if (power > 0.0 or name in motors) and abs(speed) > _SLOW:
                 table[name]["speed_rad_s"] = abs(speed)
         if said.share == 0.0:
             table = {"static": True} | {key: value for key, value in table.items() if key != "share"}
