@@ -12,6 +12,8 @@ from hypothesis import settings
 # The matrices are small: threads of linear algebra would mostly wait for each other. numpy asks when it is imported.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("MKL_NUM_THREADS", "1")
+# Folders may have a conftest of their own; none holds examples, and as modules of tests they would share one name.
+collect_ignore_glob = ["conftest.py", "*/conftest.py"]
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("search", deadline=None)
 settings.load_profile("repeatable")

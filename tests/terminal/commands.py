@@ -74,6 +74,7 @@ COMMANDS = (
     Command("study small.toml --workers 0"),
     Command("status journal"),
     Command("resume journal --workers 0"),
+    Command("merge journal --into whole"),
     Command("cluster", machine=True),
     Command("mass --power-kw 2051 --engine-rpm 20204 --propeller-rpm 1212", narrow=True),
     Command("engines --series PW100", narrow=True),

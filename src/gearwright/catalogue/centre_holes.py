@@ -64,6 +64,6 @@ def centre_hole(end: float) -> CentreHole | None:
         end: Diameter [m].
 
     >>> centre_hole(0.038).designation, round(centre_hole(0.038).preload)  # 84.3 mm² of M12
-    ('DIN 332 - D M12', 34215)
+    ('DIN 332 - D M12', 34212)
     """
     return next((hole for hole in centre_holes() if hole.over < end <= hole.to), None)

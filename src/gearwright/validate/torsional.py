@@ -75,7 +75,7 @@ def drill_string(count: int) -> Sequence[float]:
         motion = string.at(place)[direction]
         model.add(Line(f"{place} {direction}", motion, 1e12, kind="support"))
     system = model.build()
-    solved = modes(system)
+    solved = modes(system, len(system.labels.coordinates))
     twisting = [name for name in system.labels.coordinates if name in _twisting(count)]
     rows = [system.labels.coordinates.index(name) for name in twisting]
     share = np.sum(system.arrays.mass[rows, None] * solved.shapes[rows] ** 2, axis=0)

@@ -47,6 +47,7 @@ def test_what_a_part_lacks_is_computed_by_whoever_resumes(tmp_path: Path) -> Non
     run_study(study, DESIGNS, journal=tmp_path / "3", part=Part(3, 4))
     assert merge([tmp_path / "1", tmp_path / "3", tmp_path / "1"], tmp_path / "all") == (12, 23)
     assert len(resume(tmp_path / "all", part=Part(2, 4)).rows) == 6
+    assert merge([tmp_path / "1"], tmp_path / "all") == (18, 23)
     assert status(tmp_path / "all").done == 18
     assert resume(tmp_path / "all") == run(study, DESIGNS)
 

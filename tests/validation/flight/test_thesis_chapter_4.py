@@ -132,7 +132,7 @@ def test_figures_are_drawn_as_printed_beside_as_it_should_be():
     sides = (Side("as printed", printed), Side("as it should be", right))
     figure = chapter_figure(sides, "taxi", tuple(TITLES), stiffness=VARYING)
     assert len(figure.axes) == 2 * len(TITLES)
-    assert figure.axes[1].get_title(loc="left") == "Sun forces, stage 1, as it should be"
+    assert figure.axes[1].title == "Sun forces, stage 1, as it should be"
 
 
 def test_a_claim_is_judged_by_the_printed_model_unless_it_hangs_on_what_is_not_printed():

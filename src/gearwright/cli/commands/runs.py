@@ -164,7 +164,7 @@ def _part(shard: str | None, journal: Path | None) -> Part:
 
 def merge(
     journals: Annotated[list[Path], typer.Argument(help="Journals of parts of one study", metavar="JOURNAL...")],
-    into: Annotated[Path, typer.Option(help="New journal that has what all of them have")],
+    into: Annotated[Path, typer.Option(help="Journal that gets what all of them have; made where there is none")],
 ) -> None:
     """Make the journals of parts of one study a single one, which `resume` completes and shows."""
     from gearwright.study.running import merge as merged

@@ -118,9 +118,10 @@ def outline_area(tooth: TransverseTooth) -> float:
 
     Source: area of a profile, A = ∫ 2 ψ(r) r dr = ∫ ψ d(r²), by trapezia over the points of `transverse_form`.
 
-    >>> tooth = TransverseTooth(10_000, 1e-3)  # nearly a rack: 2.25 π/2 mm² and both roundings of its root
+    >>> tooth = TransverseTooth(10_000, 1e-3)  # nearly a rack: thicker below the pitch line, where there is more of it
     >>> corner = math.radians(35.0)
-    >>> expected = 2.25 * math.pi / 2.0 + 2.0 * 0.38**2 * (math.tan(corner) - corner)
+    >>> rack = 2.25 * math.pi / 2.0 + (1.25**2 - 1.0) * math.tan(math.radians(20.0))
+    >>> expected = rack + 2.0 * 0.38**2 * (math.tan(corner) - corner)
     >>> round(1e6 * outline_area(tooth) / expected, 3)
     1.0
     """

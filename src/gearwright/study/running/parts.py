@@ -81,28 +81,30 @@ def refuse_part(study: Study, part: Part) -> None:
 
 
 def merge(journals: Sequence[Path], into: Path) -> tuple[int, int]:
-    """Write one journal that has the finished cases of several of the same study; return how many, and of how many.
+    """Put the finished cases of several journals of one study into one; return how many it has, and of how many.
 
     A case that several have is taken from the first; all give it the same, bit for bit. What is damaged is left out.
 
     Args:
         journals: Of parts, or of whatever was finished of one study.
-        into: New journal, which `resume` completes and shows.
+        into: New journal, or one of the same study, which `resume` completes and shows.
 
     Raises:
-        DesignError: If they are not of one study, its designs and one version, or the new file is there already.
+        DesignError: If they are not of one study, its designs and one version, or the file is something else.
         SolveError: If it cannot be written.
     """
     if not journals:
         raise DesignError([Problem("journals", "there are none; name those of the parts")])
-    known = [recorded(path) for path in journals]
+    every = [*journals, into] if into.exists() else list(journals)
+    known = [recorded(path) for path in every]
     first = known[0]
     refuse(
         Problem(str(path), f"is not of the same study as {journals[0]}: {why}; leave it out")
-        for path, other in zip(journals[1:], known[1:], strict=True)
+        for path, other in zip(every[1:], known[1:], strict=True)
         if (why := _other(first, other))
     )
-    begin(into, first.study, first.designs, origin=first.origin)
+    if not into.exists():
+        begin(into, first.study, first.designs, origin=first.origin)
     with opened(into) as book:
         book.begin_run(0)
         for path in journals:
