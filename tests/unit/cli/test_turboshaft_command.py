@@ -35,8 +35,20 @@ def test_a_slam_a_held_rotor_and_a_start_have_seconds():
     slam = run("--slam-kw", "500:600", "--slam-s", "2").output
     assert "Lever" in slam and "95 % of the change of power have come after" in slam
     both = run("--slam-kw", "300:700", "--slam-s", "1", *ROTOR, "--starter-nm", "60").output
-    for words in ("Rotor held by a governor on N2", "N2 falls to", "Start", "At idle after", "the starter gave"):
+    for words in (
+        "Rotor held by a governor on N2",
+        "; N2 is from 9",
+        " to 100.0 %",
+        "Start; P is the starter's",
+        "At idle after",
+        "the starter gave",
+    ):
         assert words in both
+
+
+def test_a_load_that_goes_tells_the_overspeed_and_its_limit():
+    shown = run("--slam-kw", "700:50", "--slam-s", "2", *ROTOR, "--n2-limit", "1.05").output
+    assert "N2 is from 100.0 to 10" in shown and "bound by N2" in shown
 
 
 def test_its_json_has_the_deck_and_the_seconds():
@@ -51,6 +63,11 @@ def test_its_json_has_the_deck_and_the_seconds():
         (("--slam-kw", "300"), "is not from:to, such as 300:800"),
         (("--slam-kw", "300:2000"), "of its rated N1, at most 1.05; ask for powers that it gives there"),
         (("--slam-kw", "300:700", "--slam-altitude-m", "15000"), "beyond what it gives at rest in this air"),
+        (("--slam-kw", "300:700", "--slam-mach", "5"), "mach: 5 is not allowed; give one from 0 to 0.95"),
+        (
+            ("--slam-kw", "300:700", *ROTOR, "--n2-limit", "0.9"),
+            "highest: 0.9 is not allowed; give an N2 limit",
+        ),
         (("--n2-rpm", "19000"), "--rotor-inertia-kg-m2: a rotor is given without it"),
         (ROTOR, "--slam-kw: a rotor is given, and no power that changes"),
         (("--pressure-ratio", "2", "--compressor", "0.2"), "(?s)pressure_ratio: 2 is not.*compressor: 0.2 is not"),

@@ -1,5 +1,7 @@
 """A governor on N2: rest stays rest, droop by hand, the integral takes it away, energy of the rotor, limits."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -28,11 +30,11 @@ LOW, HIGH = 400.0 * HORSEPOWER, 700.0 * HORSEPOWER
 GUESS = (4200.0, 1200.0)
 
 
-def rotor(integral, load, gain=2.0, times=(12.0, 0.02)):
+def rotor(integral, load, gain=2.0, times=(12.0, 0.02), highest=math.inf):
     """Return a rotor that begins with 400 hp, and takes a load."""
     speed, state = state_for(ENGINE, STANDARD, LOW, GUESS)
     start = at_rest(ENGINE, STANDARD, speed, state, CONTROL)
-    governor = RotorGovernor(2.0, N2, gain, integral)
+    governor = RotorGovernor(2.0, N2, gain, integral, highest)
     return held_rotor(ENGINE, (CONTROL, governor), STANDARD, start=start, load=load, times=times)
 
 
@@ -79,6 +81,14 @@ def test_the_limits_hold_and_a_load_beyond_the_engine_slows_the_rotor():
     assert held.speed.max() <= CONTROL.highest_speed
     assert held.between.max() <= CONTROL.hottest + 15.0
     assert held.rotor[-1] < 0.92 * N2
+
+
+def test_beyond_the_limit_of_n2_the_least_fuel_flows():
+    """A load that goes away: the fuel of deceleration, and less overspeed than the governor leaves alone."""
+    free, cut = (rotor(2.0, lambda time, speed: 0.0, 0.5, (1.5, 0.02), highest) for highest in (math.inf, 1.03 * N2))
+    above = np.flatnonzero(cut.rotor[:-1] >= 1.03 * N2)[5:]  # once the valve has followed
+    assert len(above) and np.all(cut.fuel[above + 1] < 0.8 * free.fuel[above + 1])
+    assert cut.rotor[-1] < free.rotor[-1] - 5.0
 
 
 def test_the_power_of_a_free_turbine_is_greatest_where_its_blades_suit_the_gas():

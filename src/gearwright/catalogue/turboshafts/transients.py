@@ -37,6 +37,8 @@ STEP = 0.02
 """Of a slam [s]."""
 START_STEP = 0.1
 """Of a start [s]."""
+HIGHEST_MACH = 0.95
+"""Of a slam [-]."""
 SHOWN = 24
 """Rows that a transient shows, about."""
 _SPOOL = "gas generator by its components; docs/theory/power.md"
@@ -54,6 +56,8 @@ class Rotor:
     """Per cent of N1 asked for one per cent of N2."""
     integral: Annotated[float, Quantity("frequency")] = 0.5
     """The same over its integral [1/s]; 0: a governor with droop."""
+    highest: Ratio = 1.1
+    """N2 over the one that is held from which on the least fuel flows; an assumption."""
 
 
 @dataclass(frozen=True)
@@ -124,6 +128,7 @@ class EngineTransient(Shown):
     """From the change on; None where it does not come."""
     hottest: Annotated[float, Quantity("absolute_temperature"), Origin("largest T_45", _SPOOL)]
     lowest_rotor: Annotated[float | None, Quantity("ratio"), Origin("least N2/N2_0", _SPOOL)]
+    highest_rotor: Annotated[float | None, Quantity("ratio"), Origin("largest N2/N2_0", _SPOOL)]
     starter_energy: Annotated[Energy | None, Origin("∫ T ω dt", _SPOOL)]
     bound: tuple[str, ...]
     """Limits of the fuel control that were reached."""
@@ -163,7 +168,7 @@ def _slammed(engine: Turboshaft, inlet: Inlet, slam: Slam) -> EngineTransient:
     there = np.abs(run.power - slam.after) <= 0.05 * abs(slam.after - slam.before)
     rows = _rows(run.time, run.speed / rated.speed, None, (run.power, run.fuel, run.between))
     bound = _bound(control, run.fuel_over_pressure, run.between)
-    return EngineTransient("slam", _settled(run.time, there), float(run.between.max()), None, None, bound, rows)
+    return EngineTransient("slam", _settled(run.time, there), float(run.between.max()), None, None, None, bound, rows)
 
 
 def _held(
@@ -173,7 +178,9 @@ def _held(
     (control, start), rotor = at, slam.rotor
     assert rotor is not None  # asked before
     scale = engine.rated.speed / rotor.speed
-    governor = RotorGovernor(rotor.inertia, rotor.speed, rotor.gain * scale, rotor.integral * scale)
+    governor = RotorGovernor(
+        rotor.inertia, rotor.speed, rotor.gain * scale, rotor.integral * scale, rotor.highest * rotor.speed
+    )
 
     def load(time: float, speed: float) -> float:
         part = min(max((time - 0.5) / 0.5, 0.0), 1.0)
@@ -185,7 +192,9 @@ def _held(
     rows = _rows(run.time, speed, turns, (run.torque * run.rotor, run.fuel, run.between))
     pressure = np.array([inlet.pressure * compressed_to(engine, inlet, one)[1] for one in run.speed.tolist()])
     bound, settled = _bound(control, run.fuel / pressure, run.between), _settled(run.time, np.abs(turns - 1.0) <= 5e-3)
-    return EngineTransient("held rotor", settled, float(run.between.max()), float(turns.min()), None, bound, rows)
+    bound += ("N2",) if turns.max() >= rotor.highest else ()
+    ends = float(turns.min()), float(turns.max())
+    return EngineTransient("held rotor", settled, float(run.between.max()), *ends, None, bound, rows)
 
 
 def control_of(engine: Turboshaft, slam: Slam) -> FuelControl:
@@ -241,7 +250,7 @@ def engine_start(design: DesignPoint, rules: StartRules) -> EngineTransient:
     energy = float(np.trapezoid(run.starter, run.time))
     rows = _rows(run.time, run.speed / fast, None, (run.starter, run.fuel, run.between))
     hot = ("T_45",) if run.between.max() >= 0.98 * rules.hottest else ()
-    return EngineTransient("start", float(run.time[-1]), float(run.between.max()), None, energy, hot, rows)
+    return EngineTransient("start", float(run.time[-1]), float(run.between.max()), None, None, energy, hot, rows)
 
 
 def _hung(speed: Floats, rules: StartRules) -> str:
@@ -282,11 +291,15 @@ def _slam_problems(slam: Slam) -> list[Problem]:
     ]
     if slam.before == slam.after:
         found.append(Problem("after", "it is the power before; give another"))
+    if not 0.0 <= slam.mach <= HIGHEST_MACH:
+        found.append(Problem("mach", f"{slam.mach:g} is not allowed; give one from 0 to {HIGHEST_MACH:g}"))
     if not 0.1 <= slam.duration <= 60.0:
         found.append(Problem("duration", f"{slam.duration:g} s is not allowed; give one from 0.1 to 60 s"))
     if not 0.0 < slam.deceleration < slam.acceleration <= 3.0:
         found.append(Problem("acceleration", "give a limit above that of deceleration, up to 3"))
     rotor = slam.rotor
+    if rotor is not None and not 1.0 < rotor.highest <= 1.5:
+        found.append(Problem("highest", f"{rotor.highest:g} is not allowed; give an N2 limit above 1, up to 1.5"))
     if rotor is not None and not (rotor.inertia > 0.0 and rotor.speed > 0.0 and rotor.gain > 0.0 <= rotor.integral):
         found.append(Problem("rotor", "give inertia, N2 and gain above 0, and an integral of at least 0"))
     return found

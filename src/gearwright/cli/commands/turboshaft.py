@@ -47,6 +47,7 @@ def turboshaft(
     n2_rpm: Annotated[float | None, typer.Option(help="Its speed")] = None,
     n2_gain: Annotated[float, typer.Option(help="Per cent of N1 that its governor asks for one of N2")] = 1.0,
     n2_integral: Annotated[float, typer.Option(help="The same over the integral, 1/s; 0: with droop")] = 0.5,
+    n2_limit: Annotated[float, typer.Option(help="N2 over the one that is held, from which on least fuel flows")] = 1.1,
     starter_nm: Annotated[float | None, typer.Option(help="Seconds of a start: torque of the starter at rest")] = None,
     starter_cut: Annotated[float, typer.Option(help="There: part of N1 at which it is switched off")] = 0.5,
     hottest_k: Annotated[float, typer.Option(help="There: T_45 to which the fuel is cut back")] = 1100.0,
@@ -65,7 +66,7 @@ def turboshaft(
         turbine,
     )  # fmt: skip
     slam = start = None
-    rotor = _rotor(rotor_inertia_kg_m2, n2_rpm, n2_gain, n2_integral)
+    rotor = _rotor(rotor_inertia_kg_m2, n2_rpm, (n2_gain, n2_integral, n2_limit))
     if rotor is not None and slam_kw is None:
         raise _missing("--slam-kw", "a rotor is given, and no power that changes; give one, such as 300:800")
     if slam_kw is not None:
@@ -107,8 +108,8 @@ def _powers(text: str) -> tuple[float, float]:
     return before, after
 
 
-def _rotor(inertia: float | None, speed: float | None, gain: float, integral: float) -> Rotor | None:
-    """Return the rotor that is held.
+def _rotor(inertia: float | None, speed: float | None, governor: tuple[float, float, float]) -> Rotor | None:
+    """Return the rotor that is held, by gain, integral and limit.
 
     Raises:
         DesignError: One of its two numbers is given, and the other is not.
@@ -120,7 +121,7 @@ def _rotor(inertia: float | None, speed: float | None, gain: float, integral: fl
     if inertia is None or speed is None:
         missing = "--rotor-inertia-kg-m2" if inertia is None else "--n2-rpm"
         raise _missing(missing, "a rotor is given without it; give both, or none")
-    return Rotor(inertia, speed * _RPM, gain, integral)
+    return Rotor(inertia, speed * _RPM, *governor)
 
 
 def _missing(option: str, message: str) -> DesignError:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -23,6 +24,8 @@ class RotorGovernor(NamedTuple):
     """N1 asked for an error of N2 [-]."""
     integral: float
     """N1 asked for the error's integral [1/s]; 0: a governor with droop."""
+    highest: float = math.inf
+    """N2 from which on no N1 is asked for, so that the least fuel flows [rad/s]."""
 
 
 class Held(NamedTuple):
@@ -82,7 +85,7 @@ def held_rotor(
 
     Source: J dω/dt = T(P, ω) - Q(t, ω) by Heun's rule; the governor asks for N1 = N1_0 + K_p e + K_i ∫e dt with
         e = ω_0 - ω, which the fuel control follows within its limits (`spool`); the integral rests while it is beyond
-        the highest N1.
+        the highest N1. Beyond the highest N2 it asks for none.
     """
     (control, governor), (duration, step) = controls, times
     now, rotor, summed, base = start, governor.speed, 0.0, start.speed
@@ -92,6 +95,8 @@ def held_rotor(
         wanted = base + governor.gain * error + governor.integral * (summed + error * step)
         if wanted < control.highest_speed:
             summed += error * step
+        if rotor >= governor.highest:
+            wanted = 0.0
         then = stepped(engine, control, inlet, (now, wanted), step)
         first = _gain(engine, now, (rotor, load(time, rotor)), governor)
         ahead = rotor + first * step

@@ -11,7 +11,7 @@ DECK = (
 SECONDS = ("time", "gas_generator", "rotor", "power", "fuel_flow", "between")
 MIDDLE = 0.4
 """Part of the highest power that is shown beside it [-]."""
-TITLES = {"slam": "Lever", "held rotor": "Rotor held by a governor on N2", "start": "Start"}
+TITLES = {"slam": "Lever", "held rotor": "Rotor held by a governor on N2", "start": "Start; P is the starter's"}
 """Kind of a transient -> title of its table."""
 
 

@@ -54,7 +54,7 @@ def _said(found: EngineTransient) -> str:
         said = f"N2 stays within 0.5 % from {found.settled:.2f} s on"
     else:
         said = f"95 % of the change of power have come after {found.settled:.2f} s"
-    if found.lowest_rotor is not None:
-        said += f"; N2 falls to {100 * found.lowest_rotor:.1f} % at least"
+    if found.lowest_rotor is not None and found.highest_rotor is not None:
+        said += f"; N2 is from {100 * found.lowest_rotor:.1f} to {100 * found.highest_rotor:.1f} %"
     bound = f"; bound by {', '.join(found.bound)}" if found.bound else "; no limit is reached"
     return f"{said}.\nT_45 up to {found.hottest:.0f} K{bound}."
