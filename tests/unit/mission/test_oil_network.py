@@ -40,6 +40,28 @@ def test_at_rest_cooler_and_housing_carry_all_heat():
     assert end.bearings == pytest.approx(end.oil + 0.5 * 6e3 / 300.0, rel=1e-9)
 
 
+def test_a_valve_that_regulates_settles_at_one_temperature_whatever_the_interval():
+    """Four bodies at rest by their linear system, the valve's opening by bisection; an interval of 20 or 300 s: 1e-5.
+
+    A valve as the oil was at the start of an interval swings by 13 K, where the oil and its cooler need 10 s.
+    """
+    asked = rules(cooler_w_k=600.0, oil_mass=8.0)
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        valve = 0.5 * (low + high)
+        k = np.array([[750.0 + 600.0 * valve, -400.0, -300.0, -50.0], [-400.0, 402.0, 0.0, -2.0],
+                      [-300.0, 0.0, 320.0, -20.0], [-50.0, -2.0, -20.0, 87.0]])  # fmt: skip
+        q = [0.5 * 15e3 + 500.0 + 600.0 * valve * 260.0, 0.5 * 9e3 + 1e3, 0.5 * 6e3, 15.0 * 260.0]
+        oil = float(np.linalg.solve(k, q)[0])
+        low, high = (valve, high) if (oil - 343.15) / 10.0 > valve else (low, valve)
+    assert 0.05 < valve < 0.95
+    for step in (20.0, 60.0, 300.0):
+        now = oil_start(asked, 330.0)
+        for _ in range(round(1.2e4 / step)):
+            now, _ = oil_step(asked, 44.0, now, heat=HEAT, air=260.0, duration=step)
+        assert now.oil == pytest.approx(oil, rel=1e-5)
+
+
 def test_what_heats_it_is_stored_or_given_to_the_air():
     now, given = oil_start(rules(), 300.0), 0.0
     start = now

@@ -69,8 +69,8 @@ def oil_start(rules: OilNetworkRules, inlet: float) -> Warm:
     return Warm(*[rules.start_temperature_k or inlet] * 4)
 
 
-def _network(rules: OilNetworkRules, gear_mass: float, oil: float, *, wet: bool) -> Network:
-    """Return the network; its cooler opens with the temperature of the oil [K]."""
+def _network(rules: OilNetworkRules, gear_mass: float, opened: float, *, wet: bool) -> Network:
+    """Return the network with its cooler's valve opened by a part."""
     steel = rules.steel_heat_j_kg_k
     capacity = np.array(
         [
@@ -86,9 +86,13 @@ def _network(rules: OilNetworkRules, gear_mass: float, oil: float, *, wet: bool)
             rules.gears_to_oil_w_k, rules.bearings_to_oil_w_k, rules.oil_to_housing_w_k,
         )  # fmt: skip
     links[GEARS, HOUSING], links[BEARINGS, HOUSING] = rules.gears_to_housing_w_k, rules.bearings_to_housing_w_k
-    opened = min(max((oil - rules.cooler_opens_k) / rules.cooler_range_k, 0.0), 1.0)
     outside = np.array([[rules.cooler_w_k * opened if wet else 0.0], [0.0], [0.0], [rules.housing_to_air_w_k]])
     return Network(capacity, links + links.T, outside)
+
+
+def _asked(rules: OilNetworkRules, oil: float) -> float:
+    """Return the part to which oil of a temperature [K] opens the cooler's valve."""
+    return min(max((oil - rules.cooler_opens_k) / rules.cooler_range_k, 0.0), 1.0)
 
 
 def _heat(rules: OilNetworkRules, heat: GearHeat, *, wet: bool) -> Floats:
@@ -119,10 +123,22 @@ def oil_step(
 
     Raises:
         DesignError: Oil, gears or bearings become too warm.
+
+    Source: the cooler's valve stands as the oil at the interval's end asks, so that no interval is too long for it.
     """
-    network = _network(rules, gear_mass, warm.oil, wet=True)
-    around = np.array([air])
-    after = warmed(network, np.array(warm), _heat(rules, heat, wet=True), surroundings=around, duration=duration)
+    from scipy.optimize import brentq  # a third of the time that flights take to load
+
+    hot, around = _heat(rules, heat, wet=True), np.array([air])
+
+    def by(opened: float) -> Warmed:
+        network = _network(rules, gear_mass, opened, wet=True)
+        return warmed(network, np.array(warm), hot, surroundings=around, duration=duration)
+
+    def left(opened: float) -> float:
+        return _asked(rules, float(by(opened).temperature[OIL])) - opened
+
+    opened = 0.0 if left(0.0) <= 0.0 else 1.0 if left(1.0) >= 0.0 else float(brentq(left, 0.0, 1.0, xtol=1e-10))
+    after = by(opened)
     end = Warm(*after.temperature.tolist())
     for part in ("oil", "gears", "bearings"):
         limit, found = getattr(rules, f"highest_{part}_k"), getattr(end, part)
@@ -147,7 +163,7 @@ def dry_run(rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearH
 
     Valid for: a stated limit and a stated friction; real gearboxes end by softening, lost clearances and cages.
     """
-    network, hot = _network(rules, gear_mass, warm.oil, wet=False), _heat(rules, heat, wet=False)
+    network, hot = _network(rules, gear_mass, 0.0, wet=False), _heat(rules, heat, wet=False)
     limits = {"gears": rules.highest_gears_k, "bearings": rules.highest_bearings_k}
     now, clock = warm, 0.0
     while clock < _LONGEST:
