@@ -55,14 +55,17 @@ def between(charts: Charts, draw: np.random.Generator, *, held_out: bool) -> Flo
 def nodes(charts: Charts, number: int) -> None:
     """Print efficiency and windmilling thrust at the charts' own points."""
     shape, count = generic_blade(Blades(number, 150.0, 0.5)), NODES.index(number)
-    efficiency, windmill = [], []
+    efficiency, windmill, taken = [], [], []
     for j, ratio in enumerate(charts.advance_ratio):
         made = loads(shape, ratio, np.radians(charts.blade_angle[j]))
         thrust, power = charts.thrust[count][j], charts.power[count][j]
         good = (power > 0.0) & (ratio * thrust >= 0.6 * power)
         efficiency += list(np.abs(made.thrust * power / (made.power * thrust) - 1.0)[good])
         windmill += list(np.abs(made.thrust - thrust)[thrust < 0.0])
+        driven = (thrust < 0.0) & (power < 0.0)
+        taken += list(np.abs(made.power / np.where(driven, power, 1.0) - 1.0)[driven])
     told(f"{number} blades, efficiency at the blade angle, nodes of 0.6 and more", efficiency)
+    told(f"{number} blades, windmilling C_P", taken)
     print(f"{'':10} windmilling C_T, {len(windmill)} nodes: at most {max(windmill):.4f}")
 
 
