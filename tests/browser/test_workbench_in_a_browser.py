@@ -28,6 +28,10 @@ MOVED = """() => {
   const empty = Math.max(...counts.values()) / dots.length;
   return {found, case: motion.name, colours: counts.size, empty, calls, triangles};
 }"""
+OFFERED = """async ([then, now]) => {
+  const {offered} = await import('/static/files.js'), {state} = await import('/static/state.js');
+  offered(state.text.replace(then, now), now);
+}"""
 
 
 def test_every_shipped_design_opens_with_its_numbers_and_asks_nobody_else(opened):
@@ -74,6 +78,32 @@ def test_a_speed_changed_in_the_form_changes_the_text_and_the_numbers_and_back(o
     page.keyboard.type("4")
     wait_for(page, MASS + " b", mass_of(text.replace("planets = 5", "planets = 4")))
     assert page.locator("[id='entry:planetaries/second/planets']").input_value() == "4"
+    assert told == []
+
+
+def test_whoever_types_into_an_entry_that_was_left_out_types_on_as_the_text_takes_it_up(opened):
+    page, _ = opened()
+    choose(page, "in-line-h2-star")
+    page.click("[data-key=complete_total_kg] button")
+    page.wait_for_selector("#why .bars")
+    first = page.locator("#why .bars").first
+    lowering = first.locator("> span:nth-child(2n)").all_inner_texts()
+    assert lowering and all(words.startswith("−") for words in lowering)
+    first.locator("button", has_text="planetaries.first.planet_bearing.side_by_side").click()
+    page.keyboard.type("1")
+    page.wait_for_selector(".cm-line:has-text('side_by_side = 1')", state="attached")
+    page.wait_for_timeout(600)
+    page.keyboard.type("2")
+    page.wait_for_selector("body.stale")
+    assert page.locator("[id='entry:planetaries/first/planet_bearing/side_by_side']").input_value() == "12"
+
+
+def test_a_pin_of_ones_own_stays_when_a_computation_opens_another_text(opened):
+    page, told = opened()
+    page.click("#pin")
+    for then, now, change in (("planets = 5", "planets = 4", "+"), ("planets = 4", "planets = 5", "=")):
+        page.evaluate(OFFERED, [then, now])
+        page.wait_for_selector(f"{MASS} .change:has-text('{change}')")
     assert told == []
 
 

@@ -1,7 +1,7 @@
 /* A design whose free sizes meet every check, as `gearwright close` finds it; where none does, what is not met and what helps. */
 import {offered} from "/static/files.js";
 import {Task, begin} from "/static/jobs.js";
-import {at, made, number, ratio} from "/static/made.js";
+import {at, change, made, number, percent, ratio} from "/static/made.js";
 import {set, state} from "/static/state.js";
 
 new Task(at("close-line"), "Make it pass", told => {
@@ -12,8 +12,8 @@ new Task(at("close-line"), "Make it pass", told => {
 at("close-line").firstChild.title = "gearwright close: choose every free size so that all checks are met";
 
 function show(found) {
-  const options = [[found.design_file, `as it was closed, ${number(found.complete_mass_kg)} kg complete`]];
-  if (found.variant) options.unshift([found.variant.design_file, `${found.variant.what}, ${number(found.variant.complete_mass_kg)} kg complete`]);
+  const options = [[found.design_file, `${found.unmet.length ? "as far as it came" : "as it was closed"}, ${weighed(found.complete_mass_kg)}`]];
+  if (found.variant) options.unshift([found.variant.design_file, `${found.variant.what}, ${weighed(found.variant.complete_mass_kg)}`]);
   const buttons = options.map(([text, words]) => {
     const button = made("button", {type: "button", textContent: `Open ${words}`});
     button.addEventListener("click", () => { offered(text, words); at("unmet").replaceChildren(); });
@@ -21,8 +21,15 @@ function show(found) {
   });
   const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
   const tried = found.tried.map(one => made("li", {className: "hint", textContent: `${one.what} does not meet ${one.why}`}));
-  at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), made("ul", {}, ...unmet, ...tried), ...buttons);
+  at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), ...buttons, made("ul", {}, ...unmet, ...tried));
+  at("unmet").scrollTop = 0;
   document.body.dataset.closed = found.outcome;
+}
+
+/* Beside what stands on the page. */
+function weighed(mass) {
+  const share = percent(change(mass, state.answer.result.complete_total_kg));
+  return `${number(mass)} kg complete${share ? ` (${share === "=" ? "as now" : share})` : ""}`;
 }
 
 function pick(part) {

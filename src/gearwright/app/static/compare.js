@@ -60,7 +60,7 @@ async function beside(place) {
   try {
     const {text} = await (await sent(`/api/${room}/${encodeURIComponent(name)}`)).json();
     const answer = await (await ask("size", text, {page: "beside"})).json();
-    set({pinned: {text, answer: {...answer, text}, name}});
+    set({pinned: {text, answer: {...answer, text}, name, own: true}});
     at("beside-told").textContent = `${name} is pinned now`;
   } catch (reason) {
     if (reason instanceof Dropped) return;
@@ -72,4 +72,4 @@ on("answer pinned view", show);
 on("answer pinned view", () => { if (state.view === "compare-view" && state.answer && state.pinned) twins(state.pinned.text, state.answer.text, state.case); });
 on("files designs", choices);
 at("beside-of").addEventListener("change", event => beside(event.target.value));
-at("pin").addEventListener("click", () => { if (state.answer) set({pinned: {text: state.answer.text, answer: state.answer}}); at("status").textContent = "pinned: changes are told against this text"; });
+at("pin").addEventListener("click", () => { if (state.answer) set({pinned: {text: state.answer.text, answer: state.answer, own: true}}); at("status").textContent = "pinned: changes are told against this text"; });

@@ -30,11 +30,12 @@ function taken(name, shipped, {text, tag}) {
   document.title = `${name} – gearwright`;
 }
 
-/* Another text, such as a variant of a study: not saved yet, and told against the one before it. */
+/* Another text, such as a variant of a study: not saved yet, and told against what the user pinned, else the one before it. */
 export function offered(text, words) {
-  if (state.answer) set({pinned: {text: state.answer.text, answer: state.answer}});
+  const own = state.pinned?.own;
+  if (state.answer && !own) set({pinned: {text: state.answer.text, answer: state.answer}});
   replace(text);
-  at("status").textContent = words;
+  at("status").textContent = `${words}; told against what ${own ? "is pinned" : "was there before"}`;
 }
 
 async function open(choice) {

@@ -141,13 +141,22 @@ function build() {
   }));
 }
 
+/* Whoever types into an entry that is made anew, as it is when the text takes it up, types on behind what stands there. */
+function goOn(input, typed) {
+  if (!input) return;
+  input.focus();
+  if (input.type !== "text") return;
+  input.value = typed;
+  input.setSelectionRange(typed.length, typed.length);
+}
+
 function show() {
   const now = state.form.map(group => [group.path.join("."), ...group.written.map(field => `${field.key}:${field.kind}`)].join(",")).join(";");
-  const focused = document.activeElement?.id;
+  const focused = document.activeElement?.id, typed = document.activeElement?.value;
   if (now !== shape) {
     build();
     shape = now;
-    if (focused?.startsWith("entry:")) document.getElementById(focused)?.focus();
+    if (focused?.startsWith("entry:")) goOn(document.getElementById(focused), typed);
   }
   for (const group of state.form) for (const field of [...group.written, ...group.possible]) {
     const held = inputs.get(idOf(group.path, field.key));

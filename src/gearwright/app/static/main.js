@@ -29,7 +29,7 @@ async function follow() {
     at("status").textContent = `sized in ${Math.round(performance.now() - begun)} ms`;
   } catch (reason) {
     if (reason instanceof Dropped || mine !== asked) return;
-    if (reason instanceof Problems) set({problems: reason.problems, stale: true});
+    if (reason instanceof Problems) { set({problems: reason.problems, stale: true}); at("status").textContent = "a problem in the text: see Design"; }
     else at("status").textContent = reason.message;
   }
   document.body.dataset.ready = String(mine);

@@ -2,10 +2,12 @@
 import {Dropped, Problems} from "/static/api.js";
 import {focusEntry} from "/static/form.js";
 import {begin} from "/static/jobs.js";
-import {made, number, percent} from "/static/made.js";
+import {made, number, percent, ratio} from "/static/made.js";
 import {state} from "/static/state.js";
 
-const MOST = 12;
+const MOST = 8; // of each way
+const ENOUGH = 5e-3; // a margin that rounds to 1 [1]
+const MORE = /margin|density|life|safety/; // of such a number more is better: what raises it stands first
 let text = "", found = null, asked = null;
 
 /* Of the text as it stands, computed once. */
@@ -26,10 +28,21 @@ const step = one => {
 };
 const KINDS = {written: "", default: ", now the default", computed: ", now computed", choice: ""};
 
-function rows({handles, changes}, key) {
-  const shares = changes[key] || [];
-  return handles.map((one, k) => ({...one, share: shares[k]})).filter(one => one.share).sort((a, b) => Math.abs(b.share) - Math.abs(a.share)).slice(0, MOST);
+/* Each way, the largest first; the better way before the other. */
+function ways({handles, changes}, key) {
+  const shares = changes[key] || [], margins = changes.worst_margin || [], now = state.answer.result.worst_margin;
+  const list = handles.map((one, k) => ({...one, share: shares[k], margin: now * (1 + (margins[k] || 0))})).filter(one => one.share).sort((a, b) => Math.abs(b.share) - Math.abs(a.share));
+  const found = [["lower", list.filter(one => one.share < 0).slice(0, MOST)], ["raise", list.filter(one => one.share > 0).slice(0, MOST)]];
+  return MORE.test(key) ? found.reverse() : found;
 }
+
+function told_of([way, list]) {
+  if (!list.length) return [made("p", {className: "hint", textContent: `No single step would ${way} it.`})];
+  return [made("p", {className: "hint", textContent: `What would ${way} it, everything else found anew:`}), made("div", {className: "bars"}, ...list.flatMap(one => [handle(one), made("span", {textContent: percent(one.share)}, ...failing(one))]))];
+}
+
+/* What does not pass alone: other sizes have to follow it. */
+const failing = one => (one.margin < 1 - ENOUGH ? [made("small", {className: "hint", textContent: `margin ${ratio(one.margin)}`})] : []);
 
 /* Leads to its entry in the form. */
 function handle(one) {
@@ -44,10 +57,8 @@ export function moved(key, box = made("div", {className: "moved"})) {
   const mine = state.answer.text;
   moves().then(told => {
     if (mine !== state.answer.text) return;
-    const list = rows(told, key);
-    box.replaceChildren(...(list.length ? [made("p", {className: "hint", textContent: "What would change it, everything else found anew:"}), made("div", {className: "bars"}, ...list.flatMap(one => [
-      handle(one), made("span", {textContent: percent(one.share)}),
-    ]))] : [made("p", {className: "hint", textContent: "None of the values of the design moves it."})]));
+    const found = ways(told, key);
+    box.replaceChildren(...(found.some(([, list]) => list.length) ? found.flatMap(told_of) : [made("p", {className: "hint", textContent: "None of the values of the design moves it."})]));
     document.body.dataset.moved = key;
   }).catch(reason => {
     box.replaceChildren(made("p", {className: "hint", textContent: reason instanceof Dropped || reason instanceof Problems ? "" : reason.message}));

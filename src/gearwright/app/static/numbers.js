@@ -27,10 +27,11 @@ function keys() {
 }
 
 function verdict() {
-  const box = at("verdict"), {answer, stale, problems} = state;
+  const box = at("verdict"), {answer, stale, problems} = state, reviewed = answer && state.review?.text === answer.text ? state.review : null;
   if (stale) box.textContent = `${problems.length === 1 ? "One problem" : `${problems.length} problems`} in the text. What stands below is of the last valid text.`;
-  else box.textContent = answer ? answer.headline : "";
-  box.className = `verdict ${stale ? "stale" : !answer ? "" : answer.holds ? "holds" : "fails"}`;
+  else box.textContent = reviewed ? `Full review: ${reviewed.headline}` : answer ? answer.headline.replace("gearwright review", "Full review") : "";
+  const holds = reviewed ? !reviewed.checks.some(row => row.status === "fails") : answer?.holds;
+  box.className = `verdict ${stale ? "stale" : !answer ? "" : holds ? "holds" : "fails"}`;
   document.body.classList.toggle("stale", stale);
 }
 
@@ -75,7 +76,7 @@ async function review() {
     at("reviewed").textContent = answer.headline;
     at("reviewed").dataset.text = text;
     at("reviewed").title = "gearwright review";
-    set({review: {text, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve}))}});
+    set({review: {text, headline: answer.headline, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve}))}});
   } catch (reason) {
     if (mine === job) at("reviewed").textContent = reason.message || "stopped";
   } finally {
@@ -84,7 +85,7 @@ async function review() {
 }
 
 on("answer pinned", keys);
-on("answer stale problems", verdict);
+on("answer stale problems review", verdict);
 on("answer review", margins);
 on("selected", chosen);
 on("text", () => { if (at("reviewed").dataset.text && at("reviewed").dataset.text !== state.text) at("reviewed").textContent = "the text has changed since the review"; });

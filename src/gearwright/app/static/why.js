@@ -117,4 +117,5 @@ async function rated(selected, text) {
 }
 
 on("selected", () => { if (state.selected && state.asked) set({asked: ""}); });
+on("selected asked", () => { at("why").scrollTop = 0; });
 on("selected answer asked review", show);

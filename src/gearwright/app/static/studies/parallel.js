@@ -3,7 +3,7 @@ import {at, made, number} from "/static/made.js";
 import {ink} from "/static/plots.js";
 import {held, title} from "/static/studies/table.js";
 
-const SVG = at("axes").namespaceURI, TOP = 34, BOTTOM = 22, SIDE = 56, GRIP = 14;
+const SVG = at("axes").namespaceURI, TOP = 45, BOTTOM = 22, SIDE = 56, GRIP = 14;
 
 function shape(tag, properties) {
   const element = document.createElementNS(SVG, tag);
@@ -96,11 +96,17 @@ export class Parallel {
   axis(name, k) {
     const x = this.x(k), bottom = this.box.clientHeight - BOTTOM, [low, high] = this.ranges.get(name), brush = this.brushes.get(name);
     const word = (text, y) => Object.assign(shape("text", {x, y, "text-anchor": "middle"}), {textContent: text});
-    const found = [shape("line", {class: "axis", x1: x, x2: x, y1: TOP, y2: bottom}), word(title(name), k % 2 ? 11 : 22), word(number(high), TOP - 2), word(number(low), bottom + 13)];
+    const found = [shape("line", {class: "axis", x1: x, x2: x, y1: TOP, y2: bottom}), this.heading(name, k), word(number(high), TOP - 2), word(number(low), bottom + 13)];
     if (brush) found.push(shape("rect", {class: "brush", x: x - 6, width: 12, y: this.y(name, brush[1]), height: Math.max(2, this.y(name, brush[0]) - this.y(name, brush[1]))}));
     const grip = shape("rect", {class: "grip", x: x - GRIP, width: 2 * GRIP, y: TOP, height: bottom - TOP, "data-column": name});
     grip.addEventListener("pointerdown", event => this.drag(name, event));
     return [...found, grip];
+  }
+
+  /* In three heights, and at both ends inside the picture. */
+  heading(name, k) {
+    const last = this.table.columns.length - 1, anchor = k === 0 ? "start" : k === last ? "end" : "middle";
+    return Object.assign(shape("text", {x: k === 0 ? 4 : k === last ? this.box.clientWidth - 4 : this.x(k), y: 10 + 11 * (k % 3), "text-anchor": anchor}), {textContent: title(name)});
   }
 
   /* Down and up again keeps what lies between; a click alone keeps all of the axis. */

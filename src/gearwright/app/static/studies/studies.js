@@ -2,7 +2,7 @@
 import {Dropped, Problems, sent} from "/static/api.js";
 import {offered} from "/static/files.js";
 import {Task, begin} from "/static/jobs.js";
-import {at, made} from "/static/made.js";
+import {at, made, number} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 import {Text} from "/static/texts.js";
 import {Parallel} from "/static/studies/parallel.js";
@@ -51,7 +51,7 @@ function journals() {
 
 function vary() {
   const groups = state.form.filter(group => group.written.some(numeric)).map(group => made("optgroup", {label: group.path.join(".") || "design"},
-    ...group.written.filter(numeric).map(field => made("option", {value: [...group.path, field.key].join("."), textContent: `${field.name} = ${field.value} ${field.unit}`}))));
+    ...group.written.filter(numeric).map(field => made("option", {value: [...group.path, field.key].join("."), textContent: `${(group.path.slice(1).join(" ") || group.path[0] || "design")}: ${field.name} = ${field.value} ${field.unit}`}))));
   at("vary").replaceChildren(...groups);
 }
 
@@ -106,6 +106,7 @@ new Task(at("resume-line"), "Go on", told => {
 function show(found) {
   table = flat(found);
   at("study-words").textContent = found.words.join(" ") || `${table.rows.length} designs, ${found.rows.length - table.rows.length} cannot be built.`;
+  if (found.rows.some(row => row.design === OWN) && state.answer) at("study-words").textContent += ` The design on the page as it stands: ${number(state.answer.result.complete_total_kg)} kg complete.`;
   if (found.left_out) at("study-words").textContent += ` Of many, every ${Math.round(1 + found.left_out / found.rows.length)}th is drawn.`;
   parallel = new Parallel(at("parallel"), at("limits"), table, kept);
   for (const [id, first] of [["scatter-x", table.columns[0]], ["scatter-y", table.goal || table.columns.at(-1)]]) {
@@ -126,7 +127,7 @@ async function variant(row) {
   try {
     const changes = {...table.changes, ...row.inputs};
     const told = await (await begin("variant", state.text, {design: row.design, changes}).answer).json();
-    offered(told.text, `a variant of ${row.design}: ${Object.entries(row.inputs).map(([path, value]) => `${path} = ${value}`).join(", ")}; told against what was there before`);
+    offered(told.text, `a variant of ${row.design}: ${Object.entries(row.inputs).map(([path, value]) => `${path} = ${value}`).join(", ")}`);
     location.hash = "design-view";
   } catch (reason) {
     at("status").textContent = reason.message;
