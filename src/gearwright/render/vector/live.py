@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import json
+import math
 import struct
 import zlib
 from collections.abc import Iterable, Mapping, Sequence
@@ -31,6 +32,8 @@ LEAST = 8
 """Points of a curve that is worth a pointer."""
 STEPS, GAP = 16383, 16384
 """Steps of an array's range, and what stands where it has no number."""
+NARROWEST = 1e-8
+"""Length of a live axis over its larger end, at least [-]."""
 PIXELS = 96.0 / 25.4
 """Of a page in one mm."""
 WIDER = 1.2
@@ -97,7 +100,7 @@ def live_panels(figure: Figure, numbers: Numbers) -> list[Record]:
     marks = [mark for axes in panels for mark in _all_marks(axes)]
     followed = any(isinstance(mark, m.Curve) and _is_series(mark) and len(mark.x) >= LEAST for mark in marks)
     kept_still = figure.bare or any(isinstance(mark, m.Picture | m.Shape) for mark in marks)
-    if not followed or kept_still or any(axes.aspect for axes in panels):
+    if not followed or kept_still or any(axes.aspect or not _all_wide(axes) for axes in panels):
         return []
     frames = laid_out(figure)
     return [
@@ -117,6 +120,14 @@ def _place(slot: Slot, frame: Frame) -> Record:
 
 def _all_marks(axes: Axes) -> list[m.Mark]:
     return [*axes.marks, *(axes.twin.marks if axes.twin is not None else ())]
+
+
+def _all_wide(axes: Axes) -> bool:
+    """Tell whether every axis has ends that doubles tell apart well: what lies between is rounding else."""
+    sides = [axes.x, axes.y, *([axes.twin.y] if axes.twin is not None else [])]
+    return all(
+        abs(high - low) > NARROWEST * max(abs(low), abs(high)) for low, high in (side.limits() for side in sides)
+    )
 
 
 def _is_series(curve: m.Curve) -> bool:
@@ -143,7 +154,8 @@ def _panel(axes: Axes, frame: Frame, numbers: Numbers) -> Record:
 
 def _axis(axis: Axis) -> Record:
     low, high = axis.limits()
-    record: Record = {"l": axis.label, "a": _short((low, high))}
+    finer = math.ceil(math.log10(max(abs(low), abs(high)) / abs(high - low)))  # ends of 0.99999 and 1.00001 are two
+    record: Record = {"l": axis.label, "a": _short((low, high), 6 + max(finer, 0))}
     if axis.log:
         record["g"] = 1
     if not axis.numbers:
