@@ -70,6 +70,7 @@ def built(requirement: Requirement, architecture: Architecture, places: Sequence
     named = [*shafts, *(name for link in links if len(link.names) > 1 for name in branches(link))]
     changes: dict[str, Any] = {name: {} for name in (*_PLACED, *_STAGES)} | dict(tables)
     changes |= {"shafts": named, "name": f"{requirement.design.name}: {architecture.name}"}
+    changes["description"] = f"One of the architectures for the machines of {requirement.design.name}."
     changes[f"turbines.{requirement.engine}.shaft"] = _ENGINE
     changes[f"propellers.{requirement.propeller}.shaft"] = _PROPELLER
     if requirement.motor is not None and motor is not None:
