@@ -20,6 +20,7 @@ from gearwright.dynamics import (
     tone_amplitudes,
 )
 from gearwright.dynamics.motion import CHECKPOINTS, default_step
+from gearwright.dynamics.motion.record import BLOCK, Recorder
 from gearwright.dynamics.motion.steps import whole_step
 from gearwright.errors import DesignError, SolveError
 from random_systems import random_system
@@ -54,6 +55,20 @@ def test_a_window_is_replayed_bit_for_bit(constant):
     assert len(once.time) > 15
     assert np.array_equal(again.line_force, once.line_force)
     assert np.array_equal(again.velocity, once.velocity)
+
+
+def test_a_replay_takes_no_row_from_before_it_begins():
+    """Evenly spaced instants begin at zero; those before the checkpoint stand in no block."""
+    system = driven_pair()
+    trace = simulate(system, 0.05, outputs=Outputs(windows=((0.0311, 0.0322),)))
+    first = BLOCK * (round(0.0311 / trace.step) // BLOCK)
+    recorder = Recorder(system, Outputs(), step=trace.step, steps=round(0.05 / trace.step))
+    recorder.record[:] = 1.0
+    recorder.take(first, BLOCK)
+    seen = recorder.samples()
+    stride = recorder.frame.stretches[0].step
+    assert len(seen.time) == len(range(-(-first // stride) * stride, first + BLOCK, stride))
+    assert np.all(seen.line_force == 1.0)
 
 
 def test_statistics_of_bins_are_those_of_every_step():

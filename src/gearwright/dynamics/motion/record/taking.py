@@ -138,6 +138,8 @@ def keep(c: Taking, first: int, count: int) -> None:
         one = at(c.kept, STRETCH * k)
         table = floats(one[4])
         step, taken = one[0], one[3]
+        while step < first:  # a replay begins behind them: their rows are nowhere
+            step += one[2]
         while step < one[1] and step < first + count:
             row, kept = at(c.record, (step - first) * c.width), at(table, taken * c.past)
             for j in range(c.past):
