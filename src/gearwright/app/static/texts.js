@@ -22,6 +22,9 @@ const look = EditorView.theme({
 const nonce = document.querySelector("meta[name=style-nonce]").content;
 const said = problem => (problem.path ? `${problem.path}: ${problem.message}` : problem.message);
 
+/* What is typed in one go is undone in one go; a change of the form stands alone, also right after a file was opened. */
+const typing = (change, isAdjacent) => isAdjacent && (change.isUserEvent("input.type") || change.isUserEvent("delete"));
+
 export class Text {
   constructor(parent, label, changed) {
     this.view = new EditorView({
@@ -29,7 +32,7 @@ export class Text {
       state: EditorState.create({
         doc: "",
         extensions: [
-          EditorView.cspNonce.of(nonce), lineNumbers(), history(), drawSelection(), highlightActiveLine(), highlightSelectionMatches(), lintGutter(),
+          EditorView.cspNonce.of(nonce), lineNumbers(), history({joinToEvent: typing}), drawSelection(), highlightActiveLine(), highlightSelectionMatches(), lintGutter(),
           StreamLanguage.define(toml), syntaxHighlighting(colours), look,
           keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
           EditorView.contentAttributes.of({"aria-label": label}),
