@@ -58,8 +58,7 @@ def built(requirement: Requirement, architecture: Architecture, places: Sequence
     """
     ratios = _ratios(architecture, requirement.ratio, places)
     shafts, links = _links(requirement, architecture, ratios)
-    speeds = _speeds(requirement, architecture, ratios)
-    motor = _motor_speed(requirement, architecture, speeds, places)
+    motor = _motor_speed(requirement, architecture, ratios, places)
     if architecture.motor.seat in _STANDS:
         links = _left_open(architecture, links)
     tables = _together([kind.tables(link) for kind, link in zip(architecture.members, links, strict=True)])
@@ -133,13 +132,13 @@ def _branch_speed(architecture: Architecture, speeds: Sequence[float], ratios: S
 
 
 def _motor_speed(
-    requirement: Requirement, architecture: Architecture, speeds: Sequence[float], places: Sequence[float]
+    requirement: Requirement, architecture: Architecture, ratios: Sequence[float], places: Sequence[float]
 ) -> float | None:
     """Return the speed of the motor [rad/s]: its shaft's, or within what a pair can reduce."""
     seat, at = architecture.motor.seat, architecture.motor.at
     if seat is Seat.NONE:
         return None
-    ratios = _ratios(architecture, requirement.ratio, places)
+    speeds = _speeds(requirement, architecture, ratios)
     if seat is Seat.SHAFT:
         turned = speeds[at]
     elif seat in (Seat.BRANCH, Seat.PINIONS) or (seat is Seat.WHEEL and architecture.members[at].stages > 1):

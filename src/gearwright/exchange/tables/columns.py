@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.errors import Problem, install, near, refuse
 from gearwright.exchange.tables.long import HEADING, all_tables, heading_of, lines, value_of
 from gearwright.render.grid.csv_text import csv_text
-from gearwright.render.grid.table import Cell, Column, Table
+from gearwright.render.grid.table import Cell, Table
 from gearwright.sizing import Sizing
 from gearwright.store import netcdf_bytes
 from gearwright.verbs import verb
@@ -87,12 +87,8 @@ def table_csv(sizing: Sizing, name: str) -> str:
     tables = all_tables(sizing)
     if name not in tables:
         refuse([Problem("--table", f"{name!r} is no table of this design; {near(name, list(tables))}")])
-    headings = [_headed(column) for column in tables[name].columns]
+    headings = [column.heading for column in tables[name].columns]
     return csv_text(headings, (tuple(map(value_of, row)) for row in tables[name].rows))
-
-
-def _headed(column: Column) -> str:
-    return f"{column.header} [{column.unit}]" if column.unit else column.header
 
 
 def _number(value: object) -> float | None:

@@ -6,6 +6,8 @@ import csv
 import io
 from collections.abc import Iterable
 
+from gearwright.render.grid.table import Table
+
 _FORMULA = ("=", "+", "-", "@", "\t")
 """What makes spreadsheets compute a cell, or call a program from it."""
 
@@ -27,6 +29,15 @@ def csv_text(heading: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
     writer.writerow([_cell(name) for name in heading])
     writer.writerows([_cell(cell) for cell in row] for row in rows)
     return out.getvalue()
+
+
+def table_csv(made: Table) -> str:
+    """Return a table as CSV, in the units that it shows.
+
+    Args:
+        made: The table.
+    """
+    return csv_text([column.heading for column in made.columns], [[cell.value for cell in row] for row in made.rows])
 
 
 def _cell(cell: object) -> object:

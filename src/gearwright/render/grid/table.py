@@ -80,6 +80,11 @@ class Column:
         """Unit in which the column is shown."""
         return unit(self.dimension) if self.dimension else ""
 
+    @property
+    def heading(self) -> str:
+        """Header with the unit, as files of tables have it."""
+        return f"{self.header} [{self.unit}]" if self.unit else self.header
+
 
 @dataclass(frozen=True)
 class Cell:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.enumeration import Ranking
+from gearwright.study import EqualLife
 from gearwright.units import text
 
 
@@ -32,7 +33,6 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
         )
 
 
-def _weighs(row: object) -> str:
-    whole, machines = getattr(row, "complete_mass", None), getattr(row, "machines", None)
-    beside = f" and machines of {text(machines, 'mass', 3)}" if machines else ""
-    return f"{text(whole or 0.0, 'mass', 3)}{beside}"
+def _weighs(row: EqualLife) -> str:
+    beside = f" and machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
+    return f"{text(row.complete_mass or 0.0, 'mass', 3)}{beside}"

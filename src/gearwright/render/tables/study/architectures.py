@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gearwright.enumeration import Candidate
-from gearwright.render.grid.csv_text import csv_text
+from gearwright.render.grid.csv_text import table_csv
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Mass, Speed
 
@@ -89,6 +89,4 @@ def architectures_csv(candidates: Iterable[Candidate]) -> str:
     Args:
         candidates: In their order.
     """
-    made = architectures_table(candidates, "")
-    heading = [f"{column.header} [{column.unit}]" if column.unit else column.header for column in made.columns]
-    return csv_text(heading, [[cell.value for cell in row] for row in made.rows])
+    return table_csv(architectures_table(candidates, ""))

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, make_dataclass
 from typing import Any
 
-from gearwright.render.grid.csv_text import csv_text
+from gearwright.render.grid.csv_text import table_csv
 from gearwright.render.grid.table import Table, table
 from gearwright.sizing.mass import GROUPS, CompleteMass, Statistics
 from gearwright.study.running.equal_life import EqualLife
@@ -59,9 +59,7 @@ def equal_life_csv(rows: Sequence[EqualLife]) -> str:
     Args:
         rows: In their order.
     """
-    made = equal_life_table(rows, "")
-    heading = [f"{column.header} [{column.unit}]" if column.unit else column.header for column in made.columns]
-    return csv_text(heading, [[cell.value for cell in row] for row in made.rows])
+    return table_csv(equal_life_table(rows, ""))
 
 
 def _beside(rows: Sequence[EqualLife]) -> str:
