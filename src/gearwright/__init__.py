@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from gearwright.mission import duty_spectrum as duty
     from gearwright.mission import fly_mix as mix
     from gearwright.mission.windows import fly_window as window
+    from gearwright.optimum import search
     from gearwright.render.drawings.catalogue import sheets as draw
     from gearwright.render.pages.notebook import figure
     from gearwright.render.pages.report import report
@@ -152,6 +153,7 @@ _VERBS = {
     "scene": "shape",
     "schema": "spec",
     "schematic_figure": "render.schematic.schematic",
+    "search": "optimum",
     "sharing": "dynamics.sharing",
     "shipped_design": "shipped",
     "shipped_designs": "shipped",
@@ -253,6 +255,7 @@ __all__ = [
     "scene",
     "schema",
     "schematic_figure",
+    "search",
     "sharing",
     "shipped_design",
     "shipped_designs",

@@ -46,6 +46,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Scene": "gw.scene(sizing)",
         "SharingProblem": "gearwright.dynamics.sharing.sharing_problem(sizing, stage)",
         "SharingStudy": "gw.sharing(sizing, stage)",
+        "Search": "gw.search(study)",
         "Sizing": "gw.size(design)",
         "Sizings": "gw.size_many(design, axes)",
         "SpeedMap": "gw.speed_map(system, factors, settle=..., duration=...)",

@@ -9,8 +9,10 @@ from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.answers.passing import ways_of
+from gearwright.sizing.answers.totals import excitation, flank_area
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.losses import lost_power
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
@@ -38,10 +40,7 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
     Args:
         sizing: What was sized.
     """
-    box = envelope(sizing)
-    sides = {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
-    sides["envelope.volume"] = Named(box.volume, "volume")
-    return {**total_results(sizing), **complete_results(sizing), **sides, **dict(_parts(sizing))}
+    return {**_totals(sizing, [*_TOTALS, *_SUMS, *_MORE]), **dict(_parts(sizing))}
 
 
 def total_results(sizing: Sizing) -> dict[str, Named]:
@@ -70,10 +69,16 @@ def asked_results(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
         sizing: What was sized.
         asked: Their names.
     """
-    if all(name in _TOTALS or name in _SUMS for name in asked):
-        sums = complete_results(sizing) if set(asked) & set(_SUMS) else {}
-        return {name: sums[name] if name in sums else _TOTALS[name](sizing) for name in asked}
+    if all(name in _TOTALS or name in _SUMS or name in _MORE for name in asked):
+        return _totals(sizing, asked)
     return named_results(sizing)
+
+
+def _totals(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
+    """Return totals by name, each computed only where it is asked for."""
+    sums = complete_results(sizing) if set(asked) & set(_SUMS) else {}
+    more = {**_TOTALS, **_MORE}
+    return {name: sums[name] if name in sums else more[name](sizing) for name in asked}
 
 
 def _backwards(sizing: Sizing) -> Named:
@@ -103,6 +108,16 @@ _TOTALS: Mapping[str, Callable[[Sizing], Named]] = MappingProxyType({
     "efficiency_backwards": _backwards,
 })  # fmt: skip
 """What a sizing amounts to, each computed only where it is asked for."""
+_MORE: Mapping[str, Callable[[Sizing], Named]] = MappingProxyType({
+    "loss": lambda sizing: Named(lost_power(sizing), "power"),
+    "excitation": lambda sizing: Named(excitation(sizing), "force"),
+    "flank_area": lambda sizing: Named(flank_area(sizing), "area"),
+    "envelope.width": lambda sizing: Named(envelope(sizing).width, "length"),
+    "envelope.height": lambda sizing: Named(envelope(sizing).height, "length"),
+    "envelope.length": lambda sizing: Named(envelope(sizing).length, "length"),
+    "envelope.volume": lambda sizing: Named(envelope(sizing).volume, "volume"),
+})  # fmt: skip
+"""More of them, of which nobody is told who asks for none by name."""
 
 
 @verb

@@ -3,7 +3,7 @@
 The formulas are `parts.losses`'s; what losses do to the torques of a case is `train.flow`'s.
 """
 
-from gearwright.sizing.losses.balance import ORIGINS, Loss, LossBalance, loss_balance
+from gearwright.sizing.losses.balance import ORIGINS, Loss, LossBalance, loss_balance, lost_power
 from gearwright.sizing.losses.bodies import BodyLoss, gear_losses, seal_losses
 from gearwright.sizing.losses.oil import UNTOLD, Flank, Oil, dipping, oil_of_design
 from gearwright.sizing.losses.seats import SeatLoss, bearing_losses
@@ -23,6 +23,7 @@ __all__ = [
     "dipping",
     "gear_losses",
     "loss_balance",
+    "lost_power",
     "mesh_loss_parts",
     "oil_of_design",
     "seal_losses",

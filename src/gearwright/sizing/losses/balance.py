@@ -90,15 +90,36 @@ def loss_balance(sizing: Sizing, case: str | None = None) -> LossBalance:
 
     Source: `mesh_loss_parts`, `bearing_losses`, `gear_losses`, `seal_losses`.
     """
-    flow = sizing.reference if case is None else by_name(case, sizing.flows, "case")
-    given = sum(power for power in flow.machine_powers.values() if power > 0.0)
-    asked = _Case(flow.case, given, {**flow.speeds, GROUND: 0.0}, _torques(sizing, flow), oil_of_design(sizing))
-    losses = [*_meshes(sizing, asked), *_bearings(sizing, asked), *_bodies(sizing, asked)]
+    asked = _asked(sizing, case)
+    losses = list(_losses(sizing, asked))
     return LossBalance(
-        flow.case,
-        given,
+        asked.name,
+        asked.given,
         tuple(sorted(largest_first(losses, lambda loss: loss.power), key=lambda loss: ORIGINS.index(loss.origin))),
     )
+
+
+def lost_power(sizing: Sizing) -> float:
+    """Return what all parts lose in the case that speaks for the design [W]: the sum of `loss_balance`.
+
+    Args:
+        sizing: As sized.
+    """
+    return sum(loss.power for loss in _losses(sizing, _asked(sizing, None)))
+
+
+def _asked(sizing: Sizing, case: str | None) -> _Case:
+    """Return a case, or the one that speaks for the design."""
+    flow = sizing.reference if case is None else by_name(case, sizing.flows, "case")
+    given = sum(power for power in flow.machine_powers.values() if power > 0.0)
+    return _Case(flow.case, given, {**flow.speeds, GROUND: 0.0}, _torques(sizing, flow), oil_of_design(sizing))
+
+
+def _losses(sizing: Sizing, case: _Case) -> Iterator[Loss]:
+    """Yield the loss of every part, in the order of the design."""
+    yield from _meshes(sizing, case)
+    yield from _bearings(sizing, case)
+    yield from _bodies(sizing, case)
 
 
 class _Case(NamedTuple):

@@ -5,6 +5,7 @@ What is computed of them is in `study` and `mission/lives`.
 
 from gearwright.spec.studies.axis import MOST_VALUES, Axis, Value, axis_values, value_at
 from gearwright.spec.studies.mix import Mix, MixFile, parse_mix, read_mix
+from gearwright.spec.studies.search import Search
 from gearwright.spec.studies.study import (
     MISSION_PATH,
     Bound,
@@ -26,6 +27,7 @@ __all__ = [
     "Flown",
     "Mix",
     "MixFile",
+    "Search",
     "Simulated",
     "Study",
     "Value",

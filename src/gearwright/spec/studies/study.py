@@ -19,6 +19,7 @@ from gearwright.spec.missions import Mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.spec.studies.axis import Axis, Value, axis_length, axis_problems
+from gearwright.spec.studies.search import Search, search_problems
 from gearwright.units import Time
 from gearwright.verbs import verb
 
@@ -83,9 +84,13 @@ class Study(Shown, Record):
     constraints: dict[str, Bound] = Field(default_factory=dict, description="Result -> what it must keep")
     simulate: Simulated = Field(default_factory=Simulated, description="How results named simulate.… are had")
     fly: Flown = Field(default_factory=Flown, description="How results named fly.… are had")
+    search: Search | None = Field(None, description="How `gearwright optimise` looks for the best along the axes")
+    uncertain: dict[str, Axis] = Field(
+        default_factory=dict, description="Dotted path -> distribution of what nobody knows, for [search]'s regret"
+    )
     mission: Mission | None = Field(None, description="What is flown, if it is written here and is no file of its own")
 
-    @field_validator("axes", "changes", "results", "objectives", "constraints", mode="before")
+    @field_validator("axes", "uncertain", "changes", "results", "objectives", "constraints", mode="before")
     @classmethod
     def _in_words_of_today(cls, entries: Any, info: ValidationInfo) -> Any:
         """Read paths and results by their former names, too."""
@@ -118,7 +123,9 @@ def study_problems(study: Study) -> list[Problem]:
         study: Typed, but not yet checked.
     """
     sampled = study.sampling.method not in ("grid", "list")
+    sampled = sampled or study.search is not None
     problems = [problem for path, axis in study.axes.items() for problem in axis_problems(path, axis, sampled=sampled)]
+    problems += search_problems(study.search, study.axes, study.objectives, study.uncertain)
     if study.fly.mission is not None and study.mission is not None:
         problems.append(Problem("fly.mission", "there is a [mission] as well; keep one of them"))
     if study.mission is not None:
@@ -142,6 +149,8 @@ def case_count(study: Study) -> int:
     Raises:
         DesignError: If there are more than can be run, or what the method needs is not given.
     """
+    if study.search is not None:
+        return len(study.designs) * study.search.screened + study.search.evaluations
     count = len(study.designs) * _each(study) if study.sampling.method != "nsga2" else _sampled(study)
     if count > MOST_CASES:
         message = (

@@ -15,12 +15,13 @@ from gearwright.study.answers.blocks import (
     blocks_of,
 )
 from gearwright.study.answers.export import columns, refuse_export, write_table
-from gearwright.study.answers.pareto import front_table, pareto_front, ranks, violations, wanted
+from gearwright.study.answers.pareto import FAILED, front_table, non_dominated, pareto_front, ranks, violations, wanted
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
 from gearwright.study.answers.table import Row, Table, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
 
 __all__ = [
+    "FAILED",
     "NUMBER",
     "OTHER",
     "REAL",
@@ -40,6 +41,7 @@ __all__ = [
     "confidence",
     "front_table",
     "kept",
+    "non_dominated",
     "pareto_front",
     "quantiles",
     "ranks",

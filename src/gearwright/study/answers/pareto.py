@@ -103,14 +103,19 @@ def ranks(values: Floats, broken: Floats) -> Ints:
     """
     rank, left, front = np.zeros(len(values), dtype=np.int64), np.arange(len(values)), 0
     while len(left):
-        best = _non_dominated(values[left], broken[left])
+        best = non_dominated(values[left], broken[left])
         rank[left[best]] = front
         left, front = left[~best], front + 1
     return rank
 
 
-def _non_dominated(values: Floats, broken: Floats) -> Bools:
-    """Tell which rows no other one dominates; each of them strikes out all that it dominates at once."""
+def non_dominated(values: Floats, broken: Floats) -> Bools:
+    """Tell which rows no other one dominates; each of them strikes out all that it dominates at once.
+
+    Args:
+        values: Objectives to be made small, shape (rows, objectives).
+        broken: Violation of the constraints [-], shape (rows,).
+    """
     best = np.ones(len(values), dtype=bool)
     for k in range(len(values)):
         if best[k]:

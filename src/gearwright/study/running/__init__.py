@@ -6,31 +6,37 @@ A single case is computed in `cases`.
 from gearwright.study.running.cluster import Cluster, commands
 from gearwright.study.running.compare import compare
 from gearwright.study.running.fly_many import fly_many
-from gearwright.study.running.journal import begin, opened, recorded, rows_of, status, verify
+from gearwright.study.running.journal import Journal, begin, in_memory, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import Part, merge, part_of, slurm
 from gearwright.study.running.run import run, table_of
-from gearwright.study.running.runner import Progress, Start, resume, run_study
-from gearwright.study.running.search import generations
-from gearwright.study.running.workers import local
+from gearwright.study.running.runner import Progress, Start, refuse_changes, resume, run_study
+from gearwright.study.running.search import children, crowding, generations
+from gearwright.study.running.workers import Compute, local
 
 __all__ = [
     "Cluster",
+    "Compute",
+    "Journal",
     "Part",
     "Progress",
     "Start",
     "begin",
     "changes_of",
+    "children",
     "commands",
     "compare",
+    "crowding",
     "fly_many",
     "generations",
+    "in_memory",
     "local",
     "made_with",
     "merge",
     "opened",
     "part_of",
     "recorded",
+    "refuse_changes",
     "resume",
     "rows_of",
     "run",

@@ -34,6 +34,7 @@ def run(
     Raises:
         DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
     """
+    refuse_search(study)
     count, rows = case_count(study), dict[int, Row]()
     if designs is None:
         designs = {name: read(find_design(name, folder)) for name in study.designs}
@@ -47,6 +48,20 @@ def run(
                     progress(len(rows) / count)
             answer([rows[number] for number in range(first, len(rows))])
     return table_of(study, [rows[number] for number in range(len(rows))])
+
+
+def refuse_search(study: Study) -> None:
+    """Raise where a study has no cases to run, because it looks for the best.
+
+    Args:
+        study: As read.
+
+    Raises:
+        DesignError: If it has a table ``search``.
+    """
+    if study.search is not None:
+        message = "this study looks for the best: `gearwright optimise` runs it; take [search] away to run its cases"
+        raise DesignError([Problem("search", message)])
 
 
 def batches(study: Study) -> Iterator[tuple[Iterator[Case], Callable[[list[Row]], None]]]:

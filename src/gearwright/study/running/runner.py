@@ -16,7 +16,7 @@ from gearwright.study.cases import Case, refuse_unknown_paths
 from gearwright.study.running.journal import Journal, Recorded, begin, in_memory, opened, recorded
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import WHOLE, Part, refuse_part
-from gearwright.study.running.run import batches, table_of
+from gearwright.study.running.run import batches, refuse_search, table_of
 from gearwright.study.running.workers import Compute, local
 
 
@@ -71,6 +71,7 @@ def run_study(
         DesignError: If paths do not exist, cases are too many, all of them fail, or the journal is there already.
         SolveError: If the journal cannot be written, or no worker starts.
     """
+    refuse_search(study)
     case_count(study)
     refuse_part(study, part)
     refuse_unknown_paths(study, designs)
@@ -103,6 +104,7 @@ def resume(
         SolveError: If the journal cannot be written, or no worker starts.
     """
     known = recorded(journal)
+    refuse_search(known.study)
     refuse_part(known.study, part)
     if not anyway:
         refuse_changes(journal, known, designs or {})

@@ -42,10 +42,10 @@ def generations(study: Study) -> Generator[list[Case], list[Row], None]:
         values = np.vstack([values, wanted(study, rows)])
         broken = np.concatenate([broken, violations(study, rows)])
         rank = ranks(values, broken)
-        crowd = _crowding(values, rank)
+        crowd = crowding(values, rank)
         best = np.lexsort((-crowd, rank))[:size]
         parents, values, broken = parents[best], values[best], broken[best]
-        genes = _children(parents, rank[best], crowd[best], generator)
+        genes = children(parents, rank[best], crowd[best], generator)
 
 
 def _case(study: Study, number: int, gene: Floats) -> Case:
@@ -58,8 +58,13 @@ def _case(study: Study, number: int, gene: Floats) -> Case:
     return Case(number, design, inputs)
 
 
-def _crowding(values: Floats, rank: Ints) -> Floats:
-    """Return the crowding distance of every row within its rank [-]; the ends of a front are infinitely far apart."""
+def crowding(values: Floats, rank: Ints) -> Floats:
+    """Return the crowding distance of every row within its rank [-]; the ends of a front are infinitely far apart.
+
+    Args:
+        values: Objectives, shape (rows, objectives).
+        rank: Front that each row belongs to, shape (rows,).
+    """
     distance = np.zeros(len(values))
     for front in np.unique(rank):
         members = np.flatnonzero(rank == front)
@@ -73,8 +78,15 @@ def _crowding(values: Floats, rank: Ints) -> Floats:
     return distance
 
 
-def _children(parents: Floats, rank: Ints, crowd: Floats, generator: np.random.Generator) -> Floats:
-    """Return as many children as parents: tournaments, crossover, mutation."""
+def children(parents: Floats, rank: Ints, crowd: Floats, generator: np.random.Generator) -> Floats:
+    """Return as many children as parents: tournaments, crossover, mutation.
+
+    Args:
+        parents: Genes in the unit cube, shape (parents, genes).
+        rank: Front that each belongs to, shape (parents,).
+        crowd: Crowding distance of each, shape (parents,).
+        generator: Of random numbers.
+    """
     size = len(parents)
     pairs = generator.integers(size, size=(size + size % 2, 2))
     first_wins = (rank[pairs[:, 0]] < rank[pairs[:, 1]]) | (
