@@ -10,7 +10,7 @@ PAIR = """\
 schema = 1
 name = "one pair"
 shafts = ["fast", "slow"]
-
+level = "concept"
 [turbines.turbine]
 shaft = "fast"
 power_kw = 100
@@ -31,7 +31,7 @@ HYBRID = """\
 schema = 1
 name = "two planetary stages in line"
 shafts = ["input", "middle", "output"]
-
+level = "concept"
 [turbines.turbine]
 shaft = "input"
 power_kw = 1046
@@ -77,6 +77,7 @@ share = 0
 BRAKED = """\
 schema = 1
 name = "one set, two gears"
+level = "concept"
 shafts = ["in", "ring", "out"]
 [motors.m]
 shaft = "in"
@@ -104,6 +105,7 @@ kind = "open"
 ONE_SET = """\
 schema = 1
 name = "one set"
+level = "concept"
 shafts = ["fast", "slow"]
 [turbines.turbine]
 shaft = "fast"

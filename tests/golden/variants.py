@@ -135,6 +135,7 @@ phase_deg = 80
 OFF_SET = """
 schema = 1
 name = "parallel pairs of unequal share"
+level = "concept"
 shafts = ["input", "left", "right", "output"]
 [turbines.turbine]
 shaft = "input"
@@ -205,6 +206,7 @@ harmonics = 4
 FACE = """
 schema = 1
 name = "face gear, internal pair, two pairs of one centre distance"
+level = "concept"
 shafts = ["input", "middle", "lay", "output"]
 [turbines.turbine]
 shaft = "input"

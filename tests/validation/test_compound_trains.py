@@ -78,6 +78,7 @@ def test_the_wolfrom_train_has_the_ratio_and_efficiencies_of_its_closed_form():
 SIMPSON = """\
 schema = 1
 name = "Simpson"
+level = "concept"
 shafts = [{shafts}]
 turbines.engine = {{ shaft = "{engine}", power_kw = 1, speed_rpm = 100 }}
 propellers.load = {{ shaft = "out", speed_rpm = 100, diameter_m = 1 }}
@@ -116,6 +117,7 @@ def test_the_differential_and_star_in_parallel_split_the_power_without_circulati
     design = parse("""\
 schema = 1
 name = "split star"
+level = "concept"
 shafts = ["in", "across", "out"]
 turbines.engine = { shaft = "in", power_kw = 1, speed_rpm = 1150 }
 propellers.load = { shaft = "out", speed_rpm = 100, diameter_m = 1 }
@@ -153,6 +155,7 @@ def test_a_wolfrom_train_of_poor_meshes_needs_power_at_both_ends_to_be_turned_ba
 CH_47 = """\
 schema = 1
 name = "CH-47, forward transmission"
+level = "concept"
 shafts = ["input", "first-sun", "between", "mast"]
 turbines.engine = { shaft = "input", power_kw = 2500, speed_rpm = 7000 }
 rotors.rotor = { shaft = "mast", speed_rpm = 228, diameter_m = 18.3 }

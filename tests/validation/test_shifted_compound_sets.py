@@ -14,6 +14,7 @@ from gearwright.spec import parse
 SET = """\
 schema = 1
 name = "published"
+level = "concept"
 shafts = ["fast", "slow"]
 motors.motor = {{ shaft = "fast", power_kw = 1, speed_rpm = {speed}, balances = false }}
 loads.drum = {{ shaft = "slow", speed_rpm = 100 }}

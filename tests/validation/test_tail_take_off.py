@@ -14,6 +14,7 @@ from gearwright.spec import parse
 TRAIN = """\
 schema = 1
 name = "main gearbox of the UH-60's class"
+level = "concept"
 shafts = ["engine-1", "engine-2", "quill-1", "quill-2", "collector", "main", "tail"]
 [turbines]
 t700-1 = { shaft = "engine-1", power_kw = 1500, speed_rpm = 20900, limits.one-out = { power_kw = 1800 } }

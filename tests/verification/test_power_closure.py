@@ -92,6 +92,7 @@ def test_a_differential_closes_with_both_speeds_given_and_losses():
 SET = """\
 schema = 1
 name = "one planetary set"
+level = "concept"
 shafts = ["sun", "carrier"]
 [turbines.turbine]
 shaft = "{driving}"

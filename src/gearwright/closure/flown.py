@@ -134,7 +134,7 @@ def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float
             continue
         name, longer = check.part.name, LONGER * asked / hours
         stage, seat = task.design.planetaries.get(bodies.get(name, "")), task.design.bearings.get(name)
-        if stage is not None and stage.planet_bearing is None:
+        if stage is not None and "planet_bearing" not in stage.model_fields_set:
             planets[bodies[name]] = longer * task.planets.get(bodies[name], asked)
         elif seat is not None and seat.designation is None and seat.life is None:
             now = task.chosen.get(f"bearings.{name}.life_h")

@@ -12,7 +12,7 @@ from gearwright.enumeration.requirement import Requirement
 from gearwright.enumeration.trains import Architecture, Seat
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role, gear_part
-from gearwright.spec import Design, edited
+from gearwright.spec import Design, as_concept, edited
 from gearwright.units import RPM
 
 _ORDINALS: tuple[str, ...] = ("first", "second", "third", "fourth")
@@ -68,6 +68,7 @@ def built(requirement: Requirement, architecture: Architecture, places: Sequence
         shafts = [*shafts, _MOTOR]
     named = [*shafts, *(name for link in links if len(link.names) > 1 for name in branches(link))]
     changes: dict[str, Any] = {name: {} for name in (*_PLACED, *_STAGES)} | dict(tables)
+    changes |= as_concept(requirement.design)
     changes |= {"shafts": named, "name": f"{requirement.design.name}: {architecture.name}"}
     changes["description"] = f"One of the architectures for the machines of {requirement.design.name}."
     changes[f"turbines.{requirement.engine}.shaft"] = _ENGINE

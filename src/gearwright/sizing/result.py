@@ -180,7 +180,7 @@ class Sizing(Shown):
     @property
     def level(self) -> str:
         """How far the design is worked out: ``concept``, ``preliminary``, or ``built`` where it has bearings."""
-        return self.design.level or ("built" if self.design.bearings else "concept")
+        return self.design.level
 
     @property
     def gear_mass(self) -> Mass:

@@ -30,7 +30,7 @@ from gearwright.spec.design import (
 from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems, standing_at
 from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.keys import keys_of
-from gearwright.spec.levels import LEVELS, against_fatigue, at_level
+from gearwright.spec.levels import LEVELS, against_fatigue, as_concept, at_level, implied
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.missions import (
     NO_MAP,
@@ -126,6 +126,7 @@ __all__ = [
     "WindingRules",
     "WindowRules",
     "against_fatigue",
+    "as_concept",
     "at_level",
     "axis_values",
     "brief",
@@ -139,6 +140,7 @@ __all__ = [
     "edited_mission",
     "engine_out",
     "file_text",
+    "implied",
     "is_map_file",
     "is_name",
     "key_lines",

@@ -1,29 +1,24 @@
-"""A design at another level: what a preliminary one asks is written where the design leaves it open."""
+"""A design at another level, and what a design takes by default that states none."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.spec.design import RATINGS, Design, GearRules
+from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
 from gearwright.spec.edit import Value, edited
 from gearwright.verbs import verb
 
-FATIGUE = "iso6336"
-"""Method that rates stages whose own one knows no fatigue; bevel pairs go to its sister by themselves."""
-STATIC = "lewis-hertz"
-"""The method that knows static strength alone."""
-LEVELS = ("concept", "preliminary")
+LEVELS = (CONCEPT, PRELIMINARY)
 """That a design without bearings of shafts can be sized at."""
-PLAIN_BEARING = "cylindrical"
-"""Kind of bearing in planets that name none."""
 
 
 @verb
 def at_level(design: Design, level: str) -> Design:
     """Return a design at a level: preliminary rates by ISO 6336 what knows no fatigue, and gives planets bearings.
 
-    What the design gives stays, but for the rules of the method that is left.
+    What the design gives stays, but for the rules of the method that is left; with a life, or rules of ISO 6336, a
+    concept is rated by it, too.
 
     Args:
         design: As read.
@@ -34,14 +29,38 @@ def at_level(design: Design, level: str) -> Design:
     """
     if level not in LEVELS:
         raise DesignError([Problem("level", f"{level!r} is not known; {near(level, LEVELS)}")])
-    if level != "preliminary":
-        return edited(design, {"level": level})
-    turning = {
-        f"planetaries.{name}.planet_bearing": {"kind": PLAIN_BEARING}
-        for name, stage in design.planetaries.items()
-        if stage.planet_bearing is None
-    }
-    return edited(against_fatigue(design), {"level": level, **turning})
+    return edited(design, as_concept(design)) if level == CONCEPT else against_fatigue(design, {"level": level})
+
+
+def as_concept(design: Design) -> dict[str, Value]:
+    """Return the changes with which a design is a first sizing: path -> value.
+
+    Args:
+        design: As read.
+    """
+    rules = (design.gears, *_own_rules(design).values())
+    fatigue = set(RATINGS[FATIGUE].reads) - set(RATINGS[STATIC].reads)
+    implied_rating = design.level == PRELIMINARY and "rating" not in design.gears.model_fields_set
+    asks = "service" in design.model_fields_set or any(fatigue & one.model_fields_set for one in rules)
+    return {"level": CONCEPT, **({"gears.rating": FATIGUE} if implied_rating and asks else {})}
+
+
+def implied(design: Design) -> dict[str, str]:
+    """Return what a design leaves open and its level gives: path -> value, as its file would have them.
+
+    Args:
+        design: As read; nothing is said of one whose bearings build its shafts.
+    """
+    if design.level == BUILT:
+        return {}
+    entries = {} if "level" in design.model_fields_set else {"level": design.level}
+    if design.level == PRELIMINARY:
+        if "rating" not in design.gears.model_fields_set:
+            entries["gears.rating"] = design.gears.rating
+        for name, stage in design.planetaries.items():
+            if stage.planet_bearing is not None and "planet_bearing" not in stage.model_fields_set:
+                entries[f"planetaries.{name}.planet_bearing.kind"] = stage.planet_bearing.kind
+    return entries
 
 
 def against_fatigue(design: Design, changes: Mapping[str, Value] | None = None) -> Design:

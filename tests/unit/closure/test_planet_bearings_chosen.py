@@ -13,7 +13,7 @@ SET = """\
 schema = 1
 name = "one set"
 shafts = ["fast", "slow"]
-
+level = "concept"
 [turbines.turbine]
 shaft = "fast"
 power_kw = 300

@@ -59,6 +59,7 @@ def test_a_contact_in_space_turns_its_gears_as_its_line_does(name):
 TWINS = """\
 schema = 1
 name = "two pinions on a wheel"
+level = "concept"
 shafts = ["one", "other", "slow"]
 [{kind}.drive]
 shaft = "{driver}"

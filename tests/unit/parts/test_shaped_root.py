@@ -107,6 +107,7 @@ def test_a_tip_without_room_for_its_roundings_is_refused():
 SET = """\
 schema = 1
 name = "A set whose ring is shaped"
+level = "concept"
 shafts = ["fast", "slow"]
 motors.drive = { shaft = "fast", power_kw = 200, speed_rpm = 6000 }
 propellers.load = { shaft = "slow", speed_rpm = 1500, diameter_m = 2 }

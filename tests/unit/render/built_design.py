@@ -10,7 +10,7 @@ DESIGN = """\
 schema = 1
 name = "Helical and bevel pair"
 shafts = ["engine", "middle", "mast"]
-
+level = "concept"
 [turbines.turbine]
 shaft = "engine"
 power_kw = 322

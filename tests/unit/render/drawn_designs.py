@@ -5,6 +5,7 @@ from gearwright.spec import parse
 
 OFF_SET = """
 name = "Off-set"
+level = "concept"
 shafts = ["input", "left", "right", "output"]
 turbines.gas-turbine = { shaft = "input", power_kw = 2051, speed_rpm = 20000 }
 propellers.propeller = { shaft = "output", speed_rpm = 1212, diameter_m = 3.93 }
@@ -14,6 +15,7 @@ pairs.second = { pinion = ["left", "right"], wheel = "output", halves = 2 }
 """
 MIXED = """
 name = "Mixed hybrid"
+level = "concept"
 shafts = ["input", "lay", "output"]
 turbines.gas-turbine = { shaft = "input", power_kw = 1046, speed_rpm = 20000 }
 motors.electric = { shaft = "lay", power_kw = 500, speed_rpm = 5000, inertia_kg_m2 = 0.1 }
@@ -25,6 +27,7 @@ cases.charge = { gas-turbine = { power_kw = 1046 }, electric = { power_kw = -200
 """
 TWIN = """
 name = "Twin engine"
+level = "concept"
 shafts = ["one", "two", "first-in", "second-in", "output"]
 turbines.engine-one = { shaft = "one", power_kw = 700, speed_rpm = 20000 }
 turbines.engine-two = { shaft = "two", power_kw = 700, speed_rpm = 20000 }
@@ -38,6 +41,7 @@ cases.engine-two-out.engine-one.power_kw = 700
 """
 STAR = """
 name = "Star"
+level = "concept"
 shafts = ["input", "output"]
 turbines.gas-turbine = { shaft = "input", power_kw = 1046, speed_rpm = 20000 }
 propellers.propeller = { shaft = "output", speed_rpm = 6000, diameter_m = 3.9 }

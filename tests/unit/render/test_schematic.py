@@ -20,6 +20,7 @@ from gearwright.train import build_train
 NAMES = ["in-line-h2", "off-set", "mixed", "twin", "star"]
 DIFFERENTIAL = """
 name = "Differential"
+level = "concept"
 shafts = ["input", "electric", "output"]
 turbines.gas-turbine = { shaft = "input", power_kw = 1046, speed_rpm = 20000 }
 motors.motor = { shaft = "electric", power_kw = 300, speed_rpm = 1500 }

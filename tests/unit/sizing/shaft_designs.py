@@ -6,6 +6,7 @@ from gearwright.spec import parse
 OFF_SET = """
 schema = 1
 name = "off-set"
+level = "concept"
 shafts = ["input", "left", "right", "output"]
 [turbines.turbine]
 shaft = "input"
@@ -52,6 +53,7 @@ speed_rpm = 15000
 INTERNAL = """
 schema = 1
 name = "internal"
+level = "concept"
 shafts = ["input", "output"]
 [turbines.turbine]
 shaft = "input"

@@ -8,6 +8,7 @@ from gearwright.spec import parse
 TRAIN = """\
 schema = 1
 name = "an idler between two pairs"
+level = "concept"
 shafts = ["in", "middle", "out"]
 [motors.drive]
 shaft = "in"

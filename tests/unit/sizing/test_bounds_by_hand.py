@@ -18,6 +18,7 @@ from gearwright.train.kinematics import edge_of
 CHAIN = """\
 schema = 1
 name = "three pairs in a row"
+level = "concept"
 shafts = ["fast", "second", "third", "slow"]
 [turbines.turbine]
 shaft = "fast"

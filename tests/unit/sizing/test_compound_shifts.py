@@ -16,6 +16,7 @@ from gearwright.spec import parse
 MACHINES = """\
 schema = 1
 name = "shifted"
+level = "concept"
 shafts = ["fast", "slow"]
 motors.motor = { shaft = "fast", power_kw = 500, speed_rpm = 3000, balances = false }
 loads.drum = { shaft = "slow", speed_rpm = 486.486 }
@@ -94,6 +95,7 @@ def involute_sum(teeth: int, centre: float, angle: float = 20.0) -> float:
 STEPPED = """\
 schema = 1
 name = "stepped"
+level = "concept"
 shafts = ["fast", "slow", "cage"]
 motors.motor = { shaft = "fast", power_kw = 5, speed_rpm = 3000, balances = false }
 loads.drum = { shaft = "slow", speed_rpm = 19.2308 }
@@ -149,6 +151,7 @@ def test_mesh_forces_of_a_stepped_planet_stand_at_its_working_circles():
 RAVIGNEAUX = """\
 schema = 1
 name = "Ravigneaux"
+level = "concept"
 shafts = ["in", "out", "idle"]
 motors.engine = { shaft = "in", power_kw = 50, speed_rpm = 3000, balances = false }
 loads.load = { shaft = "out", speed_rpm = 1285.71 }

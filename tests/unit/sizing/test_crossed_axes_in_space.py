@@ -9,6 +9,7 @@ import gearwright as gw
 
 BEVEL = """schema = 1
 name = "a bevel pair at an angle"
+level = "concept"
 shafts = ["{first}", "{second}"]
 turbines.turbine = {{ shaft = "{driving}", power_kw = 300, speed_rpm = 6000 }}
 propellers.propeller = {{ shaft = "{driven}", speed_rpm = 2000, diameter_m = 3 }}
@@ -64,6 +65,7 @@ def test_bevel_shafts_meet_where_both_cones_end(order):
 
 FACE = """schema = 1
 name = "a face gear"
+level = "concept"
 shafts = ["{first}", "{second}"]
 turbines.turbine = {{ shaft = "p", power_kw = 300, speed_rpm = 6000 }}
 propellers.propeller = {{ shaft = "w", speed_rpm = 2000, diameter_m = 3 }}

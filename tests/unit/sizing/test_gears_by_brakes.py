@@ -17,6 +17,7 @@ DIRECT = '[cases.direct]\nshare = 0.5\nengaged = ["lock"]\nmotor.rating = 1\n'
 OPEN = """\
 schema = 1
 name = "two speeds"
+level = "concept"
 shafts = ["input", "output", "rim"]
 [motors.motor]
 shaft = "input"

@@ -170,7 +170,7 @@ def test_five_open_stages_in_a_row_are_searched_to_the_end():
 
 def twins(second: float) -> str:
     """Return two engines, each with a pair of its own, on one wheel."""
-    text = 'schema = 1\nname = "twins"\nshafts = ["e1", "e2", "q1", "q2", "out"]\n'
+    text = 'schema = 1\nname = "twins"\nlevel = "concept"\nshafts = ["e1", "e2", "q1", "q2", "out"]\n'
     for k, power in enumerate((100.0, second), start=1):
         text += f'[turbines.t{k}]\nshaft = "e{k}"\npower_kw = {power}\nspeed_rpm = 6000\n'
         text += f'[pairs.in-{k}]\npinion = "e{k}"\nwheel = "q{k}"\n'

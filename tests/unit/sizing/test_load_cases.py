@@ -16,6 +16,7 @@ CLOSURE = 1e-12
 TWO = """\
 schema = 1
 name = "two consumers"
+level = "concept"
 shafts = ["in", "a", "b"]
 [turbines.t]
 shaft = "in"

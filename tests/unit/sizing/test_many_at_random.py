@@ -16,6 +16,7 @@ from gearwright.spec import edited, parse
 BEVEL = parse("""
 schema = 1
 name = "square drive"
+level = "concept"
 shafts = ["engine", "mast"]
 [turbines.turbine]
 shaft = "engine"

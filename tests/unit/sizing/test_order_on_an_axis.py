@@ -12,6 +12,7 @@ from gearwright.sizing.places import runs, ties
 
 PLANETARY = """schema = 1
 name = "A machine between two sets"
+level = "concept"
 shafts = ["input", "intermediate", "output"]
 [turbines.turbine]
 shaft = "input"

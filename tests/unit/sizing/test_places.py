@@ -14,6 +14,7 @@ from gearwright.spec import edited
 
 TWO_WHEELS = """schema = 1
 name = "Two wheels on one pinion"
+level = "concept"
 shafts = ["input", "out", "tail"]
 [turbines.turbine]
 shaft = "input"
@@ -47,6 +48,7 @@ end = { x_mm = 500, y_mm = 500, z_mm = -100 }
 """
 FACE_GEAR = """schema = 1
 name = "A face gear, and a second pinion on its mate's shaft"
+level = "concept"
 shafts = ["input", "middle", "side"]
 [turbines.turbine]
 shaft = "input"

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from designs import ONE_SET, PAIR, problem
+from designs import ONE_SET, PAIR
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
 from gearwright.render.tables.sizing.teeth import chosen_teeth
@@ -122,19 +122,17 @@ def test_a_standard_module_near_a_resonance_gives_way_to_teeth_that_have_none():
     assert sizing.mass < 80.0
 
 
-def test_levels_that_there_are_not_and_what_a_preliminary_design_lacks_are_told():
+def test_levels_that_there_are_not_and_a_method_that_does_not_fit_are_told():
     with pytest.raises(DesignError, match="'final' is not known"):
         at_level(parse(PAIR), "final")
-    stated = PAIR.replace("shafts = ", 'level = "preliminary"\nshafts = ', 1)
-    found = problem(stated)
-    assert found.path == "pairs.stage.gears.rating"
-    assert 'write rating = "iso6336"' in found.message
+    stated = read_text("in-line-h2").replace('level = "concept"', 'level = "preliminary"')
     with pytest.raises(DesignError) as told:
-        parse(read_text("in-line-h2").replace('level = "concept"', 'level = "preliminary"'))
-    assert [row.path for row in told.value.problems if row.path.endswith("planet_bearing")] == [
-        "planetaries.first.planet_bearing",
-        "planetaries.second.planet_bearing",
-    ]
+        parse(stated)
+    found = {row.path: row.message for row in told.value.problems}
+    assert [*found] == ["planetaries.first.gears.rating", "planetaries.second.gears.rating"]
+    assert all('write rating = "iso6336"' in message for message in found.values())
+    design = parse(stated.replace('rating = "lewis-hertz"', ""))
+    assert size(design).mass == size(at_level(read("in-line-h2"), "preliminary")).mass
 
 
 def read_text(name):

@@ -16,6 +16,7 @@ SIZED = size(HELICOPTER)
 PAIR = """
 schema = 1
 name = "One pair"
+level = "concept"
 shafts = ["fast", "slow"]
 [motors.drive]
 shaft = "fast"

@@ -13,6 +13,7 @@ from gearwright.spec import edited, parse
 TEXT = """
 schema = 1
 name = "One pair"
+level = "concept"
 shafts = ["fast", "slow"]
 [motors.drive]
 shaft = "fast"

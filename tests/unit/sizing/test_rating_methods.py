@@ -189,6 +189,7 @@ def test_cases_of_the_life_are_summed_by_miner_with_agma_too():
 PAIR = """
 schema = 1
 name = "One pair"
+level = "concept"
 shafts = ["fast", "slow"]
 [motors.drive]
 shaft = "fast"

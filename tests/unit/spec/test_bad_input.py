@@ -232,7 +232,7 @@ def test_machines_on_one_shaft_may_agree_within_the_tolerance():
 
 
 def test_a_train_has_machines_and_a_taker():
-    bare = 'schema = 1\nname = "bare"\nshafts = ["one"]\n'
+    bare = 'schema = 1\nname = "bare"\nlevel = "concept"\nshafts = ["one"]\n'
     assert any("no machine drives or loads this train" in each.message for each in problems(bare))
     text = changed(PAIR, PAIR[PAIR.index("[propellers") : PAIR.index("[pairs")], "")
     assert "nothing takes the power; add a table" in problem(text).message

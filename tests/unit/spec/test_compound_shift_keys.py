@@ -9,6 +9,7 @@ from gearwright.spec.design import compound_shifts
 SET = """\
 schema = 1
 name = "stepped"
+level = "concept"
 shafts = ["fast", "slow", "cage"]
 motors.motor = { shaft = "fast", power_kw = 1, speed_rpm = 3000, balances = false }
 loads.drum = { shaft = "slow", speed_rpm = 18.5185 }
@@ -29,6 +30,7 @@ pressure_angle_deg = 25
 RINGS = """\
 schema = 1
 name = "rings"
+level = "concept"
 shafts = ["fast", "slow"]
 motors.motor = {{ shaft = "fast", power_kw = 1, speed_rpm = 3000, balances = false }}
 loads.drum = {{ shaft = "slow", speed_rpm = 30 }}
@@ -137,6 +139,7 @@ def test_shifts_that_make_no_gears_are_refused_with_what_would(text, path, words
 FOUR = """\
 schema = 1
 name = "four planets"
+level = "concept"
 shafts = ["fast", "slow"]
 motors.motor = {{ shaft = "fast", power_kw = 1, speed_rpm = 600, balances = false }}
 loads.drum = {{ shaft = "slow", speed_rpm = 100 }}

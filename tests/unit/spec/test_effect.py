@@ -83,6 +83,7 @@ def test_a_train_that_nothing_drives_is_refused():
 SHARED = """\
 schema = 1
 name = "one pinion between two wheels"
+level = "concept"
 shafts = ["in", "a", "b"]
 [turbines.t]
 shaft = "in"

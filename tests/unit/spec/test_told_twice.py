@@ -106,7 +106,7 @@ RAVIGNEAUX_WITHOUT_RING = """
 schema = 1
 name = "two suns and a stepped planet"
 shafts = ["in", "out", "cage"]
-
+level = "concept"
 [motors.motor]
 shaft = "in"
 power_kw = 20

@@ -7,6 +7,7 @@ from gearwright.spec import parse
 RAVIGNEAUX = """\
 schema = 1
 name = "Ravigneaux"
+level = "concept"
 shafts = ["in", "out", "idle"]
 turbines.engine = { shaft = "in", power_kw = 50, speed_rpm = 3000 }
 propellers.load = { shaft = "out", speed_rpm = 1285.71, diameter_m = 2 }
@@ -22,6 +23,7 @@ planets.long = { teeth = 21, meshes = ["large", "ring"] }
 SIMPLE = """\
 schema = 1
 name = "one set"
+level = "concept"
 shafts = ["in", "out"]
 turbines.engine = { shaft = "in", power_kw = 50, speed_rpm = 3000 }
 propellers.load = { shaft = "out", speed_rpm = 810.81, diameter_m = 2 }
@@ -88,6 +90,7 @@ def test_a_free_set_is_refused_with_what_to_ground():
 BESIDE = """\
 schema = 1
 name = "beside"
+level = "concept"
 shafts = ["in", "out"]
 motors.motor = {{ shaft = "in", power_kw = 50, speed_rpm = 3000 }}
 loads.load = {{ shaft = "out", speed_rpm = 1333.33 }}

@@ -12,6 +12,7 @@ from gearwright.train import build_train, power_flow
 HEAD = """\
 schema = 1
 name = "one set"
+level = "concept"
 shafts = ["sun", "out"]
 turbines.engine = {{ shaft = "sun", power_kw = 50, speed_rpm = 3000 }}
 propellers.load = {{ shaft = "out", speed_rpm = 700, diameter_m = 2 }}

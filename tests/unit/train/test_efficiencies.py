@@ -10,6 +10,7 @@ from gearwright.validate.compound_trains import WOLFROM
 RINGS = """\
 schema = 1
 name = "two rings and a stepped planet, the carrier drives"
+level = "concept"
 shafts = ["cage", "slow"]
 turbines.driver = {{ shaft = "{driver}", power_kw = 1, speed_rpm = 100 }}
 propellers.load = {{ shaft = "{load}", speed_rpm = 100, diameter_m = 1 }}
@@ -90,6 +91,7 @@ def test_a_set_that_turns_as_a_block_loses_nothing_and_its_torques_are_those_wit
     text = """\
 schema = 1
 name = "block"
+level = "concept"
 shafts = ["in", "out"]
 turbines.engine = { shaft = "in", power_kw = 1, speed_rpm = 100 }
 propellers.load = { shaft = "out", speed_rpm = 100, diameter_m = 1 }
@@ -116,6 +118,7 @@ planet_teeth = 30
 LAYSHAFTS = """\
 schema = 1
 name = "a load beside one of two layshafts, and layshafts behind it"
+level = "concept"
 shafts = ["in", "first", "left", "right", "out", "beside", "behind", "left-behind", "right-behind"]
 turbines.engine = { shaft = "in", power_kw = 1, speed_rpm = 3000 }
 motors.taken = { shaft = "beside", power_kw = 1000, speed_rpm = 1000, balances = false }

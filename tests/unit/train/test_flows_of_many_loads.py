@@ -124,6 +124,7 @@ def test_the_residual_of_a_flow_is_what_its_powers_leave_open_over_what_comes_in
 RANGED = """\
 schema = 1
 name = "a pair of bounded ratio and one of given teeth"
+level = "concept"
 shafts = ["fast", "middle", "slow"]
 [turbines.turbine]
 shaft = "fast"

@@ -7,6 +7,7 @@ from gearwright.train import EXTERNAL, INTERNAL, build_train
 LAYSHAFTS = """\
 schema = 1
 name = "two layshafts"
+level = "concept"
 shafts = ["in", "left", "right", "out"]
 [turbines.turbine]
 shaft = "in"

@@ -11,6 +11,7 @@ from gearwright.train import build_train, power_flow, recirculation
 LOOP = """
 schema = 1
 name = "Planetary set whose ring is driven from its own carrier"
+level = "concept"
 shafts = ["in", "out", "idler", "ring"]
 [turbines.turbine]
 shaft = "in"

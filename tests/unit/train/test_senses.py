@@ -10,6 +10,7 @@ from gearwright.spec import parse
 HYBRID = """
 schema = 1
 name = "Pair and planetary set with a motor between and an overrunning clutch before them"
+level = "concept"
 shafts = ["engine", "input", "intermediate", "output"]
 [turbines.turbine]
 shaft = "engine"

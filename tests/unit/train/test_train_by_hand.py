@@ -19,6 +19,7 @@ from gearwright.units import RPM
 TWO = """\
 schema = 1
 name = "two pairs in a row"
+level = "concept"
 shafts = ["fast", "middle", "slow"]
 [turbines.turbine]
 shaft = "fast"

@@ -89,6 +89,7 @@ def test_a_train_with_the_teeth_of_the_oh_58a_loses_what_was_measured():
 OH58A_LIKE = """
 schema = 1
 name = "Pair and planetary set with the ratio and power of the OH-58A"
+level = "concept"
 shafts = ["input", "intermediate", "mast"]
 [turbines.engine]
 shaft = "input"

@@ -33,7 +33,7 @@ def check(design: DesignArgument, json: JsonOption = False) -> None:
     from gearwright.checks import unneeded
     from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.checks import check_sentence
-    from gearwright.render.words.headline import sizing_headline, unneeded_text
+    from gearwright.render.words.headline import implied_text, sizing_headline, unneeded_text
 
     sizing = sized(design)
     for case in sizing.flows:  # what the dynamic model would refuse is said here
@@ -57,6 +57,8 @@ def check(design: DesignArgument, json: JsonOption = False) -> None:
         raise typer.Exit(1)
     show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
     show(sizing_headline(sizing))
+    if by_default := implied_text(sizing.design):
+        show(by_default)
 
 
 def size(

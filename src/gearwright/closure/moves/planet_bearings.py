@@ -75,7 +75,7 @@ def open_sets(state: Settled) -> list[str]:
         state: From the loop.
     """
     design, chosen = state.task.design, state.task.chosen
-    open_ = [name for name, stage in design.planetaries.items() if stage.planet_bearing is None]
+    open_ = [name for name, stage in design.planetaries.items() if "planet_bearing" not in stage.model_fields_set]
     return [name for name in open_ if f"{design.table(name)}.planet_bearing.kind" not in chosen]
 
 

@@ -26,6 +26,7 @@ from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, stat
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.result import GearSizing, MachineSizing
+from gearwright.spec import implied
 from gearwright.train import Branch
 from gearwright.units import Mass, Power, Quantity
 
@@ -47,14 +48,17 @@ class SizeAnswer:
     """A sized transmission; equations and sources of its numbers stand in this schema."""
 
     level: str
-    """How much of the design is looked at: concept or built."""
+    """How far the design is worked out: concept, preliminary or built."""
+    implied: Mapping[str, str]
+    """What the file leaves open and its level gives, the level itself too: path -> value."""
     mass: Mass
-    """Of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own."""
+    """Of gears, shafts and carriers, at level preliminary with bearings of planets, without motor, housing, other
+    bearings and oil; or the user's own."""
     gear_mass: Mass
     shaft_mass: Mass
     carrier_mass: Mass
     bearing_mass: Mass
-    """Of the chosen bearings of built shafts and of planets; not in the mass."""
+    """Of the chosen bearings of built shafts and of planets; in the mass are those of planets at level preliminary."""
     motor_mass: Mass
     rated_power: Power
     power_density: Annotated[float, Quantity("specific_power")]
@@ -133,6 +137,7 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
     complete = complete_mass(sizing)
     return SizeAnswer(
         level=sizing.level,
+        implied=implied(sizing.design),
         mass=sizing.mass,
         gear_mass=sizing.gear_mass,
         shaft_mass=sizing.shaft_mass,
@@ -181,6 +186,8 @@ class CheckAnswer:
     """True if no check fails; else the exit code is 1."""
     failing: tuple[Judged, ...]
     """Checks that fail, the worst first."""
+    implied: Mapping[str, str]
+    """What the file leaves open and its level gives: path -> value."""
 
 
 def check_answer(sizing: Sizing) -> CheckAnswer:
@@ -190,4 +197,4 @@ def check_answer(sizing: Sizing) -> CheckAnswer:
         sizing: As sized.
     """
     failing = judged(check for check in sizing.checks if check.fails)
-    return CheckAnswer(not failing, failing)
+    return CheckAnswer(not failing, failing, implied(sizing.design))

@@ -12,7 +12,7 @@ from gearwright.reviews import Review
 from gearwright.sizing import Sizing, asked_speeds, remarks
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import method_for, rating_of
-from gearwright.spec import Design
+from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
 from gearwright.units import Origin, text
@@ -41,7 +41,7 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, .
         *reserve(worst(sizing.checks) if review is None else review.worst),
         quantity("mass of the train", sizing.mass, "mass", origin=gears),
         *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
-        Number("level", sizing.level),
+        Number("level", sizing.level if "level" not in implied(sizing.design) else f"{sizing.level}, by default"),
     ]
     return tuple(numbers)
 

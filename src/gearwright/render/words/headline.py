@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from gearwright.checks import worst
 from gearwright.render.tables.checks import check_sentence
 from gearwright.sizing import Sizing
+from gearwright.spec import Design, implied
+from gearwright.spec.design import CONCEPT, PRELIMINARY, STATIC
 
 if TYPE_CHECKING:
     from gearwright.reviews import Review
@@ -51,6 +53,24 @@ def sizing_headline(sizing: Sizing) -> str:
     said = f"{failing} of {count} sizing checks {_fail(failing)}" if failing else f"{count} sizing checks pass"
     unsaid = f"; {left} not assessed" if left else ""
     return f"{said}, the worst: {entry}{unsaid}; peaks, resonances and lives: gearwright review"
+
+
+def implied_text(design: Design) -> str:
+    """Return what a design takes by default at the level that it leaves open, in one sentence; empty of any other.
+
+    Args:
+        design: As read.
+    """
+    taken = implied(design)
+    if "level" not in taken:
+        return ""
+    if taken.pop("level") == CONCEPT:
+        asks = f'its gears ask for {STATIC}; without that it is "{PRELIMINARY}", against fatigue'
+        return f'By default level = "{CONCEPT}": {asks}.'
+    sets = [path.split(".")[1] for path in taken if path.endswith(".planet_bearing.kind")]
+    rated = f', {path} = "{taken[path]}"' if (path := "gears.rating") in taken else ""
+    turning = f", bearings of the catalogue in planets of {', '.join(sets)}" if sets else ""
+    return f'By default level = "{PRELIMINARY}"{rated}{turning}; level = "{CONCEPT}" is the first sizing without them.'
 
 
 def _fail(count: int) -> str:

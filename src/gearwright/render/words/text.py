@@ -15,7 +15,7 @@ from gearwright.render.tables.sizing.influences import influence_tables
 from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
-from gearwright.render.words.headline import headline, sizing_headline
+from gearwright.render.words.headline import headline, implied_text, sizing_headline
 from gearwright.sizing import Sizing, remarks
 from gearwright.units import text
 
@@ -63,7 +63,8 @@ def sizing_text(sizing: Sizing, review: Review | None = None) -> RenderableType:
     tables = tables_of(sizing)
     tables["materials"] = estimated_only(tables["materials"])
     verdict = sizing_headline(sizing) if review is None else headline(review)
-    head = [Text(words) for words in (summary(sizing), f"{verdict}.", *remarks(sizing))]
+    said = (summary(sizing), f"{verdict}.", implied_text(sizing.design), *remarks(sizing))
+    head = [Text(words) for words in said if words]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
     parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]

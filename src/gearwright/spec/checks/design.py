@@ -19,7 +19,17 @@ from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.oils import oil_problems
 from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
-from gearwright.spec.design import GROUND, MACHINES, RATINGS, Damper, Design, gear_named, given_values
+from gearwright.spec.design import (
+    CONCEPT,
+    GROUND,
+    MACHINES,
+    PRELIMINARY,
+    RATINGS,
+    Damper,
+    Design,
+    gear_named,
+    given_values,
+)
 from gearwright.units import text
 
 WIDEST = 60
@@ -32,6 +42,19 @@ def reference_problems(design: Design) -> list[Problem]:
     Args:
         design: As typed; its references are not resolved yet.
     """
+    problems = _problems(design)
+    if not problems or design.level != PRELIMINARY or "level" in design.model_fields_set:
+        return problems
+    at_concept = {problem.path for problem in _problems(design.stating(level=CONCEPT))}
+    why = f'no level is stated, so it is {PRELIMINARY!r}: level = "{CONCEPT}" asks for nothing of it'
+    return [
+        problem if problem.path in at_concept else Problem(problem.path, f"{problem.message}; {why}")
+        for problem in problems
+    ]
+
+
+def _problems(design: Design) -> list[Problem]:
+    """Return what is wrong with a design at its level."""
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, load_factor_problems,
         epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
@@ -219,7 +242,7 @@ def _waivers(design: Design) -> Iterator[Problem]:
 
 
 def _level(design: Design) -> Iterator[Problem]:
-    """Find a level that the bearings contradict, and what a preliminary design lacks."""
+    """Find a level that the bearings contradict, and stages that a preliminary design cannot rate."""
     if design.level in ("concept", "preliminary") and design.bearings:
         message = (
             f'{design.level!r}, but [bearings] stand, which build the shafts; write level = "built", or leave them out'
@@ -232,7 +255,7 @@ def _level(design: Design) -> Iterator[Problem]:
 
 
 def _preliminary(design: Design) -> Iterator[Problem]:
-    """Find stages without fatigue and planets that turn on nothing."""
+    """Find stages whose method knows no fatigue."""
     for name in design.stages:
         if not RATINGS[design.rating(name)].fatigue:
             message = (
@@ -240,13 +263,6 @@ def _preliminary(design: Design) -> Iterator[Problem]:
                 ' "iso6336", or size the design with --level preliminary'
             )
             yield Problem(f"{design.table(name)}.gears.rating", message)
-    for name, stage in design.planetaries.items():
-        if stage.planet_bearing is None:
-            message = (
-                'is missing, which level = "preliminary" weighs; write planet_bearing = { kind = "cylindrical" }, or'
-                " size the design with --level preliminary"
-            )
-            yield Problem(f"planetaries.{name}.planet_bearing", message)
 
 
 def _widths(design: Design) -> Iterator[Problem]:

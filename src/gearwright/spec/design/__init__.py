@@ -27,6 +27,7 @@ from gearwright.spec.design.duty import (
 )
 from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
 from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
+from gearwright.spec.design.implied import BUILT, CONCEPT, FATIGUE, PRELIMINARY, STATIC
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.rules import (
     GRADE_KEYS,
@@ -81,6 +82,9 @@ from gearwright.spec.design.teeth import (
 )
 
 __all__ = [
+    "BUILT",
+    "CONCEPT",
+    "FATIGUE",
     "GRADE_KEYS",
     "GROUND",
     "INTERNAL",
@@ -89,10 +93,12 @@ __all__ = [
     "NOTHING_GIVEN",
     "NO_ORIGIN",
     "PAIR_ROLES",
+    "PRELIMINARY",
     "RATED",
     "RATINGS",
     "SET_ROLES",
     "SIDE_ANGLES",
+    "STATIC",
     "SUN_LIMITS",
     "WARMTH_KEYS",
     "WEIGHED",

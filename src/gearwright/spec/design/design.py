@@ -6,9 +6,9 @@ Every default lives with the types of this folder, once. A field that is None is
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from gearwright.catalogue import material_of, materials
 from gearwright.parts import Material
@@ -31,6 +31,7 @@ from gearwright.spec.design.duty import (
     Turbine,
 )
 from gearwright.spec.design.epicyclics import Epicyclic
+from gearwright.spec.design.implied import implied_bearings, implied_level, implied_rules
 from gearwright.spec.design.latest import of_the_latest
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.rules import (
@@ -70,11 +71,12 @@ class Design(Shown, Record):
     description: str = Field("", description="What it is for")
     author: str = Field("", description="Who answers for it, for the head of its pages")
     revision: str = Field("", description="Which state of it this is, for the head of its pages")
-    level: Literal["concept", "preliminary", "built"] | None = Field(
-        None,
+    level: Literal["concept", "preliminary", "built"] = Field(
+        "preliminary",
         description="How far it is worked out: a first sizing with shafts of one diameter (concept), the same against"
         " fatigue, with gears as they are made and bearings in planets (preliminary), or with bearings, steps and"
-        " joints (built); left out: built where [bearings] stand, else concept",
+        " joints (built); left out: built where [bearings] stand, concept where a rating without fatigue or its rules"
+        " stand, else preliminary",
     )
     shafts: list[Name] = Field(min_length=1, description="Names of all shafts")
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")
@@ -141,6 +143,26 @@ class Design(Shown, Record):
         default_factory=dict,
         description='Where given values come from, by the path of overrides: "first.module_mm" = "drawing 4711"',
     )
+
+    @model_validator(mode="after")
+    def _implied(self) -> Self:
+        """Fill in the level that what stands in the design implies, and what that level asks for."""
+        if "level" not in self.model_fields_set:
+            own = (stage.gears for stage in self.stages.values() if stage.gears is not None)
+            self.__dict__["level"] = implied_level((self.gears, *own), bearings=bool(self.bearings))
+        self.__dict__["gears"] = implied_rules(self.gears, self.level)
+        self.__dict__["planetaries"] = implied_bearings(self.planetaries, self.level)
+        return self
+
+    def stating(self, *, level: str) -> Self:
+        """Return the same design with its level stated, and what follows from that; nothing is checked.
+
+        Args:
+            level: One that there is.
+        """
+        given = {name: getattr(self, name) for name in self.model_fields_set} | {"level": level}
+        aliases = {name: info.alias or name for name, info in type(self).model_fields.items()}
+        return type(self).model_validate({aliases[name]: value for name, value in given.items()})
 
     @property
     def machines(self) -> Mapping[str, Machine]:

@@ -262,7 +262,10 @@ class Planetary(Record):
     bearings: PlanetaryBearings = Field(
         default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
     )
-    planet_bearing: PlanetBearing | None = Field(None, description="What each planet turns on; left out: not known")
+    planet_bearing: PlanetBearing | None = Field(
+        None,
+        description="What each planet turns on; left out: of the catalogue at level preliminary, else not known",
+    )
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
 
     @property

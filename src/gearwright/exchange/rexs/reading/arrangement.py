@@ -15,6 +15,7 @@ from gearwright.exchange.rexs.files import Component
 from gearwright.exchange.rexs.reading.asking import Asking
 from gearwright.exchange.rexs.reading.bodies import Bodies
 from gearwright.exchange.rexs.reading.gearing import Gear, Gearing
+from gearwright.spec.design import FATIGUE, STATIC
 
 Table = dict[str, Any]
 CASE_HARDENED = "18CrNiMo7-6"
@@ -199,13 +200,13 @@ def read_materials(asking: Asking, gearing: Gearing, gears: Mapping[int, Gear]) 
             CASE_HARDENED if bevel else "nitriding-steel-785"
         )  # Lewis and Hertz, with which the other goes, has no bevels
         asking.notes.append(f"{said} of the catalogue that one design can hold; {taken} stands for them")
-        return {"material": taken, "rating": "iso6336"} if bevel else {}
+        return {"material": taken, "rating": FATIGUE} if bevel else {"rating": STATIC}
     asking.notes.append(f"materials {', '.join(sorted({*first, *wheel}))} are those of the catalogue, by their names")
     rules: Table = {"material": first[0]}
     steel = materials()[first[0]].steel
     if steel is None or (wheel and materials()[wheel[0]].steel is None):
-        return rules
-    rules["rating"] = "iso6336"
+        return {**rules, "rating": STATIC}
+    rules["rating"] = FATIGUE
     if wheel and wheel != first:
         other = materials()[wheel[0]]
         rules["iso6336"] = {"wheel": {"steel": other.steel, "grade": other.grade or "MQ"}}

@@ -21,6 +21,7 @@ from gearwright.exchange.rexs.reading.stated import Stated, read_stated
 from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.spec import Design, build, design_text, parse
+from gearwright.spec.design import FATIGUE
 from gearwright.verbs import verb
 
 
@@ -91,7 +92,7 @@ def _design(asking: Asking, source: str) -> tuple[Design, Mapping[int, str]]:
         "epicyclics": gearing.compounds,
         "clutches": gearing.clutches,
         "gears": rules, "layout": layout,
-        "oil": read_oil(asking), "service": read_service(asking) if "rating" in rules else {},
+        "oil": read_oil(asking), "service": read_service(asking) if rules["rating"] == FATIGUE else {},
     }  # fmt: skip
     _refuse(asking, source)
     whole = {key: value for key, value in (table | loads).items() if value}

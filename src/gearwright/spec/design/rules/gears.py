@@ -29,8 +29,9 @@ class GearRules(Record):
 
     material: str = Field("nitriding-steel-785", description="Name in the catalogue or under [materials]")
     rating: RatingName = Field(
-        "lewis-hertz",
-        description="First sizing by Lewis and Hertz; ISO 6336 or AGMA 2001, bevel gears by ISO 10300 or AGMA 2003",
+        "iso6336",
+        description="First sizing by Lewis and Hertz; ISO 6336 or AGMA 2001, bevel gears by ISO 10300 or AGMA 2003;"
+        " left out: as the level asks, iso6336 at preliminary, else lewis-hertz",
     )
     iso6336: Iso6336Rules = Field(
         default_factory=Iso6336Rules, description='Rules with rating = "iso6336" or "iso10300"'
