@@ -64,11 +64,11 @@ def implied_text(design: Design) -> str:
     taken = implied(design)
     if "level" not in taken:
         return ""
-    if taken.pop("level") == CONCEPT:
+    if design.level == CONCEPT:
         asks = f'its gears ask for {STATIC}; without that it is "{PRELIMINARY}", against fatigue'
         return f'By default level = "{CONCEPT}": {asks}.'
-    sets = [path.split(".")[1] for path in taken if path.endswith(".planet_bearing.kind")]
-    rated = f', {path} = "{taken[path]}"' if (path := "gears.rating") in taken else ""
+    sets = [name for name, one in design.planetaries.items() if "planet_bearing" not in one.model_fields_set]
+    rated = f', gears.rating = "{taken["gears.rating"]}"' if "gears.rating" in taken else ""
     turning = f", bearings of the catalogue in planets of {', '.join(sets)}" if sets else ""
     return f'By default level = "{PRELIMINARY}"{rated}{turning}; level = "{CONCEPT}" is the first sizing without them.'
 
