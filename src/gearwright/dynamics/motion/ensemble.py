@@ -151,20 +151,29 @@ def simulate_many(
             break
         other, found = found, march.at(found.step * finer(over, order), progress)
     why = REPEATED if given is None else GIVEN
+    width = 2.0 * np.pi / duration
     notes = tuple(
         f"trajectory {number}: {note}"
-        for number, (system, one) in enumerate(zip(systems, error, strict=True))
-        for note in [*shortfall(one, asked, why), *_warnings(system, duration)]
+        for number, (system, one, left) in enumerate(zip(systems, error, _left_over(systems), strict=True))
+        for note in [*shortfall(one, asked, why), *endless(system.arrays, width), *left]
     )
     measured = np.array(error)
     return replace(found, error=measured[:, 0], rms_error=measured[:, 1], notes=notes)
 
 
-def _warnings(system: System, duration: float) -> list[str]:
-    """Return what of a trajectory never comes to rest."""
-    left = unbalanced(system)
-    speeds_up = [f"at the start {left}; the train speeds up or slows down"] if left else []
-    return [*endless(system.arrays, 2.0 * np.pi / duration), *speeds_up]
+def _left_over(systems: Sequence[System]) -> list[list[str]]:
+    """Return what the loads of each leave over, in words; members alike in what decides it are asked once."""
+    found, answers = dict[bytes, list[str]](), list[list[str]]()
+    for system in systems:
+        arrays = system.arrays
+        slipping, loads = arrays.damping * arrays.slip, arrays.loads[:3]
+        numbers = (arrays.mass, arrays.line_weight, arrays.stiffness > 0.0, arrays.speed, slipping, *loads)
+        key = b"".join([part.tobytes() for part in (*numbers, arrays.profile.factor)])
+        if key not in found:
+            left = unbalanced(system)
+            found[key] = [f"at the start {left}; the train speeds up or slows down"] if left else []
+        answers.append(found[key])
+    return answers
 
 
 def _errors(systems: Sequence[System], found: Ensemble, other: Ensemble) -> tuple[list[Error], int]:
@@ -194,7 +203,8 @@ class _Marching(NamedTuple):
     def beside(self, step: float) -> Ensemble:
         """Return the same at twice the step, or at half of it where that would blow up or miss what excites."""
         coarse = Pace(COARSER * step)
-        stable = all(may_take(system.arrays, "runge-kutta", coarse) for system in self.systems)
+        members = [system.arrays for system in self.systems]
+        stable = all(may_take(arrays, "runge-kutta", coarse) for arrays in _fastest(members))
         if stable and self.duration - self.settle >= LEAST_STEPS * step:
             with contextlib.suppress(SolveError, DesignError):
                 return self.at(coarse.step)
@@ -212,7 +222,9 @@ class _Marching(NamedTuple):
         shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
         varying = own_groups(family, layout, layout._fields, rows)
         numbers = np.broadcast_to(rows, (len(members), rows.shape[1]))
-        _check_step(members, family, step, varying)
+        if not all(0.0 < step * fastest_rate(arrays) <= STABLE for arrays in _fastest(members)):
+            for arrays in members:
+                check_step(arrays, step)
         code = compiled(shape, layout, LANES, varying)
         clock = _Timing(step, first, steps, None if "clock" in varying else _Clock(members[:1], shape, step))
         groups = [slice(low, low + LANES) for low in range(0, len(members), LANES)]
@@ -315,16 +327,17 @@ def _check_family(family: Arrays) -> None:
         raise DesignError([Problem("systems", message)])
 
 
-def _check_step(members: Sequence[Arrays], family: Arrays, step: float, varying: frozenset[str]) -> None:
-    """Refuse a step that is too large for any; one envelope over all spares most an eigenvalue problem for each."""
-    if not varying & _SHAPING and 0.0 < step * fastest_rate(envelope(members[0], family)) <= STABLE:
-        return
-    for arrays in members:
-        check_step(arrays, step)
+def _fastest(members: Sequence[Arrays]) -> Sequence[Arrays]:
+    """Return systems none of which is slower than all members: one envelope, which spares most an eigenvalue problem.
 
-
-_SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyroscopic", "clock"})
-"""Numbers for which no envelope is taken; the fastest rate rises with all others that it depends on."""
+    Only where they are alike in all but what an envelope has at its largest; else the members themselves.
+    """
+    family = stacked(members)
+    alike = (
+        family.mass, family.line_weight, family.speed, family.tone_rate, family.slip, *family.loads[1:3],
+        family.gyroscopic.value, family.profile.factor,
+    )  # fmt: skip
+    return members if any(np.any(part != part[:1]) for part in alike) else [envelope(members[0], family)]
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, *, step: float, count: int) -> Ensemble:

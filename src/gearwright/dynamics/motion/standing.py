@@ -6,7 +6,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.equations import damped_rates, statics
-from gearwright.dynamics.model import LARGE, Arrays, System, kept, planned
+from gearwright.dynamics.model import Arrays, System, kept, planned
 from gearwright.dynamics.motion.record import RUNAWAY
 from gearwright.dynamics.motion.steps import damping_bound
 from gearwright.errors import SolveError
@@ -43,9 +43,9 @@ def endless(arrays: Arrays, width: float) -> list[str]:
         arrays: The system's numbers.
         width: Distance of a mode from a tone below which they meet [rad/s].
     """
-    notes, large = dict[str, None](), len(arrays.mass) > LARGE
+    notes = dict[str, None]()
     used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
-    if large and damping_bound(arrays, _slowest(arrays, used)) > UNDAMPED:
+    if damping_bound(arrays, _slowest(arrays, used)) > UNDAMPED:  # far quicker than the modes
         return []
     for factor in {float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))}:
         rates = damped_rates(arrays, factor)
