@@ -10,19 +10,20 @@ from typing import Any
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.codegen.emit import CHUNK
+from gearwright.dynamics.codegen.emit import CHUNK, SINGLE
 from gearwright.dynamics.kept_code import keep_code, kept_code
 
 
-def aligned(*shape: int) -> Floats:
+def aligned(*shape: int, single: bool = False) -> Floats:
     """Return zeros that begin at a whole vector of memory, so that no load straddles two cache lines.
 
     Args:
         shape: Of the array.
+        single: Whether its numbers are of single precision.
     """
-    count = int(np.prod(shape))
-    room = np.zeros(count + CHUNK)
-    first = -(room.ctypes.data // 8) % CHUNK
+    count, side = int(np.prod(shape)), SINGLE if single else CHUNK
+    room = np.zeros(count + side, dtype=np.float32 if single else np.float64)
+    first = -(room.ctypes.data // room.itemsize) % side
     return room[first : first + count].reshape(shape)
 
 

@@ -1,16 +1,19 @@
 """Emitter: a few words of LLVM assembly, for numbers alone (one trajectory) or side by side (lanes).
 
 Only what the generated right-hand side needs: loads, stores, sums, products, the larger and smaller of two. Whatever is
-asked for twice is written once.
+asked for twice is written once. Sixteen lanes are of single precision: as many bits as eight of double.
 """
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Sequence
 from typing import Literal
 
 CHUNK = 8
 """Numbers in a vector."""
+SINGLE = 16
+"""Numbers of single precision in a vector: lanes that are so many are of it."""
 VECTOR = f"<{CHUNK} x double>"
 FLAGS = "contract nsz"
 """Products and sums may fuse, and −(a − b) may become b − a. Nothing else may change."""
@@ -20,8 +23,9 @@ class Emitter:
     """Writes the body of one function of straight-line code; memory that it fills must be read before it is filled."""
 
     def __init__(self, lanes: int) -> None:
-        self.lanes = lanes
-        self.type = "double" if lanes == 1 else f"<{lanes} x double>"
+        self.lanes, self.single = lanes, lanes == SINGLE
+        self.number = "float" if self.single else "double"
+        self.type = "double" if lanes == 1 else vector(lanes)
         self.lines: list[str] = []
         self.known: dict[str, str] = {}
         self.zero = "0.0" if lanes == 1 else "zeroinitializer"
@@ -29,7 +33,7 @@ class Emitter:
     @property
     def wide(self) -> Emitter:
         """Emitter of whole vectors that writes into the same body."""
-        if self.lanes == CHUNK:
+        if self.lanes >= CHUNK:
             return self
         wide = Emitter(CHUNK)
         wide.lines, wide.known = self.lines, self.known
@@ -62,7 +66,7 @@ class Emitter:
             pointer: Base address.
             offset: In numbers.
         """
-        return self.value(f"getelementptr double, ptr {pointer}, i64 {offset}")
+        return self.value(f"getelementptr {self.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int) -> str:
         """Load as many numbers as there are lanes.
@@ -71,7 +75,7 @@ class Emitter:
             pointer: Base address.
             offset: In numbers.
         """
-        return self.value(f"load {self.type}, ptr {self.at(pointer, offset)}, align 8")
+        return self.value(f"load {self.type}, ptr {self.at(pointer, offset)}, align {self._bytes}")
 
     def spread(self, pointer: str, offset: int) -> str:
         """Load a number that is the same for all lanes.
@@ -80,10 +84,10 @@ class Emitter:
             pointer: Base address.
             offset: In numbers.
         """
-        number = self.value(f"load double, ptr {self.at(pointer, offset)}, align 8")
+        number = self.value(f"load {self.number}, ptr {self.at(pointer, offset)}, align {self._bytes}")
         if self.lanes == 1:
             return number
-        first = self.value(f"insertelement {self.type} poison, double {number}, i64 0")
+        first = self.value(f"insertelement {self.type} poison, {self.number} {number}, i64 0")
         mask = f"<{self.lanes} x i32> zeroinitializer"
         return self.value(f"shufflevector {self.type} {first}, {self.type} poison, {mask}")
 
@@ -93,7 +97,7 @@ class Emitter:
         Args:
             values: One, if they are whole vectors already; else at most as many as a vector holds.
         """
-        if self.lanes == CHUNK:
+        if self.lanes >= CHUNK:
             return values[0]
         vector = "zeroinitializer"
         for place, value in enumerate(values):
@@ -108,7 +112,11 @@ class Emitter:
             pointer: Base address.
             offset: In numbers.
         """
-        self.lines.append(f"  store {self.type} {value}, ptr {self.at(pointer, offset)}, align 8")
+        self.lines.append(f"  store {self.type} {value}, ptr {self.at(pointer, offset)}, align {self._bytes}")
+
+    @property
+    def _bytes(self) -> int:
+        return 4 if self.single else 8
 
     def add(self, a: str, b: str) -> str:
         """Return a + b; a zero is dropped."""
@@ -153,15 +161,28 @@ class Emitter:
         return self._call(which, "nnan", a, b)
 
     def _call(self, name: str, flags: str, *values: str) -> str:
-        suffix = "f64" if self.lanes == 1 else f"v{self.lanes}f64"
+        suffix = "f64" if self.lanes == 1 else f"v{self.lanes}f{8 * self._bytes}"
         arguments = ", ".join(f"{self.type} {value}" for value in values)
         return self.value(f"call {flags} {self.type} @llvm.{name}.{suffix}({arguments})")
 
 
-def splat(value: float) -> str:
+def vector(lanes: int) -> str:
+    """Return the type of whole vectors.
+
+    Args:
+        lanes: `SINGLE`, or else it is of double precision.
+    """
+    return f"<{SINGLE} x float>" if lanes == SINGLE else VECTOR
+
+
+def splat(value: float, lanes: int = CHUNK) -> str:
     """Return a vector constant.
 
     Args:
         value: Of all its numbers.
+        lanes: As `vector` takes them.
     """
-    return "<" + ", ".join([f"double {value!r}"] * CHUNK) + ">"
+    if lanes != SINGLE:
+        return "<" + ", ".join([f"double {value!r}"] * CHUNK) + ">"
+    rounded = struct.unpack("f", struct.pack("f", value))[0]
+    return "<" + ", ".join([f"float 0x{struct.pack('>d', rounded).hex()}"] * SINGLE) + ">"

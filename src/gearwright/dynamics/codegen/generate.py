@@ -78,7 +78,7 @@ def next_stage(writer: Writer, code: Emitter, force: Numbers, works: Numbers) ->
     """
     wide = code.wide
     for number, cell in enumerate(writer.cells(writer.shape.size)):
-        place = CHUNK * number
+        place = writer.width * number
         rate = wide.multiply(code.join([force[i] for i in cell]), writer.whole(code, "mobility", cell[0]))
         position = wide.add(wide.load("%bq", place), wide.multiply("%c", wide.load("%v", place)))
         wide.store(position, "%qn", place)
@@ -86,7 +86,7 @@ def next_stage(writer: Writer, code: Emitter, force: Numbers, works: Numbers) ->
     for place in range(0, writer.shape.drives.states, CHUNK):
         gain, there = wide.multiply("%c", wide.load("%rate", place)), filled(writer.shape.size) + place
         wide.store(wide.add(wide.load("%bv", there), gain), "%vn", there)
-    for number, cell in enumerate(writer.cells(WORKS)):
+    for number, cell in enumerate(writer.cells(WORKS) if writer.books else []):
         if any(works[i] != code.zero for i in cell):
             rate, before = code.join([works[i] for i in cell]), wide.load("%works", CHUNK * number)
             wide.store(wide.add(before, wide.multiply("%share", rate)), "%works", CHUNK * number)
@@ -139,7 +139,7 @@ def carried_by(writer: Writer, code: Emitter, j: int, parts: tuple[Numbers, Numb
     """
     position, velocity, works = parts
     line, room = writer.shape.lines[j], filled(writer.count * writer.lanes)
-    now = {number: code.load("%now", number * room + j * writer.lanes) for number in _used(line)}
+    now = {number: code.load("%now", number * room + j * writer.lanes) for number in _used(writer, line)}
     deflection, rate = _along(writer, code, line, position), _along(writer, code, line, velocity)
     if line.error:
         deflection, rate = code.subtract(deflection, now[2]), code.subtract(rate, now[3])
@@ -154,7 +154,7 @@ def carried_by(writer: Writer, code: Emitter, j: int, parts: tuple[Numbers, Numb
         drag = code.multiply(writer.number(code, "damping", j), rate)
         works[2] = code.add(works[2], code.multiply(drag, rate))
         carried = code.add(carried, drag)
-    if line.variation:
+    if 1 in now:
         works[3] = code.add(works[3], code.multiply(now[1], code.multiply(contact, contact)))
     if line.error:
         works[4] = code.subtract(works[4], code.multiply(now[3], carried))
@@ -214,7 +214,7 @@ def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], outp
         code.store(carried, "%out", j)
         code.store(deflection, "%out", writer.count + j)
     elif output == "statistics":
-        places = [CHUNK * (part * writer.count + j) for part in range(4)]
+        places = [writer.lanes * (part * writer.count + j) for part in range(4)]
         minimum, maximum, total, square = (code.load("%out", place) for place in places)
         code.store(code.extreme("minnum", carried, minimum), "%out", places[0])
         code.store(code.extreme("maxnum", carried, maximum), "%out", places[1])
@@ -269,6 +269,7 @@ def frame_forces(
         works[5] = code.add(works[5], code.multiply(part, velocity[row]))
 
 
-def _used(line: LineShape) -> list[int]:
-    """Return which of stiffness, half its rate, error and its rate the clock decides."""
-    return [*((0, 1) if line.variation else ()), *((2, 3) if line.error else ())]
+def _used(writer: Writer, line: LineShape) -> list[int]:
+    """Return which of stiffness, half its rate, error and its rate the clock decides and something reads."""
+    variation = (0, 1) if writer.books else (0,)
+    return [*(variation if line.variation else ()), *((2, 3) if line.error else ())]

@@ -6,7 +6,7 @@ Every stage is (bq + c q̇, bv + c q̈) of the one before; so is the end, with b
 from __future__ import annotations
 
 from gearwright.dynamics.codegen.driven import DECLARATIONS
-from gearwright.dynamics.codegen.emit import CHUNK, VECTOR, splat
+from gearwright.dynamics.codegen.emit import splat
 from gearwright.dynamics.codegen.generate import slope
 from gearwright.dynamics.codegen.instant import instant
 from gearwright.dynamics.codegen.parts import SPLIT, slope_in_parts
@@ -40,8 +40,11 @@ def _shared(writer: Writer) -> bool:
 
 _DECLARATIONS = """declare double @llvm.fabs.f64(double)
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>)
+declare <16 x float> @llvm.fabs.v16f32(<16 x float>)
 declare <8 x double> @llvm.minnum.v8f64(<8 x double>, <8 x double>)
 declare <8 x double> @llvm.maxnum.v8f64(<8 x double>, <8 x double>)
+declare <16 x float> @llvm.minnum.v16f32(<16 x float>, <16 x float>)
+declare <16 x float> @llvm.maxnum.v16f32(<16 x float>, <16 x float>)
 declare void @llvm.memcpy.inline.p0.p0.i64(ptr, ptr, i64, i1)
 declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
 declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
@@ -51,39 +54,39 @@ def _loop(writer: Writer) -> str:
     """Return the function that takes the steps."""
     shape, lanes = writer.shape, writer.lanes
     slope_name = "unseen" if _shared(writer) else "slope"
-    row, numbers = table_width(shape, writer.clocks), shape.size * lanes
+    row, numbers = table_width(shape, writer.clocks, writer.width), shape.size * lanes
     stride = record_width(shape) if lanes == 1 else 0
-    keep = _moved("%place", 0, "%q", numbers) + _moved("%place", numbers, "%v", numbers) if lanes == 1 else []
+    keep = [*_moved(writer, "%place", 0, "%q", numbers), *_moved(writer, "%place", numbers, "%v", numbers)] if lanes == 1 else []
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "own", "table", "turn", "state", "out"))
     return f"""define void @advance(i64 %steps, {pointers}) {{
 entry:
 {_arrays(writer, STAGES, STAGES)}
 {_lines(*_copies(writer, "%state", ("q", "v", "works"), inwards=True))}
-  %one = load double, ptr %p, align 8
-  %lone = insertelement {VECTOR} poison, double %one, i64 0
-  %h = shufflevector {VECTOR} %lone, {VECTOR} poison, <8 x i32> zeroinitializer
-  %half = fmul {VECTOR} %h, {splat(0.5)}
-  %third = fmul {VECTOR} %h, {splat(1.0 / 3.0)}
-  %sixth = fmul {VECTOR} %h, {splat(1.0 / 6.0)}
+  %one = load {writer.kind}, ptr %p, align 8
+  %lone = insertelement {writer.vector} poison, {writer.kind} %one, i64 0
+  %h = shufflevector {writer.vector} %lone, {writer.vector} poison, <{writer.width} x i32> zeroinitializer
+  %half = fmul {writer.vector} %h, {splat(0.5, lanes)}
+  %third = fmul {writer.vector} %h, {splat(1.0 / 3.0, lanes)}
+  %sixth = fmul {writer.vector} %h, {splat(1.0 / 6.0, lanes)}
   {_instant("%table")}
   br label %head
 head:
   %i = phi i64 [0, %entry], [%next, %head]
   %twice = mul i64 %i, {2 * row}
-  %row0 = getelementptr double, ptr %table, i64 %twice
-  %row1 = getelementptr double, ptr %row0, i64 {row}
-  %row2 = getelementptr double, ptr %row1, i64 {row}
+  %row0 = getelementptr {writer.kind}, ptr %table, i64 %twice
+  %row1 = getelementptr {writer.kind}, ptr %row0, i64 {row}
+  %row2 = getelementptr {writer.kind}, ptr %row1, i64 {row}
   %offset = mul i64 %i, {stride}
-  %place = getelementptr double, ptr %out, i64 %offset
-  %seen = getelementptr double, ptr %place, i64 {2 * numbers if lanes == 1 else 0}
+  %place = getelementptr {writer.kind}, ptr %out, i64 %offset
+  %seen = getelementptr {writer.kind}, ptr %place, i64 {2 * numbers if lanes == 1 else 0}
 {_lines(*keep)}
-  {_stage("look", "%row0", "q v q v qa v2", c="%half", share="%sixth")}
+  {_stage(writer, "look", "%row0", "q v q v qa v2", c="%half", share="%sixth")}
   {_instant("%row1")}
-  {_stage(slope_name, "%row1", "q v qa v2 qb v3", c="%half", share="%third")}
-  {_stage(slope_name, "%row1", "q v qb v3 qa v4", c="%h", share="%third")}
-{_last_base(_room(writer))}
+  {_stage(writer, slope_name, "%row1", "q v qa v2 qb v3", c="%half", share="%third")}
+  {_stage(writer, slope_name, "%row1", "q v qb v3 qa v4", c="%h", share="%third")}
+{_last_base(writer)}
   {_instant("%row2")}
-  {_stage(slope_name, "%row2", "bq bv qa v4 q v", c="%sixth", share="%sixth")}
+  {_stage(writer, slope_name, "%row2", "bq bv qa v4 q v", c="%sixth", share="%sixth")}
   %next = add i64 %i, 1
   %more = icmp slt i64 %next, %steps
   br i1 %more, label %head, label %done
@@ -98,7 +101,7 @@ def _alone(writer: Writer) -> str:
     wave, room = wave_width(writer.shape), _room(writer)
     turn = ", ".join([f"double {1.0 if i < wave else 0.0}" for i in range(2 * wave)])
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "row", "y", "dy", "seen"))
-    stage = _stage("look", "%row", "bq bv q v qa v2", c=splat(1.0), share=splat(1.0))
+    stage = _stage(writer, "look", "%row", "bq bv q v qa v2", c=splat(1.0), share=splat(1.0))
     body = "\n  ".join([_instant("%row"), stage]).replace("%own", "%p").replace("%turn", "@unturned")
     return f"""@unturned = private constant [{2 * wave} x double] [{turn}], align 64
 @nothing = private constant [{room} x double] zeroinitializer, align 64
@@ -117,10 +120,11 @@ def _arrays(writer: Writer, names: tuple[str, ...], cleared: tuple[str, ...]) ->
     shape, lanes = writer.shape, writer.lanes
     rooms = dict.fromkeys(names, _room(writer))
     rooms |= {"works": filled(WORKS * lanes), "now": 4 * filled(len(shape.lines) * lanes)}
-    rooms["wave"] = 4 * wave_width(shape, writer.clocks)
+    rooms["wave"] = 4 * writer.waves
     rooms |= {"unwanted": record_width(shape)} if _shared(writer) else {}
-    lines = [f"%{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
-    lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * rooms[name]}, i1 false)" for name in cleared]
+    lines = [f"%{name} = alloca [{room} x {writer.kind}], align 64" for name, room in rooms.items()]
+    size = 64 // writer.width
+    lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {size * rooms[name]}, i1 false)" for name in cleared]
     return _lines(*lines)
 
 
@@ -134,58 +138,59 @@ def _copies(writer: Writer, state: str, names: tuple[str, ...], *, inwards: bool
     shape, numbers, works = writer.shape, writer.shape.size * writer.lanes, WORKS * writer.lanes
     arrays = {f"%{name}": number * numbers for number, name in enumerate(names)}
     x = f"%{'in' if inwards else 'out'}.x"
-    lines = [f"{x} = getelementptr double, ptr %{names[1]}, i64 {filled(numbers)}"]
+    lines = [f"{x} = getelementptr {writer.kind}, ptr %{names[1]}, i64 {filled(numbers)}"]
     for name, first in arrays.items():
-        lines += _moved(state, first, name, works if name == "%works" else numbers, back=inwards)
-    return lines + _moved(state, 2 * numbers + works, x, shape.drives.states, back=inwards)
+        lines += _moved(writer, state, first, name, works if name == "%works" else numbers, back=inwards)
+    return lines + _moved(writer, state, 2 * numbers + works, x, shape.drives.states, back=inwards)
 
 
-def _moved(base: str, first: int, array: str, count: int, *, back: bool = False) -> list[str]:
+def _moved(writer: Writer, base: str, first: int, array: str, count: int, *, back: bool = False) -> list[str]:
     """Return the copy of an array to a place in another, or back."""
     place = f"%{'in' if back else 'out'}.{base[1:]}.{array[1:]}"
     pair = (array, place) if back else (place, array)
-    return [f"{place} = getelementptr double, ptr {base}, i64 {first}", _copy(*pair, count)]
+    return [f"{place} = getelementptr {writer.kind}, ptr {base}, i64 {first}", _copy(*pair, count * 64 // writer.width)]
 
 
-def _copy(to: str, source: str, count: int) -> str:
-    kind = "memcpy.inline" if count <= 64 else "memcpy"
-    return f"call void @llvm.{kind}.p0.p0.i64(ptr {to}, ptr {source}, i64 {8 * count}, i1 false)"
+def _copy(to: str, source: str, size: int) -> str:
+    kind = "memcpy.inline" if size <= 512 else "memcpy"
+    return f"call void @llvm.{kind}.p0.p0.i64(ptr {to}, ptr {source}, i64 {size}, i1 false)"
 
 
 def _instant(row: str) -> str:
     return f"call void @instant(ptr %p, ptr %own, ptr {row}, ptr %turn, ptr %wave, ptr %now)"
 
 
-def _stage(name: str, row: str, arrays: str, *, c: str, share: str) -> str:
+def _stage(writer: Writer, name: str, row: str, arrays: str, *, c: str, share: str) -> str:
     """Return the call of a slope on arrays, with names as `generate.slope` orders them from ``bq`` on."""
     name, seen = ("look", "%unwanted") if name == "unseen" else (name, "%seen")
     pointers = ", ".join(f"ptr {at}" for at in ("%p", "%own", row, "%now", *(f"%{name}" for name in arrays.split())))
-    return f"call void @{name}({pointers}, ptr %works, ptr {seen}, {VECTOR} {c}, {VECTOR} {share})"
+    return f"call void @{name}({pointers}, ptr %works, ptr {seen}, {writer.vector} {c}, {writer.vector} {share})"
 
 
-def _last_base(width: int) -> str:
+def _last_base(writer: Writer) -> str:
     """The last stage begins from: bq = q + h/6 (v + 2 v₂ + 2 v₃), bv = v + (d₂ + 2 d₃ + d₄)/3, dᵢ = vᵢ − v."""
-    lines, flags = [], f"contract {VECTOR}"
-    for i in range(0, width, CHUNK):
+    lines, kind, third = list[str](), writer.vector, splat(1.0 / 3.0, writer.lanes)
+    flags = f"contract {kind}"
+    for i in range(0, _room(writer), writer.width):
         for name in ("q", "v", "v2", "v3", "v4", "bq", "bv"):
-            lines.append(f"%p{name}.{i} = getelementptr double, ptr %{name}, i64 {i}")
+            lines.append(f"%p{name}.{i} = getelementptr {writer.kind}, ptr %{name}, i64 {i}")
         for name in ("q", "v", "v2", "v3", "v4"):
-            lines.append(f"%l{name}.{i} = load {VECTOR}, ptr %p{name}.{i}, align 64")
+            lines.append(f"%l{name}.{i} = load {kind}, ptr %p{name}.{i}, align 64")
         lines += [
-            f"%twice{i} = fadd {VECTOR} %lv3.{i}, %lv3.{i}",
-            f"%inner{i} = fadd {VECTOR} %lv2.{i}, %twice{i}",
-            f"%middle{i} = fadd {VECTOR} %lv2.{i}, %inner{i}",
-            f"%sum{i} = fadd {VECTOR} %lv.{i}, %middle{i}",
+            f"%twice{i} = fadd {kind} %lv3.{i}, %lv3.{i}",
+            f"%inner{i} = fadd {kind} %lv2.{i}, %twice{i}",
+            f"%middle{i} = fadd {kind} %lv2.{i}, %inner{i}",
+            f"%sum{i} = fadd {kind} %lv.{i}, %middle{i}",
             f"%gone{i} = fmul {flags} %sixth, %sum{i}",
             f"%to{i} = fadd {flags} %lq.{i}, %gone{i}",
-            f"store {VECTOR} %to{i}, ptr %pbq.{i}, align 64",
-            *(f"%d{n}.{i} = fsub {VECTOR} %lv{n}.{i}, %lv.{i}" for n in (2, 3, 4)),  # small, so that rounding is too
-            f"%both{i} = fadd {VECTOR} %d3.{i}, %d3.{i}",
-            f"%ends{i} = fadd {VECTOR} %d2.{i}, %d4.{i}",
-            f"%all{i} = fadd {VECTOR} %both{i}, %ends{i}",
-            f"%third{i} = fmul {flags} %all{i}, {splat(1.0 / 3.0)}",
+            f"store {kind} %to{i}, ptr %pbq.{i}, align 64",
+            *(f"%d{n}.{i} = fsub {kind} %lv{n}.{i}, %lv.{i}" for n in (2, 3, 4)),  # small, so that rounding is too
+            f"%both{i} = fadd {kind} %d3.{i}, %d3.{i}",
+            f"%ends{i} = fadd {kind} %d2.{i}, %d4.{i}",
+            f"%all{i} = fadd {kind} %both{i}, %ends{i}",
+            f"%third{i} = fmul {flags} %all{i}, {third}",
             f"%mean{i} = fadd {flags} %lv.{i}, %third{i}",
-            f"store {VECTOR} %mean{i}, ptr %pbv.{i}, align 64",
+            f"store {kind} %mean{i}, ptr %pbv.{i}, align 64",
         ]
     return _lines(*lines)
 

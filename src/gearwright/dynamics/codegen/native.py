@@ -44,7 +44,8 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
     Args:
         shape: Structure.
         layout: Places of the numbers, which follow from the structure.
-        lanes: 1 for a single trajectory with every step recorded; 8 for as many side by side with statistics.
+        lanes: 1 for a single trajectory with every step recorded; 8 for as many side by side with statistics, 16 for
+            as many in single precision.
         own: Fields of `Layout`, and ``"clock"``, that each lane has to itself; all others are alike.
     """
     text = assembly(Writer(shape, layout, lanes, own))

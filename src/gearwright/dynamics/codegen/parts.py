@@ -82,12 +82,13 @@ def slope_in_parts(writer: Writer, name: str, output: Output) -> str:
         code = Emitter(writer.lanes)
         sums = Memory(code, "%sums")
         part(writer, code, first, sums, pulls, output)
-        sums.store()
+        if writer.books:
+            sums.store()
         functions.append(writer.function(code, f"{name}{number}", _INSIDE))
         calls.append(f"  call void @{name}{number}({', '.join(f'ptr %{pointer}' for pointer in _INSIDE)})")
     whole, lanes = Emitter(writer.lanes), writer.lanes
     rooms = {"pull": writer.count * lanes, "force": filled(shape.size * lanes), "sums": filled(WORKS * lanes)}
-    whole.lines += [f"  %{room} = alloca [{numbers} x double], align 64" for room, numbers in rooms.items()]
+    whole.lines += [f"  %{room} = alloca [{numbers} x {whole.number}], align 64" for room, numbers in rooms.items()]
     if shape.drives.records:
         drive_laws(writer, whole, output)
     else:

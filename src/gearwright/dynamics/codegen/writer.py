@@ -4,29 +4,31 @@ from __future__ import annotations
 
 from collections import Counter
 
-from gearwright.dynamics.codegen.emit import CHUNK, VECTOR, Emitter
+from gearwright.dynamics.codegen.emit import CHUNK, Emitter, vector
 from gearwright.dynamics.codegen.topology import Layout, Topology, filled
 from gearwright.dynamics.model import OUTPUTS
 
 
-def wave_width(shape: Topology, clocks: int = 1) -> int:
+def wave_width(shape: Topology, clocks: int = 1, width: int = CHUNK) -> int:
     """Return the numbers that hold the cosines of all tones, filled up to whole vectors; the sines take as many.
 
     Args:
         shape: Structure.
         clocks: Clocks side by side: one for all lanes, or one for each.
+        width: Numbers in a vector.
     """
-    return filled(shape.tones * clocks)
+    return -(-shape.tones * clocks // width) * width
 
 
-def table_width(shape: Topology, clocks: int = 1) -> int:
+def table_width(shape: Topology, clocks: int = 1, width: int = CHUNK) -> int:
     """Return the numbers in a row of the clock table: cosines, sines, s, ṡ, scheduled loads, drives' inputs.
 
     Args:
         shape: Structure.
         clocks: Clocks side by side.
+        width: Numbers in a vector.
     """
-    return 2 * wave_width(shape, clocks) + (2 + len(shape.scheduled) + shape.drives.inputs) * clocks
+    return 2 * wave_width(shape, clocks, width) + (2 + len(shape.scheduled) + shape.drives.inputs) * clocks
 
 
 def record_width(shape: Topology) -> int:
@@ -54,7 +56,15 @@ class Writer:
         self.shape, self.layout, self.lanes, self.own = shape, layout, lanes, own
         self.count = len(shape.lines)
         self.clocks = lanes if "clock" in own else 1
+        self.width, self.vector, self.kind = max(CHUNK, lanes), vector(lanes), Emitter(lanes).number
+        self.books = lanes == 1
+        """Whether works are kept: nobody reads those of trajectories side by side."""
         self.uses = Counter(pair for line in shape.lines for pair in zip(line.dofs, line.weights, strict=True))
+
+    @property
+    def waves(self) -> int:
+        """Numbers that hold the cosines of all tones."""
+        return wave_width(self.shape, self.clocks, self.width)
 
     def cells(self, count: int) -> list[range]:
         """Return which of so many numbers of a trajectory stand together in each vector.
@@ -62,7 +72,7 @@ class Writer:
         Args:
             count: Numbers.
         """
-        side = CHUNK // self.lanes
+        side = self.width // self.lanes
         return [range(first, min(first + side, count)) for first in range(0, count, side)]
 
     def function(self, code: Emitter, name: str, pointers: tuple[str, ...]) -> str:
@@ -74,7 +84,7 @@ class Writer:
             pointers: Names of what it is given; with ``"bv"`` it also takes the factors c and share.
         """
         arguments = ", ".join(f"ptr noalias %{pointer}" for pointer in pointers)
-        factors = f", {VECTOR} %c, {VECTOR} %share" if "bv" in pointers else ""
+        factors = f", {self.vector} %c, {self.vector} %share" if "bv" in pointers else ""
         head = f'define internal void @{name}({arguments}{factors}) noinline nounwind "stackrealign" {{'
         return "\n".join([head, *code.lines, "  ret void", "}"])
 
@@ -109,7 +119,7 @@ class Writer:
             code: Body.
             column: 0 for s, 1 for ṡ, then scheduled loads and drives' inputs.
         """
-        return self.shared(code, "%row", 2 * wave_width(self.shape, self.clocks), column)
+        return self.shared(code, "%row", 2 * self.waves, column)
 
     def shared(self, code: Emitter, pointer: str, first: int, index: int) -> str:
         """Load what the clock decides: each lane's own, or one for all.

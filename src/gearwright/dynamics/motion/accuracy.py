@@ -81,6 +81,14 @@ class Error(NamedTuple):
         """
         return Error(max(self.peak, other[0]), max(self.rms, other[1]))
 
+    def plus(self, other: Error) -> Error:
+        """Return the sum of two errors.
+
+        Args:
+            other: Of another cause.
+        """
+        return Error(self.peak + other.peak, self.rms + other.rms)
+
     def words(self) -> str:
         """Return the error as a note says it."""
         return f"peaks of line forces are right to {self.peak:.1e}, their root mean squares to {self.rms:.1e}"
@@ -104,15 +112,29 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
     alike = np.minimum(moved, _over(swell * forces.peak, forces.rms))
     peak = share * alike + max(share, 1.0) * (moved - alike) + forces.between
     rms = share * swell + forces.ends
+    parts = np.maximum.reduce(_relative(np.array([peak, rms]), forces, units), axis=-1, initial=0.0)
+    chance = CHANCE if order else UNRELATED
+    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*parts.tolist(), strict=True)]
+
+
+def apart(forces: Forces, other: Forces, units: Sequence[str]) -> Floats:
+    """Return what peaks and root mean squares of runs differ by from those of others over them, shape (2, …, lines).
+
+    Args:
+        forces: Of runs, shape (…, lines).
+        other: Of other runs of the same.
+        units: Of the deflection of each line.
+    """
+    return _relative(np.abs([forces.peak - other.peak, forces.rms - other.rms]), forces, units)
+
+
+def _relative(parts: Floats, forces: Forces, units: Sequence[str]) -> Floats:
+    """Return parts of peaks and root mean squares over them; those that carry next to nothing beside their kind."""
     mine = np.array([forces.peak, forces.rms])
     largest = np.zeros_like(mine)
     for kind in _kinds(tuple(units)):
         largest[..., kind] = np.maximum.reduce(mine[..., kind], axis=-1, keepdims=True)
-    parts = np.maximum.reduce(
-        _over(np.array([peak, rms]), np.maximum(mine, NEGLIGIBLE * largest)), axis=-1, initial=0.0
-    )
-    chance = CHANCE if order else UNRELATED
-    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*parts.tolist(), strict=True)]
+    return _over(parts, np.maximum(mine, NEGLIGIBLE * largest))
 
 
 @lru_cache

@@ -1,4 +1,4 @@
-"""Ensembles: many systems of one structure side by side, eight to a vector, spread over the processor's cores."""
+"""Ensembles: many systems of one structure side by side in vectors, spread over the processor's cores."""
 
 from __future__ import annotations
 
@@ -12,17 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.codegen import (
-    Compiled,
-    Topology,
-    aligned,
-    compiled,
-    parameter_rows,
-    table_width,
-    topology,
-    wave_width,
-    waves_of,
-)
+from gearwright.dynamics.codegen import compiled, parameter_rows, topology
 from gearwright.dynamics.equations import WORKS, unbalanced
 from gearwright.dynamics.model import (
     Arrays,
@@ -44,13 +34,16 @@ from gearwright.dynamics.motion.accuracy import (
     SMOOTH,
     Error,
     Forces,
+    apart,
     errors_of,
     finer,
     shortfall,
 )
 from gearwright.dynamics.motion.record import RUNAWAY, index_of
+from gearwright.dynamics.motion.side_by_side import DOUBLE, Clock, Precision, Timing, lanes_of, run_lanes
 from gearwright.dynamics.motion.standing import endless, equilibrium
 from gearwright.dynamics.motion.steps import (
+    RMS_SHARE,
     STABLE,
     Accuracy,
     Pace,
@@ -65,12 +58,10 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.showing import Shown
 from gearwright.verbs import verb
 
-LANES = 8
-"""Trajectories in one vector."""
+SAMPLED = 8
+"""Trajectories of single precision that are run again in double, spread over all: one vector."""
 LEAST_STEPS = 16
 """Steps from which trajectories are compared with coarser ones [-]."""
-STEPS = 1024
-"""Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -95,6 +86,9 @@ class Ensemble(Shown):
     """Measured error of the peaks of line forces over them [-], shape (trajectories,)."""
     rms_error: Floats = field(default_factory=lambda: np.zeros(0))
     """And of their root mean squares [-], shape (trajectories,)."""
+    rounding: Error = Error(0.0, 0.0)
+    """What single precision moves peaks and root mean squares by, over them [-]: the most among trajectories that were
+    run again in double; part of both errors, 0 for double."""
     notes: tuple[str, ...] = ()
     """Trajectories whose error is larger than asked, or that never come to rest, and why."""
 
@@ -118,8 +112,12 @@ def simulate_many(
     start: Floats | None = None,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
+    precision: Precision = "double",
 ) -> Ensemble:
     """Return force statistics of many systems that differ in their numbers only.
+
+    Single precision holds twice as many trajectories in a vector; phases of the tones, and sums over more than a block
+    of steps, stay in double. What it costs is measured: some trajectories are run again in double at the same step.
 
     Args:
         systems: All of one structure: the same lines, tones and kinds of loads.
@@ -129,10 +127,13 @@ def simulate_many(
         start: q and q̇ of each, shape (systems, 2 coordinates); left out, static equilibrium.
         threads: Threads to use; left out, one for each core.
         progress: Called with the fraction done.
+        precision: ``"double"``, or ``"single"``.
 
     Raises:
-        DesignError: If structures differ (with the first that does), or step or duration cannot be.
-        SolveError: If a trajectory diverges, with its number and line.
+        DesignError: If structures differ (with the first that does), or step or duration cannot be; if a number has no
+            place in single precision.
+        SolveError: If a trajectory diverges, with its number and line; if single precision moves forces by more than
+            the error that is asked, with the line.
     """
     if not systems:
         raise DesignError([Problem("systems", "there is none")])
@@ -142,7 +143,7 @@ def simulate_many(
     given = None if step is None or isinstance(step, Accuracy) else step
     taken = min(default_step(system.arrays, asked) for system in systems) if given is None else given
     taken = taken if given is not None else whole_step(duration, taken)
-    march = _Marching(systems, duration, settle, _states(systems, start), threads)
+    march = _Marching(systems, duration, settle, _states(systems, start), threads, precision)
     found, other = march.at(taken, progress), march.beside(taken)
     for tried in range(REFINED + 1):
         error, order = _errors(systems, found, other)
@@ -151,14 +152,15 @@ def simulate_many(
             break
         other, found = found, march.at(found.step * finer(over, order), progress)
     why = REPEATED if given is None else GIVEN
+    rounding = march.rounding(found, asked)
     width = 2.0 * np.pi / duration
     notes = tuple(
         f"trajectory {number}: {note}"
         for number, (system, one, left) in enumerate(zip(systems, error, _left_over(systems), strict=True))
-        for note in [*shortfall(one, asked, why), *endless(system.arrays, width), *left]
+        for note in [*shortfall(one.plus(rounding), asked, why), *endless(system.arrays, width), *left]
     )
-    measured = np.array(error)
-    return replace(found, error=measured[:, 0], rms_error=measured[:, 1], notes=notes)
+    measured = np.array(error) + rounding
+    return replace(found, error=measured[:, 0], rms_error=measured[:, 1], rounding=rounding, notes=notes)
 
 
 def _left_over(systems: Sequence[System]) -> list[list[str]]:
@@ -199,6 +201,7 @@ class _Marching(NamedTuple):
     settle: float
     states: Floats
     threads: int | None
+    precision: Precision = DOUBLE
 
     def beside(self, step: float) -> Ensemble:
         """Return the same at twice the step, or at half of it where that would blow up or miss what excites."""
@@ -225,13 +228,15 @@ class _Marching(NamedTuple):
         if not all(0.0 < step * fastest_rate(arrays) <= STABLE for arrays in _fastest(members)):
             for arrays in members:
                 check_step(arrays, step)
-        code = compiled(shape, layout, LANES, varying)
-        clock = _Timing(step, first, steps, None if "clock" in varying else _Clock(members[:1], shape, step))
-        groups = [slice(low, low + LANES) for low in range(0, len(members), LANES)]
+        lanes = lanes_of(self.precision)
+        code = compiled(shape, layout, lanes, varying)
+        clock = None if "clock" in varying else Clock(members[:1], shape, step, lanes)
+        timing = Timing(step, first, steps, lanes, clock)
+        groups = [slice(low, low + lanes) for low in range(0, len(members), lanes)]
         results = []
         with ThreadPoolExecutor(self.threads or os.cpu_count()) as pool:
             runs = [
-                pool.submit(_run, code, shape, members[group], clock, numbers=numbers[group], states=self.states[group])
+                pool.submit(run_lanes, code, shape, members[group], timing, numbers=numbers[group], states=self.states[group])
                 for group in groups
             ]
             for number, run in enumerate(runs, start=1):
@@ -240,6 +245,30 @@ class _Marching(NamedTuple):
                     progress(number / len(runs))
         summary, ends = (np.concatenate(parts) for parts in zip(*results, strict=True))
         return _ensemble(self.systems[0].labels, summary, ends, step=step, count=steps - first)
+
+    def rounding(self, found: Ensemble, asked: Accuracy) -> Error:
+        """Return what single precision moves peaks and root mean squares by, measured on some trajectories.
+
+        Raises:
+            SolveError: If it is more than the error that is asked.
+        """
+        if self.precision == DOUBLE:
+            return Error(0.0, 0.0)
+        rows = np.unique(np.linspace(0, len(self.systems) - 1, SAMPLED).round().astype(int))
+        double = self._replace(
+            systems=[self.systems[row] for row in rows.tolist()], states=self.states[rows], precision=DOUBLE
+        ).at(found.step)  # fmt: skip
+        mine = Forces(*(part[rows] for part in _forces(found)))
+        moved = apart(mine, _forces(double), found.labels.line_units)
+        most = Error(*np.max(moved, axis=(1, 2)).tolist())
+        if not most.over(asked) <= 1.0:
+            _, row, line = np.unravel_index(int(np.argmax(moved)), moved.shape)
+            raise SolveError(
+                f"single precision moves peaks of line forces by {most.peak:.1e} and root mean squares by "
+                f"{most.rms:.1e}, most on line {found.labels.lines[line]} of trajectory {rows[row]}; asked were "
+                f"{asked.value:.1e} and {RMS_SHARE * asked.value:.1e}: take precision=\"double\""
+            )
+        return most
 
 
 def ends_of(system: System, starts: Floats, duration: float, step: float) -> Floats:
@@ -265,58 +294,6 @@ def _states(systems: Sequence[System], start: Floats | None) -> Floats:
     else:
         states[:, : 2 * size] = start
     return states
-
-
-class _Timing(NamedTuple):
-    """When, and the clock if it is one for all lanes."""
-
-    step: float
-    settled: int
-    steps: int
-    shared: _Clock | None
-
-
-def _run(
-    code: Compiled, shape: Topology, group: Sequence[Arrays], timing: _Timing, *, numbers: Floats, states: Floats
-) -> tuple[Floats, Floats]:
-    """March one vector of trajectories from their numbers and states; return their summaries and ends."""
-    lane_numbers, lane_states = _as_lanes(numbers), _as_lanes(states)
-    alike = lane_numbers[:, 0].copy()
-    clock = timing.shared or _Clock([*group, *[group[-1]] * (LANES - len(group))], shape, timing.step)
-    first, summary = 0, np.zeros(0)
-    while first < timing.steps:
-        if first in (0, timing.settled):
-            summary = aligned(4, len(shape.lines), LANES)
-            summary[0], summary[1] = np.inf, -np.inf
-        stop = timing.settled if first < timing.settled else timing.steps
-        count = min(STEPS, stop - first)
-        code.advance(count, alike, lane_numbers, clock.table, clock.turn(first), lane_states, summary)
-        first += count
-    return summary.transpose(2, 0, 1)[: len(group)], lane_states.T[: len(group)]
-
-
-def _as_lanes(rows: Floats) -> Floats:
-    """Return rows side by side, a lane for each; missing ones repeat the last."""
-    lanes = aligned(rows.shape[1], LANES)
-    lanes[:] = np.vstack([rows, np.repeat(rows[-1:], LANES - len(rows), axis=0)]).T
-    return lanes
-
-
-class _Clock:
-    """Clock table of a block: one for all lanes if they run at one speed, each lane's own if not."""
-
-    def __init__(self, lanes: Sequence[Arrays], shape: Topology, step: float) -> None:
-        factor = np.array([arrays.profile.factor[0] for arrays in lanes])
-        self.rate = (np.array([arrays.tone_rate for arrays in lanes]).T * factor).ravel()
-        self.step, self.waves = step, wave_width(shape, len(lanes))
-        self.table = aligned(2 * STEPS + 1, table_width(shape, len(lanes)))
-        half = 0.5 * step * np.arange(len(self.table))
-        self.table[:, : 2 * self.waves] = waves_of(np.outer(half, self.rate), self.waves)
-        self.table[:, 2 * self.waves : 2 * self.waves + len(lanes)] = factor
-
-    def turn(self, first: int) -> Floats:
-        """Return by how much the tones are to be turned for a block that begins at a step."""
-        return waves_of(self.rate * (first * self.step), self.waves)
 
 
 def _check_family(family: Arrays) -> None:
