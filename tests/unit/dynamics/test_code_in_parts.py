@@ -46,6 +46,8 @@ def test_lanes_of_large_structures_are_their_single_runs():
     many = simulate_many([system] * 2, 0.002, step=1e-5)
     alone = simulate(system, 0.002, step=1e-5, method="runge-kutta")
     np.testing.assert_allclose(many.rms[1], alone.force.rms[0], rtol=1e-9, atol=1e-9 * np.max(many.rms))
+    single = simulate_many([system] * 2, 0.002, step=1e-5, precision="single")
+    np.testing.assert_allclose(single.rms[1], many.rms[1], rtol=1e-4, atol=1e-5 * np.max(many.rms))
 
 
 def steady(system):

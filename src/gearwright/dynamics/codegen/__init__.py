@@ -8,6 +8,7 @@ from gearwright.dynamics.codegen.clock import FUNCTIONS as CLOCK
 from gearwright.dynamics.codegen.clock import Clocked, clock, clocked, set_clock, unturned, waves_of
 from gearwright.dynamics.codegen.crests import AFTER, BEFORE, blank_crests, bring_crests, crests_code, lagrange
 from gearwright.dynamics.codegen.emit import CHUNK, SINGLE
+from gearwright.dynamics.codegen.march import BLOCK
 from gearwright.dynamics.codegen.native import Compiled, compiled
 from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
 from gearwright.dynamics.codegen.summary import summarise, summary_code
@@ -17,6 +18,7 @@ from gearwright.dynamics.codegen.writer import drive_width, record_width, table_
 __all__ = [
     "AFTER",
     "BEFORE",
+    "BLOCK",
     "CHUNK",
     "CLOCK",
     "SIDE",

@@ -45,7 +45,11 @@ def _waves(writer: Writer, code: Emitter) -> None:
             code.subtract(code.multiply(cos, c), code.multiply(sin, s)),
             code.add(code.multiply(cos, s), code.multiply(sin, c)),
         )
-        rate = code.load("%p", writer.layout.rate + i) if writer.clocks == 1 else writer.whole(code, "rate", i // writer.width)
+        rate = (
+            code.load("%p", writer.layout.rate + i)
+            if writer.clocks == 1
+            else writer.whole(code, "rate", i // writer.width)
+        )
         for number, wave in enumerate(waves):
             code.store(wave, "%wave", number * width + i)
             code.store(code.multiply(rate, wave), "%wave", (2 + number) * width + i)

@@ -14,6 +14,8 @@ from gearwright.dynamics.codegen.topology import filled
 from gearwright.dynamics.codegen.writer import Writer, record_width, table_width, wave_width
 from gearwright.dynamics.equations import WORKS
 
+BLOCK = 64
+"""Steps of trajectories side by side between two turns of the tones: so short a table stays in the near caches."""
 STAGES = ("q", "v", "qa", "qb", "v2", "v3", "v4", "bq", "bv")
 """Work arrays: the state, positions of stages in turn, velocities of stages two to four, what the last begins from."""
 
@@ -30,7 +32,7 @@ def assembly(writer: Writer) -> str:
     slopes += [] if _shared(writer) else [written(writer, "slope", "")]
     laws = [DECLARATIONS] if writer.shape.drives.records else []
     parts = [_DECLARATIONS, *laws, instant(writer), *slopes, _loop(writer)]
-    return "\n\n".join([*parts, *([_alone(writer)] if alone else [])])
+    return "\n\n".join([*parts, _alone(writer) if alone else _blocks(writer)])
 
 
 def _shared(writer: Writer) -> bool:
@@ -56,9 +58,14 @@ def _loop(writer: Writer) -> str:
     slope_name = "unseen" if _shared(writer) else "slope"
     row, numbers = table_width(shape, writer.clocks, writer.width), shape.size * lanes
     stride = record_width(shape) if lanes == 1 else 0
-    keep = [*_moved(writer, "%place", 0, "%q", numbers), *_moved(writer, "%place", numbers, "%v", numbers)] if lanes == 1 else []
+    keep = (
+        [*_moved(writer, "%place", 0, "%q", numbers), *_moved(writer, "%place", numbers, "%v", numbers)]
+        if lanes == 1
+        else []
+    )
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "own", "table", "turn", "state", "out"))
-    return f"""define void @advance(i64 %steps, {pointers}) {{
+    name = "void @advance" if lanes == 1 else "internal void @march"
+    return f"""define {name}(i64 %steps, {pointers}) {{
 entry:
 {_arrays(writer, STAGES, STAGES)}
 {_lines(*_copies(writer, "%state", ("q", "v", "works"), inwards=True))}
@@ -96,6 +103,30 @@ done:
 }}"""
 
 
+def _blocks(writer: Writer) -> str:
+    """Return the function that takes the steps of trajectories side by side, each block with its turn of the tones."""
+    names = ("p", "own", "table", "turn", "state", "out")
+    pointers, given = (", ".join(f"{kind} %{name}" for name in names) for kind in ("ptr noalias", "ptr"))
+    return f"""define void @advance(i64 %steps, {pointers}) {{
+entry:
+  br label %head
+head:
+  %first = phi i64 [0, %entry], [%next, %head]
+  %next = add i64 %first, {BLOCK}
+  %left = sub i64 %steps, %first
+  %short = icmp slt i64 %left, {BLOCK}
+  %count = select i1 %short, i64 %left, i64 {BLOCK}
+  %number = udiv i64 %first, {BLOCK}
+  %far = mul i64 %number, {2 * writer.waves}
+  %turned = getelementptr {writer.kind}, ptr %turn, i64 %far
+  call void @march(i64 %count, {given.replace("%turn,", "%turned,")})
+  %more = icmp slt i64 %next, %steps
+  br i1 %more, label %head, label %done
+done:
+  ret void
+}}"""
+
+
 def _alone(writer: Writer) -> str:
     """Return the function that works out one derivative, for steps of any length: a stage from nothing with c = 1."""
     wave, room = wave_width(writer.shape), _room(writer)
@@ -124,7 +155,9 @@ def _arrays(writer: Writer, names: tuple[str, ...], cleared: tuple[str, ...]) ->
     rooms |= {"unwanted": record_width(shape)} if _shared(writer) else {}
     lines = [f"%{name} = alloca [{room} x {writer.kind}], align 64" for name, room in rooms.items()]
     size = 64 // writer.width
-    lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {size * rooms[name]}, i1 false)" for name in cleared]
+    lines += [
+        f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {size * rooms[name]}, i1 false)" for name in cleared
+    ]
     return _lines(*lines)
 
 
@@ -170,24 +203,24 @@ def _stage(writer: Writer, name: str, row: str, arrays: str, *, c: str, share: s
 def _last_base(writer: Writer) -> str:
     """The last stage begins from: bq = q + h/6 (v + 2 v₂ + 2 v₃), bv = v + (d₂ + 2 d₃ + d₄)/3, dᵢ = vᵢ − v."""
     lines, kind, third = list[str](), writer.vector, splat(1.0 / 3.0, writer.lanes)
-    flags = f"contract {kind}"
+    two, flags = splat(2.0, writer.lanes), f"contract {kind}"
     for i in range(0, _room(writer), writer.width):
         for name in ("q", "v", "v2", "v3", "v4", "bq", "bv"):
             lines.append(f"%p{name}.{i} = getelementptr {writer.kind}, ptr %{name}, i64 {i}")
         for name in ("q", "v", "v2", "v3", "v4"):
             lines.append(f"%l{name}.{i} = load {kind}, ptr %p{name}.{i}, align 64")
         lines += [
-            f"%twice{i} = fadd {kind} %lv3.{i}, %lv3.{i}",
-            f"%inner{i} = fadd {kind} %lv2.{i}, %twice{i}",
+            f"%twice{i} = fmul contract {kind} %lv3.{i}, {two}",
+            f"%inner{i} = fadd contract {kind} %lv2.{i}, %twice{i}",
             f"%middle{i} = fadd {kind} %lv2.{i}, %inner{i}",
             f"%sum{i} = fadd {kind} %lv.{i}, %middle{i}",
             f"%gone{i} = fmul {flags} %sixth, %sum{i}",
             f"%to{i} = fadd {flags} %lq.{i}, %gone{i}",
             f"store {kind} %to{i}, ptr %pbq.{i}, align 64",
             *(f"%d{n}.{i} = fsub {kind} %lv{n}.{i}, %lv.{i}" for n in (2, 3, 4)),  # small, so that rounding is too
-            f"%both{i} = fadd {kind} %d3.{i}, %d3.{i}",
+            f"%both{i} = fmul contract {kind} %d3.{i}, {two}",
             f"%ends{i} = fadd {kind} %d2.{i}, %d4.{i}",
-            f"%all{i} = fadd {kind} %both{i}, %ends{i}",
+            f"%all{i} = fadd contract {kind} %both{i}, %ends{i}",
             f"%third{i} = fmul {flags} %all{i}, {third}",
             f"%mean{i} = fadd {flags} %lv.{i}, %third{i}",
             f"store {kind} %mean{i}, ptr %pbv.{i}, align 64",

@@ -94,6 +94,10 @@ class Error(NamedTuple):
         return f"peaks of line forces are right to {self.peak:.1e}, their root mean squares to {self.rms:.1e}"
 
 
+EXACT = Error(0.0, 0.0)
+"""None."""
+
+
 def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: float, order: int) -> list[Error]:
     """Return the errors of runs, one for each row of their forces.
 

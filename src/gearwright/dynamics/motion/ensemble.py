@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -27,6 +27,7 @@ from gearwright.dynamics.model import (
 )
 from gearwright.dynamics.motion.accuracy import (
     COARSER,
+    EXACT,
     GIVEN,
     PARTING,
     REFINED,
@@ -86,7 +87,7 @@ class Ensemble(Shown):
     """Measured error of the peaks of line forces over them [-], shape (trajectories,)."""
     rms_error: Floats = field(default_factory=lambda: np.zeros(0))
     """And of their root mean squares [-], shape (trajectories,)."""
-    rounding: Error = Error(0.0, 0.0)
+    rounding: Error = EXACT
     """What single precision moves peaks and root mean squares by, over them [-]: the most among trajectories that were
     run again in double; part of both errors, 0 for double."""
     notes: tuple[str, ...] = ()
@@ -223,6 +224,8 @@ class _Marching(NamedTuple):
             message = f"{self.settle:g} s; it must lie within the duration of {self.duration:g} s"
             raise DesignError([Problem("settle", message)])
         shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
+        if self.precision != DOUBLE:
+            _check_range(layout._asdict(), rows)
         varying = own_groups(family, layout, layout._fields, rows)
         numbers = np.broadcast_to(rows, (len(members), rows.shape[1]))
         if not all(0.0 < step * fastest_rate(arrays) <= STABLE for arrays in _fastest(members)):
@@ -236,7 +239,9 @@ class _Marching(NamedTuple):
         results = []
         with ThreadPoolExecutor(self.threads or os.cpu_count()) as pool:
             runs = [
-                pool.submit(run_lanes, code, shape, members[group], timing, numbers=numbers[group], states=self.states[group])
+                pool.submit(
+                    run_lanes, code, shape, members[group], timing, numbers=numbers[group], states=self.states[group]
+                )
                 for group in groups
             ]
             for number, run in enumerate(runs, start=1):
@@ -253,7 +258,7 @@ class _Marching(NamedTuple):
             SolveError: If it is more than the error that is asked.
         """
         if self.precision == DOUBLE:
-            return Error(0.0, 0.0)
+            return EXACT
         rows = np.unique(np.linspace(0, len(self.systems) - 1, SAMPLED).round().astype(int))
         double = self._replace(
             systems=[self.systems[row] for row in rows.tolist()], states=self.states[rows], precision=DOUBLE
@@ -266,7 +271,7 @@ class _Marching(NamedTuple):
             raise SolveError(
                 f"single precision moves peaks of line forces by {most.peak:.1e} and root mean squares by "
                 f"{most.rms:.1e}, most on line {found.labels.lines[line]} of trajectory {rows[row]}; asked were "
-                f"{asked.value:.1e} and {RMS_SHARE * asked.value:.1e}: take precision=\"double\""
+                f'{asked.value:.1e} and {RMS_SHARE * asked.value:.1e}: take precision="double"'
             )
         return most
 
@@ -315,6 +320,18 @@ def _fastest(members: Sequence[Arrays]) -> Sequence[Arrays]:
         family.gyroscopic.value, family.profile.factor,
     )  # fmt: skip
     return members if any(np.any(part != part[:1]) for part in alike) else [envelope(members[0], family)]
+
+
+def _check_range(layout: Mapping[str, int], rows: Floats) -> None:
+    """Refuse numbers that have no place in single precision."""
+    size, kind = np.abs(rows), np.finfo(np.float32)
+    wrong = (np.isfinite(size) & (size > kind.max)) | ((size > 0.0) & (size < kind.smallest_normal))
+    if np.any(wrong):
+        number, column = (int(place[0]) for place in np.nonzero(wrong))
+        group = [name for name, first in layout.items() if first <= column][-1]
+        message = f"{group} {rows[number, column]:.3g} has no place in single precision, which holds numbers from "
+        message += f'{kind.smallest_normal:.2g} to {kind.max:.2g}; take precision="double"'
+        raise DesignError([Problem(f"systems.{number}", message)])
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, *, step: float, count: int) -> Ensemble:

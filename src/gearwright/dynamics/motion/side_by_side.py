@@ -9,6 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.codegen import (
+    BLOCK,
     CHUNK,
     SINGLE,
     Compiled,
@@ -23,8 +24,8 @@ from gearwright.dynamics.model import Arrays
 Precision = Literal["double", "single"]
 """Of numbers that are marched."""
 DOUBLE: Final = "double"
-STEPS = 1024
-"""Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
+STEPS = 64 * BLOCK
+"""Steps between two returns to Python: long enough that threads seldom wait for each other to leave it."""
 
 
 def lanes_of(precision: Precision) -> int:
@@ -47,7 +48,7 @@ class Timing(NamedTuple):
 
 
 class Clock:
-    """Clock table of a block: one for all lanes if they run at one speed, each lane's own if not.
+    """Clock table of a block of steps: one for all lanes if they run at one speed, each lane's own if not.
 
     Angles are worked out in double precision, whatever that of their cosines and sines.
     """
@@ -56,20 +57,22 @@ class Clock:
         factor, count = np.array([arrays.profile.factor[0] for arrays in members]), len(members)
         self.rate = (np.array([arrays.tone_rate for arrays in members]).T * factor).ravel()
         self.step, self.waves, self.single = step, wave_width(shape, count, lanes), lanes == SINGLE
-        self.table = aligned(2 * STEPS + 1, table_width(shape, count, lanes), single=self.single)
+        self.table = aligned(2 * BLOCK + 1, table_width(shape, count, lanes), single=self.single)
         half = 0.5 * step * np.arange(len(self.table))
         self.table[:, : 2 * self.waves] = waves_of(np.outer(half, self.rate), self.waves)
         self.table[:, 2 * self.waves : 2 * self.waves + count] = factor
 
-    def turn(self, first: int) -> Floats:
-        """Return by how much the tones are to be turned for a block that begins at a step.
+    def turns(self, first: int, count: int) -> Floats:
+        """Return by how much the tones are to be turned for each block of some steps.
 
         Args:
-            first: That step.
+            first: Step with which they begin.
+            count: Steps.
         """
-        turn = aligned(2 * self.waves, single=self.single)
-        turn[:] = waves_of(self.rate * (first * self.step), self.waves)
-        return turn
+        begins = self.step * (first + BLOCK * np.arange(-(-count // BLOCK)))
+        turns = aligned(len(begins), 2 * self.waves, single=self.single)
+        turns[:] = waves_of(np.outer(begins, self.rate), self.waves)
+        return turns
 
 
 def run_lanes(
@@ -100,7 +103,7 @@ def run_lanes(
         stop = timing.settled if first < timing.settled else timing.steps
         count = min(STEPS, stop - first)
         block[:] = _NOTHING
-        code.advance(count, alike, lane_numbers, clock.table, clock.turn(first), lane_states, block)
+        code.advance(count, alike, lane_numbers, clock.table, clock.turns(first, count), lane_states, block)
         np.minimum(summary[0], block[0], out=summary[0])
         np.maximum(summary[1], block[1], out=summary[1])
         summary[2:] += block[2:]
