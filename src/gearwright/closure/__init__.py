@@ -4,6 +4,7 @@ What is checked and how is for the layers below: sizing, dynamics, mission. What
 """
 
 from gearwright.closure.against import Contradiction, contradictions
+from gearwright.closure.as_sized import as_sized
 from gearwright.closure.close import close
 from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
 from gearwright.closure.flown import OnMission
@@ -29,6 +30,7 @@ __all__ = [
     "Variant",
     "Variants",
     "Wishes",
+    "as_sized",
     "close",
     "contradictions",
     "nearest_variant",

@@ -204,7 +204,7 @@ def show_table(
     elif jsonl:
         pass  # the rows of a study were printed as they were finished
     elif json:
-        show_answer(command, study_answer(table))
+        show_answer(command, study_answer(table, study))
     else:
         show(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
         if study is not None and (study.objectives or study.sampling.method != "grid"):

@@ -6,7 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from gearwright.render.answers.plain import named
+from gearwright.spec import Study
+from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Row, Table
+from gearwright.study.running import Reliability, reliability
 from gearwright.study.running.journal import Status
 from gearwright.units import Time
 
@@ -32,17 +35,22 @@ class StudyAnswer:
     description: str
     failed: int | None
     """Infeasible variants; null in the first line of `--jsonl`, which stands before them."""
+    reliability: tuple[Reliability, ...]
+    """Of every design, where the study asks how likely a constraint is broken."""
     rows: tuple[StudyRow, ...]
     """In the order of the study."""
 
 
-def study_answer(table: Table) -> StudyAnswer:
+def study_answer(table: Table, study: Study | None = None) -> StudyAnswer:
     """Return what `gearwright study --json`, `compare --json` and `resume --json` answer.
 
     Args:
         table: Of the study.
+        study: As run; left out: nobody asks how likely constraints are broken.
     """
-    return StudyAnswer(table.name, table.description, len(table.failed), tuple(study_rows(table)))
+    asked = study is not None and study.sampling.method in RELIABILITY
+    found = reliability(study, table) if study is not None and asked else ()
+    return StudyAnswer(table.name, table.description, len(table.failed), found, tuple(study_rows(table)))
 
 
 def study_rows(table: Table) -> Iterator[StudyRow]:

@@ -31,14 +31,17 @@ from gearwright.render.pages.page import (
 )
 from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.schematic.schematic import schematic_figure
+from gearwright.render.tables.study.limits import failure_table, limits_table
 from gearwright.render.tables.study.lists import front_list, inputs_table, spread_table, standings_table, values_table
 from gearwright.render.tables.study.variants import heading
 from gearwright.render.words.headline import headline
 from gearwright.render.words.study import SAMPLED, answer, chosen, key_numbers
 from gearwright.spec import Design, Study
+from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Table
 from gearwright.study.answers import Verdict, front_table, pareto_front, sensitivity, varies, verdict
 from gearwright.study.cases import reviewed
+from gearwright.study.running import Reliability, reliability
 from gearwright.version import __version__
 
 FEW = 60
@@ -61,7 +64,9 @@ def study_page(study: Study, table: Table, designs: Mapping[str, Design], *, sta
         sections.append(_front(study, table))
     if study.sampling.method == "saltelli":
         sections.append(_sensitivity(study, table))
-    if outcome is None or outcome.scenarios == 1:
+    if study.sampling.method in RELIABILITY:
+        sections += [_failures(study, found) for found in reliability(study, table)]
+    elif outcome is None or outcome.scenarios == 1:
         sections.append(_cases(study, table))
     sections += [section for section, _ in drawn]
     numbers = tuple(Number(name, value) for name, value in key_numbers(outcome))
@@ -123,6 +128,14 @@ def _sensitivity(study: Study, table: Table) -> Section:
         caption = f"{heading(result)}: Sobol' indices; the total index includes interactions."
         figures.append(figure(tornado_figure(result, indices), f"tornado{k}", caption))
     return Section("What it depends on", figures=tuple(figures), notes=tuple(notes))
+
+
+def _failures(study: Study, found: Reliability) -> Section:
+    tables = [limits_table(found)]
+    if found.limits[0].likeliest:
+        tables.append(failure_table(study, found))
+    note = f"{found.evaluations:,} cases, {found.failed:,} of them without a result, counted as broken."
+    return Section(f"How likely {found.design} fails", tuple(tables), notes=(note,))
 
 
 def _cases(study: Study, table: Table) -> Section:

@@ -8,9 +8,11 @@ import numpy as np
 
 from gearwright.errors import SolveError
 from gearwright.render.grid.table import written
+from gearwright.render.tables.study.limits import chance, likeliest_words
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent, reasons
 from gearwright.spec import Study
+from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Row, Table
 from gearwright.study.answers import (
     Verdict,
@@ -24,6 +26,7 @@ from gearwright.study.answers import (
     verdict,
     violations,
 )
+from gearwright.study.running import reliability
 
 DRAWN = 3
 """Designs of a front that are shown: its ends and the one between them."""
@@ -42,14 +45,17 @@ def answer(study: Study, table: Table) -> Iterator[str]:
     if outcome is not None:
         yield from _wins(outcome)
         yield from _duel(study, table, outcome)
-    if study.sampling.method == "saltelli":
+    if study.sampling.method in RELIABILITY:
+        yield from _chances(study, table)
+    elif study.sampling.method == "saltelli":
         yield from _drivers(study, table)
     elif study.sampling.method in SAMPLED and len(study.designs) == 1 and not study.objectives:
         yield from (_range(table, name) for name in table.numbers)
     if outcome is None or study.sampling.method not in SAMPLED:
         yield from (_best(study, table, name, sense) for name, sense in study.objectives.items())
         yield from _ends(study, table)
-    yield from _constraints(study, table)
+    if study.sampling.method not in RELIABILITY:  # their cases are where failures are, not as often as they come
+        yield from _constraints(study, table)
     failed = len(table.failed)
     designs = f"{len(study.designs)} designs" if len(study.designs) > 1 else study.designs[0]
     cases = f"{len(table.rows):,} case{'s' if len(table.rows) > 1 else ''}"
@@ -201,6 +207,19 @@ def _drivers(study: Study, table: Table) -> Iterator[str]:
             low, high = index.total_interval
             parts.append(f"{index.axis} {percent(index.total)} ({percent(low)} to {percent(high)})")
         yield f"{heading(name)} depends most on {', then '.join(parts)}, as shares of its variance, 95 % confidence."
+
+
+def _chances(study: Study, table: Table) -> Iterator[str]:
+    """Say how likely each design breaks a constraint, how sure that is, and what the likeliest failure is."""
+    for found in reliability(study, table):
+        low, high = (chance(end) for end in found.interval)
+        likely = f"{chance(found.probability)} (95 % confidence: {low} to {high}), β = {written(found.index)}"
+        if not found.settled:
+            yield f"{found.design}: not settled; a larger count is needed. So far a constraint is broken with {likely}."
+            continue
+        yield f"{found.design} breaks a constraint with a probability of {likely}."
+        if found.limits[0].likeliest:
+            yield f"The likeliest failure: {likeliest_words(found.limits[0])}."
 
 
 def _constraints(study: Study, table: Table) -> Iterator[str]:

@@ -8,6 +8,10 @@ from gearwright.spec.studies.mix import Mix, MixFile, parse_mix, read_mix
 from gearwright.spec.studies.search import Search
 from gearwright.spec.studies.study import (
     MISSION_PATH,
+    MOST_STEPS,
+    RELIABILITY,
+    SCATTERED,
+    TRIED_STEPS,
     Bound,
     Flown,
     Simulated,
@@ -21,7 +25,11 @@ from gearwright.spec.studies.study import (
 
 __all__ = [
     "MISSION_PATH",
+    "MOST_STEPS",
     "MOST_VALUES",
+    "RELIABILITY",
+    "SCATTERED",
+    "TRIED_STEPS",
     "Axis",
     "Bound",
     "Flown",

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Literal, cast
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
 from gearwright.showing import Shown
@@ -30,16 +30,30 @@ MOST_SAMPLES = 1_000_000
 MISSION_PATH, FLY_RESULT = "mission.", "fly."
 """How paths into the mission and the results of its flight begin."""
 MAP_PATH = f"{MISSION_PATH}propeller_map"
-Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2"]
+Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2", "form", "subset"]
+RELIABILITY = ("form", "subset")
+"""Methods that find how likely it is that a constraint is broken."""
+MOST_STEPS = 20
+"""Steps in which ``form`` looks for the likeliest failure of one limit [-]."""
+TRIED_STEPS = 8
+"""Lengths of a step that ``form`` tries at once [-]."""
+SCATTERED = 64
+"""Points among which ``form`` looks for a second start [-]."""
+LEAST_SAMPLES = 100
+"""Samples of a level of ``subset``: a tenth of them starts the next one [-]."""
 
 
 class Sampling(Record):
     """How cases are taken from the axes."""
 
     method: Method = Field("grid", description="grid: every combination; list: the k-th values of all axes together")
-    count: int | None = Field(None, ge=1, le=MOST_SAMPLES, description="Samples of each design; evaluations of nsga2")
+    count: int | None = Field(
+        None, ge=1, le=MOST_SAMPLES, description="Samples of each design; evaluations of nsga2, form and subset"
+    )
     seed: int = Field(1, ge=0, description="Start of the random numbers: the same seed, the same cases")
-    population: int = Field(40, ge=4, le=10_000, description="Designs of one generation of nsga2")
+    population: int = Field(
+        40, ge=4, le=10_000, description="Designs of one generation of nsga2, samples of one level of subset"
+    )
 
 
 class Bound(Record):
@@ -76,6 +90,9 @@ class Study(Shown, Record):
         default_factory=dict, description="Dotted path with unit, of the design or into its mission.… -> values"
     )
     changes: dict[str, Value] = Field(default_factory=dict, description="Dotted path with unit -> value, for all cases")
+    frozen: bool = Field(
+        False, description="Sizes stay those of each design as it is: axes and changes meet the finished gearbox"
+    )
     results: list[str] = Field(default_factory=lambda: ["mass"], min_length=1, description="Results by name")
     sampling: Sampling = Field(default_factory=Sampling, description="How cases are taken from the axes")
     objectives: dict[str, Literal["minimum", "maximum"]] = Field(
@@ -109,6 +126,11 @@ class Study(Shown, Record):
     def asked(self) -> tuple[str, ...]:
         """Every result that a case computes: those asked for, then those of objectives and constraints."""
         return tuple(dict.fromkeys([*self.results, *self.objectives, *self.constraints]))
+
+    @property
+    def searches(self) -> bool:
+        """True if its cases follow from the results of earlier ones."""
+        return self.sampling.method in ("nsga2", *RELIABILITY)
 
     @property
     def flies(self) -> bool:
@@ -151,7 +173,7 @@ def case_count(study: Study) -> int:
     """
     if study.search is not None:
         return len(study.designs) * study.search.screened + study.search.evaluations
-    count = len(study.designs) * _each(study) if study.sampling.method != "nsga2" else _sampled(study)
+    count = _sampled(study) if study.sampling.method == "nsga2" else len(study.designs) * _each(study)
     if count > MOST_CASES:
         message = (
             f"{count:,} cases; at most {MOST_CASES:,} are run: take larger steps or fewer axes, or draw samples of"
@@ -193,9 +215,35 @@ def _sampled(study: Study) -> int:
     if sampling.method == "nsga2" and not study.objectives:
         message = 'a search needs at least one: [objectives] mass = "minimum"'
         raise DesignError([Problem("objectives", message)])
+    if sampling.method in RELIABILITY:
+        refuse(list(_reliability_problems(study, sampling.count)))
     if not study.axes and not (sampling.method == "nsga2" and len(study.designs) > 1):
         raise DesignError([Problem("axes", f"{sampling.method!r} has nothing to vary; give an axis")])
     return sampling.count
+
+
+def _reliability_problems(study: Study, count: int) -> Iterator[Problem]:
+    """Yield what a study lacks to find how likely it is that a constraint is broken."""
+    method, size, axes = study.sampling.method, study.sampling.population, len(study.axes)
+    limits = sum(bound is not None for limit in study.constraints.values() for bound in (limit.minimum, limit.maximum))
+    if not limits:
+        yield Problem("constraints", f"{method!r} needs what must not be broken: worst_margin = {{minimum = 1.0}}")
+        return
+    if method == "subset" and (not LEAST_SAMPLES <= size <= count // limits or size % 10):
+        message = f"{size} samples of a level; give a multiple of 10 from {LEAST_SAMPLES} to {count // limits}"
+        message += ", or a larger count: each limit has an equal share of it"
+        yield Problem("sampling.population", message)
+    if method != "form":
+        return
+    search = 2 * axes + MOST_STEPS * (2 * axes + TRIED_STEPS)
+    least = 2 * axes + 3 + SCATTERED + 2 * limits * search
+    if count < least:
+        message = f"{count} is too few: {axes} axes and {limits} limits may take {least:,} before anything is drawn"
+        yield Problem("sampling.count", f"{message}; give so many or more")
+    for path, axis in study.axes.items():
+        if axis.values is not None or axis.step is not None:
+            message = "'form' follows gradients, and a list or equal steps have none"
+            yield Problem(f"axes.{path}", f'{message}; give a range or a distribution, or take method = "subset"')
 
 
 @verb

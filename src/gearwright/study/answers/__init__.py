@@ -15,7 +15,18 @@ from gearwright.study.answers.blocks import (
     blocks_of,
 )
 from gearwright.study.answers.export import columns, refuse_export, write_table
-from gearwright.study.answers.pareto import FAILED, front_table, non_dominated, pareto_front, ranks, violations, wanted
+from gearwright.study.answers.pareto import (
+    FAILED,
+    Limit,
+    front_table,
+    left_of,
+    limits_of,
+    non_dominated,
+    pareto_front,
+    ranks,
+    violations,
+    wanted,
+)
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
 from gearwright.study.answers.table import Row, Table, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
@@ -29,6 +40,7 @@ __all__ = [
     "Block",
     "Blocks",
     "Influence",
+    "Limit",
     "Row",
     "Shape",
     "Standing",
@@ -41,6 +53,8 @@ __all__ = [
     "confidence",
     "front_table",
     "kept",
+    "left_of",
+    "limits_of",
     "non_dominated",
     "pareto_front",
     "quantiles",

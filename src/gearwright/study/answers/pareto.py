@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -77,19 +79,53 @@ def violations(study: Study, rows: Sequence[Row]) -> Floats:
         study: With constraints.
         rows: Of it.
     """
-    return np.array([_violation(study, row) for row in rows])
-
-
-def _violation(study: Study, row: Row) -> float:
-    if row.problem:
-        return FAILED
-    total = 0.0
-    for name, bound in study.constraints.items():
-        value = row.shown(name)
-        for limit, excess in ((bound.minimum, -1.0), (bound.maximum, 1.0)):
-            if limit is not None:
-                total += max(0.0, excess * (value - limit)) / (abs(limit) or 1.0)
+    failed = np.array([bool(row.problem) for row in rows], dtype=bool)
+    broken = np.fmax(0.0, -left_of(study, rows)).sum(axis=1)
+    total: Floats = np.where(failed, FAILED, broken)
     return total
+
+
+class Limit(NamedTuple):
+    """One side of a constraint."""
+
+    result: str
+    """Its name."""
+    bound: float
+    """In the unit of tables."""
+    is_minimum: bool
+    """True if the result has to be at least the bound, False if at most."""
+
+
+def limits_of(study: Study) -> tuple[Limit, ...]:
+    """Return every limit that the constraints of a study set.
+
+    Args:
+        study: With constraints.
+    """
+    return tuple(
+        Limit(name, value, is_minimum)
+        for name, bound in study.constraints.items()
+        for value, is_minimum in ((bound.minimum, True), (bound.maximum, False))
+        if value is not None
+    )
+
+
+def left_of(study: Study, rows: Sequence[Row]) -> Floats:
+    """Return what is left of every limit, relative to it [-], shape (rows, limits): below 0 it is broken.
+
+    Args:
+        study: With constraints.
+        rows: Of it; of one that failed nothing is known, which is minus infinity.
+    """
+    limits = limits_of(study)
+    return np.array([[_left(row, limit) for limit in limits] for row in rows]).reshape(len(rows), len(limits))
+
+
+def _left(row: Row, limit: Limit) -> float:
+    if row.problem:
+        return -math.inf
+    over = (row.shown(limit.result) - limit.bound) / (abs(limit.bound) or 1.0)
+    return over if limit.is_minimum else -over
 
 
 def ranks(values: Floats, broken: Floats) -> Ints:

@@ -4,7 +4,7 @@ Which answers they give together is in `answers`, how thousands are run in `runn
 """
 
 from gearwright.study.cases.engine import for_engine, for_requirement, refuse_no_size
-from gearwright.study.cases.evaluate import evaluate, refuse_unknown_paths, results_of, reviewed, sized, split
+from gearwright.study.cases.evaluate import evaluate, fixed, refuse_unknown_paths, results_of, reviewed, sized, split
 from gearwright.study.cases.flights import TOGETHER, fly_together
 from gearwright.study.cases.sampling import Case, cases, unit_sample
 from gearwright.study.cases.together import LEAST, evaluated, goes_together
@@ -16,6 +16,7 @@ __all__ = [
     "cases",
     "evaluate",
     "evaluated",
+    "fixed",
     "fly_together",
     "for_engine",
     "for_requirement",

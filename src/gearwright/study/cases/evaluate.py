@@ -64,6 +64,23 @@ def split(changes: Mapping[str, Value]) -> tuple[dict[str, Value], dict[str, Val
     return design, {path.removeprefix(MISSION_PATH): changes[path] for path in changes if path in flight}
 
 
+def fixed(study: Study, designs: Mapping[str, Design]) -> Mapping[str, Design]:
+    """Return the designs of a study as its cases start from them: with their sizes written, where it is frozen.
+
+    Args:
+        study: That says so.
+        designs: Name -> design.
+
+    Raises:
+        DesignError: If sizes cannot be written.
+    """
+    if not study.frozen:
+        return designs
+    from gearwright.closure import as_sized  # what closes is loaded for those who ask for it
+
+    return {name: as_sized(design) for name, design in designs.items()}
+
+
 def sized(study: Study, design: Design, inputs: Mapping[str, Value]) -> Sizing:
     """Return the sizing of a case, strengthened if the study asks for a life.
 
@@ -95,6 +112,7 @@ def reviewed(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple
     """
     from gearwright.reviews import review_of
 
+    (design,) = fixed(study, {"": design}).values()
     if study.flies:
         sizing, flight = _flight(study, design, inputs)
         return sizing, review_of(sizing, flight, life=study.fly.life)

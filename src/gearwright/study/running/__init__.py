@@ -9,6 +9,7 @@ from gearwright.study.running.fly_many import fly_many
 from gearwright.study.running.journal import Journal, begin, in_memory, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import Part, merge, part_of, slurm
+from gearwright.study.running.reliable import LimitState, Reliability, reliability
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, refuse_changes, resume, run_study
 from gearwright.study.running.search import children, crowding, generations
@@ -18,8 +19,10 @@ __all__ = [
     "Cluster",
     "Compute",
     "Journal",
+    "LimitState",
     "Part",
     "Progress",
+    "Reliability",
     "Start",
     "begin",
     "changes_of",
@@ -37,6 +40,7 @@ __all__ = [
     "part_of",
     "recorded",
     "refuse_changes",
+    "reliability",
     "resume",
     "rows_of",
     "run",

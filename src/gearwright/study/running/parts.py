@@ -75,8 +75,11 @@ def refuse_part(study: Study, part: Part) -> None:
     Raises:
         DesignError: If its cases follow from earlier results.
     """
-    if part.of > 1 and study.sampling.method == "nsga2":
-        message = "nsga2 goes on from the results of all its cases: it has no parts; take another method, or a cluster"
+    if part.of > 1 and study.searches:
+        message = (
+            f"{study.sampling.method} goes on from the results of all its cases: it has no parts;"
+            " take another method, or a cluster"
+        )
         raise DesignError([Problem("sampling.method", message)])
 
 

@@ -8,8 +8,10 @@ from pathlib import Path
 from gearwright.errors import DesignError, Problem
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, case_count, read
+from gearwright.spec.studies import RELIABILITY
 from gearwright.study.answers import Row, Table
-from gearwright.study.cases import Case, cases
+from gearwright.study.cases import Case, cases, fixed
+from gearwright.study.running.reliable import failures
 from gearwright.study.running.search import generations
 from gearwright.study.running.workers import local
 from gearwright.verbs import verb
@@ -39,7 +41,7 @@ def run(
     if designs is None:
         designs = {name: read(find_design(name, folder)) for name in study.designs}
 
-    with local(study, designs, 0) as compute:
+    with local(study, fixed(study, designs), 0) as compute:
         for batch, answer in batches(study):
             first = len(rows)
             for finished in compute(batch, count):
@@ -70,10 +72,10 @@ def batches(study: Study) -> Iterator[tuple[Iterator[Case], Callable[[list[Row]]
     Args:
         study: Axes and method.
     """
-    if study.sampling.method != "nsga2":
+    if not study.searches:
         yield cases(study), lambda rows: None
         return
-    search = generations(study)
+    search = failures(study) if study.sampling.method in RELIABILITY else generations(study)
     batch = next(search, None)
     while batch is not None:
         answers: list[Row] = []

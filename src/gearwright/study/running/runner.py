@@ -12,7 +12,7 @@ from pathlib import Path
 from gearwright.errors import Problem, SolveError, refuse
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Blocks, Row, Table, blocks_of
-from gearwright.study.cases import Case, refuse_unknown_paths
+from gearwright.study.cases import Case, fixed, refuse_unknown_paths
 from gearwright.study.running.journal import Journal, Recorded, begin, in_memory, opened, recorded
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import WHOLE, Part, refuse_part
@@ -77,10 +77,10 @@ def run_study(
     refuse_unknown_paths(study, designs)
     if journal is None:
         book = in_memory(study, designs)
-        with closing(book.database), start(study, designs, workers) as compute:
+        with closing(book.database), start(study, fixed(study, designs), workers) as compute:
             return _run(book, study, workers, watch, compute, part)
     begin(journal, study, designs, origin=origin)
-    with opened(journal) as book, start(study, designs, workers) as compute:
+    with opened(journal) as book, start(study, fixed(study, designs), workers) as compute:
         return _run(book, study, workers, watch, compute, part)
 
 
@@ -108,7 +108,7 @@ def resume(
     refuse_part(known.study, part)
     if not anyway:
         refuse_changes(journal, known, designs or {})
-    with opened(journal) as book, start(known.study, known.designs, workers) as compute:
+    with opened(journal) as book, start(known.study, fixed(known.study, known.designs), workers) as compute:
         return _run(book, known.study, workers, watch, compute, part)
 
 
@@ -141,7 +141,7 @@ def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute
     own = part.cases(case_count(study))
     done = {number: failed for number, failed in book.finished().items() if number in own}
     meter = _Meter(len(own), len(done), sum(done.values()), watch)
-    searches = study.sampling.method == "nsga2"
+    searches = study.searches
     known = dict(zip(sorted(done), book.rows(done), strict=True)) if done and (searches or watch is not None) else {}
     if watch is not None and done:
         watch(Progress(len(done), meter.total, meter.failed, 0.0, tuple(known.items())))
