@@ -130,7 +130,7 @@ class Study(Shown, Record):
     @property
     def searches(self) -> bool:
         """True if its cases follow from the results of earlier ones."""
-        return self.sampling.method in ("nsga2", *RELIABILITY)
+        return self.search is not None or self.sampling.method in ("nsga2", *RELIABILITY)
 
     @property
     def flies(self) -> bool:
