@@ -320,7 +320,7 @@ def _lines(command: str, study: Study) -> Callable[[Progress], None]:
     """Print the envelope of a study's JSON Lines; return what prints the rows that are finished."""
     from gearwright.render.answers.study import StudyAnswer, study_row
 
-    show_rows(command, StudyAnswer(study.name, study.description, None, ()), ())
+    show_rows(command, StudyAnswer(study.name, study.description, None, (), ()), ())
 
     def print_rows(now: Progress) -> None:
         for row in now.rows:

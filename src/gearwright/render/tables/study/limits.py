@@ -8,6 +8,9 @@ from gearwright.spec import Study, value_at
 from gearwright.study.answers import Limit
 from gearwright.study.running.reliable import LimitState, Reliability
 
+LITTLE = 0.005
+"""Weight of an axis below which it has no side [-]."""
+
 
 def limits_table(found: Reliability) -> Table:
     """Return the probability and the index of every limit.
@@ -40,7 +43,7 @@ def failure_table(study: Study, found: Reliability) -> Table:
             Cell(path, path),
             *(_given(value) for value in (value_at(path, study.axes[path], 0.5), state.likeliest[path])),
         ]
-        side = "larger values" if cosine > 0.0 else "smaller values"
+        side = "–" if cosine**2 < LITTLE else "larger values" if cosine > 0.0 else "smaller values"
         lines.append((*cells, Cell(cosine**2, percent(cosine**2)), Cell(side, side)))
     note = (
         f"The likeliest combination at which {limit_words(state.limit)} is broken. Weight: squared cosine of its"
