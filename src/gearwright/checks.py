@@ -33,6 +33,8 @@ BEYOND_SIZING = (
     "room for its bearing",
     "charge",
     "axial retention",
+    "fatigue at its",
+    "yield at its",
     "running clearance",
     "wheel that grinds it",
     "assembly",

@@ -34,6 +34,7 @@ from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearbo
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue.lock_nuts import LockNut, lock_nut, lock_nuts
 from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
@@ -103,6 +104,7 @@ __all__ = [
     "FlightPoint",
     "Helicopter",
     "HousingMaterial",
+    "LockNut",
     "MadeEngine",
     "MadePropeller",
     "ModifiedLife",
@@ -146,6 +148,8 @@ __all__ = [
     "least_ratings",
     "load_factor_tables",
     "load_factors",
+    "lock_nut",
+    "lock_nuts",
     "map_of",
     "map_text",
     "material_of",

@@ -19,7 +19,7 @@ from gearwright.sizing import Named, Sizing, size, total_results
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.losses import loss_balance
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, oil_flow, statistics_beside
-from gearwright.sizing.shafts import pressure_centre_checks, retention_checks
+from gearwright.sizing.shafts import groove_checks, holding_checks, pressure_centre_checks, retention_checks
 from gearwright.spec import Design, Mission
 from gearwright.verbs import verb
 
@@ -114,8 +114,8 @@ def review_of(
         DesignError: If a waiver names no check.
     """
     design = sizing.design
-    checks = [*sizing.checks, *retention_checks(sizing), *pressure_centre_checks(sizing), *making_checks(sizing)]
-    checks += [*sharing_checks(sizing), *motion_checks(sizing)]
+    checks = [*sizing.checks, *retention_checks(sizing), *holding_checks(sizing), *groove_checks(sizing)]
+    checks += [*pressure_centre_checks(sizing), *making_checks(sizing), *sharing_checks(sizing), *motion_checks(sizing)]
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)

@@ -31,6 +31,7 @@ COLOURS: Mapping[str, tuple[float, float, float]] = {
     "pin": (0.70, 0.71, 0.70),
     "carrier": (0.85, 0.63, 0.13),
     "bearing": (0.33, 0.60, 0.53),
+    "holder": (0.36, 0.39, 0.44),
 }
 """What a body is -> its colour, red, green and blue, told apart by those who do not tell red from green [-]."""
 _FLOAT, _SHORT, _LONG = 5126, 5123, 5125

@@ -16,7 +16,7 @@ from gearwright.shape.contacts import contacts_of
 from gearwright.shape.gears import Leaning, gear_solid, leanings
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import bearing_bodies, bearing_solid, shaft_solid, tie_solid
+from gearwright.shape.shafts import bearing_bodies, bearing_solid, holder_solid, shaft_solid, tie_solid
 from gearwright.shape.solids import Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
@@ -24,6 +24,7 @@ from gearwright.shape.words import approximations
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import Cage, cage_of, gear_blanks, tooth_of
 from gearwright.sizing.places import Run, runs, ties
+from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
 from gearwright.verbs import verb
 
@@ -56,7 +57,15 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
     drawn, shortened = runs(sizing)
     cages = {carrier.stage: cage_of(sizing, carrier, drawn) for carrier in sizing.carriers}
     task = _Task(sizing, DETAILS[detail], stands, leaning, phases, gear_blanks(sizing), drawn, cages)
-    nodes = [*_carriers(task), *_gears(task), *_shafts(task), *_on_pins(task), *_bearings(task), *_ties(task)]
+    nodes = [
+        *_carriers(task),
+        *_gears(task),
+        *_shafts(task),
+        *_on_pins(task),
+        *_bearings(task),
+        *_ties(task),
+        *_holders(task),
+    ]
     words = (*approximations(sizing, phases), *shortened)
     return Scene(sizing.design.name, task.solids, task.fine.circle, tuple(nodes), tuple(sizing.flows), words)
 
@@ -191,3 +200,13 @@ def _ties(task: _Task) -> Iterator[Node]:
         place = np.asarray(frame.origin) + tie.middle * np.asarray(frame.along)
         spins = task.spins(shaft) if shaft != GROUND else dict.fromkeys(task.sizing.flows, 0.0)
         yield Node(label, tie.ring.part, "tie", label, axes_at(frame, place), 0.0, spins)
+
+
+def _holders(task: _Task) -> Iterator[Node]:
+    """Yield rings, nuts, end plates, spacers and covers."""
+    for holder in holders_of(task.sizing):
+        frame, part = task.sizing.arrangement.frames[holder.shaft], PartId(Kind.BEARING, holder.beside)
+        task.solids[holder.name] = holder_solid(holder)
+        place = np.asarray(frame.origin) + (holder.start + holder.end) / 2.0 * np.asarray(frame.along)
+        spins = task.spins(holder.shaft) if holder.turns else dict.fromkeys(task.sizing.flows, 0.0)
+        yield Node(holder.name, part, "holder", holder.name, axes_at(frame, place), 0.0, spins)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.identity import Kind, PartId
-from gearwright.shape.solids import Solid, bearing, bell, stepped
+from gearwright.shape.solids import Solid, bearing, bell, stepped, tube
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.places import Run, Tie
+from gearwright.sizing.shafts import Holder
 
 TIE_WALL = 0.5
 """Wall of the bell between ring and disc over the ring's own [-], an assumption."""
@@ -54,3 +55,13 @@ def bearing_bodies(sizing: Sizing) -> Iterator[tuple[PartId, Body]]:
         sizing: As sized.
     """
     yield from ((body.part, body) for body in sizing.arrangement.bodies if body.part.kind is Kind.BEARING)
+
+
+def holder_solid(holder: Holder) -> Solid:
+    """Return a part that holds a bearing, about its middle.
+
+    Args:
+        holder: As sized.
+    """
+    half = (holder.end - holder.start) / 2.0
+    return tube((-half, half), holder.outer / 2.0, holder.bore / 2.0)

@@ -11,7 +11,7 @@ from gearwright.checks import Status
 from gearwright.identity import Role
 from gearwright.reviews import review_of
 from gearwright.sizing.mounted import ShaftStep
-from gearwright.sizing.shafts import retention_checks, retentions
+from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
 from gearwright.sizing.shafts.retention import Seated, _retention, _seated
 from gearwright.spec.design import LOCATES
 from shipped_work import sized
@@ -30,14 +30,14 @@ def checks_of(sizing):
 
 
 def test_a_ring_beside_the_four_point_bearing_of_the_input_holds_its_thrust():
-    """DIN 471 - 30 × 1.5: d_2 = 28.6 mm bears 200/1.2 N/mm² on its collar."""
+    """DIN 471 - 25 × 1.2: d_2 = 23.9 mm bears 200/1.2 N/mm² on its collar."""
     sizing = sized("ec120b")
     check = checks_of(sizing)["input"]
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == "input-axial")
     assert check.status is Status.PASSES
-    assert check.value == pytest.approx(math.pi / 4.0 * (30.0**2 - 28.6**2) * 200.0 / 1.2, rel=1e-12)
+    assert check.value == pytest.approx(math.pi / 4.0 * (25.0**2 - 23.9**2) * 200.0 / 1.2, rel=1e-12)
     assert check.limit == pytest.approx(sizing.design.service.application_factor * bearing.axial, rel=1e-12)
-    assert "DIN 471 - 30 x 1.5 beside input-axial" in check.place
+    assert "DIN 471 - 25 x 1.2 beside input-axial" in check.place
 
 
 def test_an_end_plate_holds_a_bearing_that_has_no_room_for_a_groove():
@@ -48,15 +48,47 @@ def test_an_end_plate_holds_a_bearing_that_has_no_room_for_a_groove():
     assert check.limit == pytest.approx(33550.0, rel=1e-3)
 
 
-def test_what_no_end_plate_holds_is_named():
-    """Beyond the front bearing of the tail's shaft it goes on to the oil pump, and a hollow shaft has no centre."""
-    check = checks_of(sized("ec120b"))["tail"]
-    assert check.status is Status.NOT_ASSESSED
-    assert "groove and collar need 2.3 mm beside it, and there are 0 mm" in check.why and "nut" in check.why
+UNHELD = TEXT.replace(
+    'position_mm = 30\nkind = "deep-groove"\n', 'position_mm = 30\nkind = "deep-groove"\nlocates = "both"\n'
+)
+UNHELD = UNHELD.replace(
+    'position_mm = 95\nkind = "deep-groove"\nlocates = "both"', 'position_mm = 95\nkind = "deep-groove"'
+)
+"""The EC120B gearbox whose tail shaft is located by its front bearing, beside which it is thinner at once."""
+
+
+@pytest.fixture(scope="module")
+def unheld():
+    return gw.size(gw.parse(UNHELD))
+
+
+def test_where_nothing_holds_what_pulls_the_check_fails_and_says_what_would_help(unheld):
+    """Beyond the front bearing of the tail's shaft it goes on thinner to the oil pump."""
+    check = checks_of(unheld)["tail"]
+    assert check.status is Status.FAILS and check.value == 0.0 and check.limit > 500.0
+    assert "mm beside it, and there are 0 mm" in check.why and "let another bearing locate the shaft" in check.why
+    (rings,) = (check for check in holding_checks(unheld) if str(check.part) == "tail-front" and "rings" in check.mode)
+    assert rings.status is Status.FAILS and (rings.value, rings.limit) == (3.0, 4.0)
+    assert rings.why == "nothing holds its inner ring towards the first end"
+
+
+def test_an_end_plate_needs_a_centre_and_enough_preload():
     (held,) = (held for held in retentions(sized("ec120b")) if held.shaft == "intermediate")
     assert held.holds and held.has_plate
     assert not held._replace(hole=None).holds
     assert not held._replace(force=103e3).holds
+
+
+def test_a_nut_holds_what_a_ring_cannot_where_it_has_room():
+    """KM 13 on the seat of 65 mm: washer 1.5 mm, nut 12 mm, a turn of 2 mm; a ring would hold 39 kN."""
+    (held,) = (held for held in retentions(sized("ec120b")) if held.shaft == "intermediate")
+    roomy = held._replace(room=0.020, force=80e3)
+    assert not roomy.has_ring and roomy.has_nut and not roomy.has_plate
+    assert roomy.nut.designation == "KM 13 with MB 13" and roomy.nut.room == pytest.approx(15.5e-3)
+    by_hand = 0.5 * 0.6 * 200.0 * 0.875 * math.pi * 65.0 * (12.0 - 2.0)
+    assert roomy.nut.capacity == pytest.approx(by_hand) and by_hand > 80e3
+    assert not roomy._replace(room=0.0154).has_nut and not roomy._replace(force=by_hand + 1.0).has_nut
+    assert roomy._replace(force=30e3).has_ring and not roomy._replace(force=30e3).has_nut
 
 
 def test_a_shoulder_holds_what_pushes_against_it():
@@ -64,14 +96,15 @@ def test_a_shoulder_holds_what_pushes_against_it():
     assert all((held.shaft, held.way) != ("mast", 1) for held in retentions(sized("ec120b")))
 
 
-def test_a_seat_beside_which_the_shaft_is_thinner_has_no_room():
-    held = next(held for held in retentions(sized("ec120b")) if held.shaft == "tail")
+def test_a_seat_beside_which_the_shaft_is_thinner_has_no_room(unheld):
+    held = next(held for held in retentions(unheld) if held.shaft == "tail")
     assert held.diameter == pytest.approx(0.017) and held.room == 0.0
 
 
 def test_a_review_lists_what_holds_shafts():
     modes = {check.mode for check in review_of(sized("ec120b")).checks}
-    assert "axial retention at its first end" in modes
+    assert {"axial retention at its first end", "axial retention of its rings", "axial retention by its cover"} <= modes
+    assert "fatigue at its groove of DIN 471 - 25 x 1.2" in modes
 
 
 def test_a_bearing_that_is_moved_by_eight_millimetres_into_a_wheel_fails():
@@ -79,8 +112,8 @@ def test_a_bearing_that_is_moved_by_eight_millimetres_into_a_wheel_fails():
     assert [check.name for check in checks if check.fails] == ["mast room on its shaft"]
 
 
-@pytest.mark.parametrize(("bearing", "by"), [("input-axial", 8.0), ("intermediate-rear", -8.0), ("input-front", 8.0)])
-def test_a_bearing_that_is_moved_by_eight_millimetres_into_another_or_over_the_end_is_refused(bearing, by):
+@pytest.mark.parametrize(("bearing", "by"), [("input-axial", 12.0), ("intermediate-rear", -8.0), ("input-front", 8.0)])
+def test_a_bearing_that_is_moved_into_another_or_over_the_end_is_refused(bearing, by):
     with pytest.raises(gw.DesignError, match=r"stands .* mm into"):
         gw.size(gw.parse(moved(bearing, by)))
 

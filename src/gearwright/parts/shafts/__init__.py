@@ -34,7 +34,13 @@ from gearwright.parts.shafts.fatigue import (
     soderberg_safety,
     yield_safety,
 )
-from gearwright.parts.shafts.hub_notch import keyseat_concentration, keyway_factor, press_fit_factor, spline_factor
+from gearwright.parts.shafts.hub_notch import (
+    groove_concentration,
+    keyseat_concentration,
+    keyway_factor,
+    press_fit_factor,
+    spline_factor,
+)
 from gearwright.parts.shafts.notch import (
     LEAST_RADIUS,
     Concentration,
@@ -89,6 +95,7 @@ __all__ = [
     "felt_concentration",
     "gerber_safety",
     "goodman_safety",
+    "groove_concentration",
     "influence",
     "keyseat_concentration",
     "keyway_factor",

@@ -15,6 +15,25 @@ KEYSEAT = Concentration(2.14, 3.0)
 KEYSEAT_RADIUS = 0.02
 """Its radius over the shaft's diameter [-]."""
 
+GROOVE = Concentration(5.0, 3.0)
+"""K_t and K_ts of the groove of a retaining ring (Shigley, table 7-1) [-]."""
+
+
+def groove_concentration(radius: float, ultimate_strength: float) -> Concentration:
+    """Return K_f and K_fs of a sharp groove around a shaft: of a retaining ring, or of a thread [-].
+
+    Args:
+        radius: At its bottom [m].
+        ultimate_strength: S_ut [Pa].
+
+    Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, table 7-1 and eq. (6-32).
+
+    >>> groove = groove_concentration(0.15e-3, 1000e6)
+    >>> round(groove.bending, 2), round(groove.torsion, 2)
+    (3.53, 2.22)
+    """
+    return felt_concentration(GROOVE, notch_sensitivity(radius, ultimate_strength))
+
 
 def keyseat_concentration(diameter: float, ultimate_strength: float) -> Concentration:
     """Return K_f and K_fs of an end-milled keyseat [-].

@@ -31,7 +31,7 @@ from gearwright.render.drawings.views.weights import mass_with_gears
 from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.shafts import ENDS, Retention, retentions
+from gearwright.sizing.shafts import ENDS, Groove, Retention, ends, grooves, held_rings
 
 DATUMS = ("A", "B")
 """Seats of the two radial bearings."""
@@ -100,12 +100,10 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
     return seats if len(seats) == len(DATUMS) else ()
 
 
-def _views(
-    body: ShaftBody, seats: Sequence[Piece], grooves: Sequence[tuple[float, float, float]], scale: float
-) -> Rows:
+def _views(body: ShaftBody, seats: Sequence[Piece], cuts: Sequence[Groove], scale: float) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
-    main += [line for start, end, radius in grooves for line in _groove(axis, start, end, radius)]
+    main += [line for groove in cuts for line in _groove(axis, groove)]
     main += _diameters(axis, body, seats)
     main += _lengths(axis, body, below=BELOW if seats else 0.0)
     for letter, seat in zip(DATUMS, seats, strict=False):
@@ -255,23 +253,20 @@ def _ends_of(sizing: Sizing, name: str) -> list[Retention]:
     """Return what both ends of a shaft need, where the design says how its bearings locate."""
     if any(bearing.name not in sizing.design.bearings for bearing in sizing.bearings):
         return []
-    return [held for held in retentions(sizing) if held.shaft == name]
+    return [held for held in ends(sizing) if held.shaft == name]
 
 
-def _grooves(sizing: Sizing, name: str) -> list[tuple[float, float, float]]:
-    """Return where the grooves of retaining rings begin and end, and the radius in them [mm]."""
-    found = []
-    for held in _ends_of(sizing, name):
-        if held.ring is not None and held.has_ring:
-            ends = sorted(MM * (held.place + held.way * far) for far in (0.0, held.ring.groove_width))
-            found.append((ends[0], ends[1], MM * held.ring.groove / 2.0))
-    return found
+def _grooves(sizing: Sizing, name: str) -> list[Groove]:
+    """Return the grooves of retaining rings and the threads of nuts in a shaft."""
+    return [groove for groove in grooves(sizing) if groove.shaft == name]
 
 
-def _groove(axis: Axis, start: float, end: float, radius: float) -> Iterator[Entity]:
-    """Yield the edges of a groove, both halves."""
+def _groove(axis: Axis, groove: Groove) -> Iterator[Entity]:
+    """Yield the edges of a groove, both halves; of a thread its core as thin lines (ISO 6410-1)."""
+    start, end, radius = MM * groove.start, MM * groove.end, MM * groove.diameter / 2.0
     for side in (1.0, -1.0):
-        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), Layer.OUTLINE)
+        layer = Layer.THIN if groove.is_thread else Layer.OUTLINE
+        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), layer)
     for x in (start, end):
         yield Path((axis.at(x, -radius), axis.at(x, radius)), Layer.OUTLINE)
 
@@ -279,7 +274,18 @@ def _groove(axis: Axis, start: float, end: float, radius: float) -> Iterator[Ent
 def _held(sizing: Sizing, name: str) -> Iterator[str]:
     """Yield what holds the parts at the ends of a built shaft, and the centres in its ends."""
     for held in _ends_of(sizing, name):
-        yield f"{held.outermost} is held at the {ENDS[held.way]} end by {_holder(held)}."
+        if held.force:
+            yield f"{held.outermost} is held at the {ENDS[held.way]} end by {_holder(held)}."
+    for groove in _grooves(sizing, name):
+        where = f"from {millimetres(MM * groove.start)} to {millimetres(MM * groove.end)}"
+        cut = "" if groove.is_thread else f", Ø{millimetres(MM * groove.diameter)}"
+        yield f"{groove.what[0].upper()}{groove.what[1:]}{cut}, {where}."
+    own = [bearing.name for bearing in sizing.bearings if bearing.shaft == name]
+    for bearing in own:
+        sides = [f"{ENDS[held.way]} {held.by or 'nothing'}" for held in held_rings(sizing)
+                 if held.bearing == bearing and held.ring == "inner"]  # fmt: skip
+        if sides:
+            yield f"Inner ring of {bearing}, by ends: {'; '.join(sides)}."
     steps = next((shaft.steps for shaft in sizing.built_shafts if shaft.name == name and not shaft.bore), ())
     holes = {way: centre_hole(step.diameter) for way, step in ((-1, steps[0]), (1, steps[-1]))} if steps else {}
     cut = [f"{hole.designation} at the {ENDS[way]} end" for way, hole in holes.items() if hole is not None]
@@ -288,14 +294,14 @@ def _held(sizing: Sizing, name: str) -> Iterator[str]:
 
 
 def _holder(held: Retention) -> str:
-    """Return what holds a part, and what is cut into the shaft for it."""
+    """Return what holds a part."""
     if held.has_ring and held.ring is not None:
-        ends = sorted(MM * (held.place + held.way * far) for far in (0.0, held.ring.groove_width))
-        places = f"{millimetres(ends[0])} to {millimetres(ends[1])}"
-        return f"{held.ring.designation}, groove Ø{millimetres(MM * held.ring.groove)} from {places}"
+        return held.ring.designation
+    if held.has_nut and held.nut is not None:
+        return f"{held.nut.designation}, with a slot of the washer's tab in the thread"
     if held.has_plate and held.hole is not None:
-        return f"an end plate with a screw {held.hole.screw}, 8.8 (neither is drawn)"
-    return "a nut, which is to be sized"
+        return f"an end plate with a screw {held.hole.screw}, 8.8"
+    return "nothing yet"
 
 
 def _splines(body: ShaftBody) -> Iterator[Grid]:

@@ -15,8 +15,8 @@ from gearwright.sizing.arranged import Body, Point, Station
 from gearwright.sizing.places import room_between
 from gearwright.sizing.shafts import Retention, retentions
 
-NUT = 1.5
-"""Outside of a shaft nut or a head over its thread, an estimate: small ones are the widest [-]."""
+HEAD = 1.5
+"""Outside of a nut that is not sized, or of a screw's head, over its thread, an estimate [-]."""
 SPANNER = 5e-3
 """Wall of a socket spanner around a nut, an estimate [m]."""
 _HELP = "another order of parts, or a nut at the other end, would help"
@@ -29,11 +29,11 @@ def spanner_checks(sizing: Sizing) -> Iterator[Check]:
         sizing: As sized.
     """
     for held in retentions(sizing):
-        if held.holds and not held.has_plate:
+        if held.has_ring:
             continue
-        what, thread = ("screw", held.hole.thread) if held.has_plate and held.hole else ("nut", held.diameter)
+        what, head = _turned(held)
         others = [body for body in sizing.arrangement.bodies if body.shaft != held.shaft]
-        axis, needed = _axis(sizing, held), NUT * thread / 2.0 + SPANNER
+        axis, needed = _axis(sizing, held), head / 2.0 + SPANNER
         free = [(room_between(axis, body, enough=2.0 * needed).gap, body.name) for body in others]
         if free:
             gap, name = min(free, key=lambda pair: round(pair[0], 9))
@@ -42,6 +42,15 @@ def spanner_checks(sizing: Sizing) -> Iterator[Check]:
                 max(gap, 0.0), needed, "length", exponent=None, place=f"at {held.outermost}, past {name}",
                 why="" if gap >= needed else _HELP,
             )  # fmt: skip
+
+
+def _turned(held: Retention) -> tuple[str, float]:
+    """Return what is turned at an end, and its outer diameter [m]."""
+    if held.has_plate and held.hole is not None:
+        return "screw", HEAD * held.hole.thread
+    if held.has_nut and held.nut is not None:
+        return "nut", held.nut.outer
+    return "nut", HEAD * held.diameter
 
 
 def _axis(sizing: Sizing, held: Retention) -> Body:

@@ -16,6 +16,7 @@ from gearwright.sizing.arranged import Body
 from gearwright.sizing.arrangement import PLATE_GAP
 from gearwright.sizing.places.plates import plates_of
 from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.sizing.shafts import cut_steps
 from gearwright.spec import GROUND
 
 IN_LINE = 1e-6
@@ -88,7 +89,7 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
             ]
             continue
         if shaft.name in built:
-            steps = tuple((step.start, step.end, step.diameter / 2.0) for step in built[shaft.name].steps)
+            steps = cut_steps(sizing, built[shaft.name])
             found.append(Run(shaft.name, steps, built[shaft.name].bore / 2.0))
             continue
         found.append(Run(shaft.name, ((low, high, shaft.diameter / 2.0),), shaft.bore / 2.0))

@@ -3,21 +3,34 @@
 from gearwright.sizing.shafts.building import Built
 from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
+from gearwright.sizing.shafts.grooves import Groove, cut_steps, groove_checks, grooves
+from gearwright.sizing.shafts.holders import Holder
+from gearwright.sizing.shafts.holding import Held, held_rings, holders_of, holding_checks
 from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
-from gearwright.sizing.shafts.retention import ENDS, Retention, retention_checks, retentions
+from gearwright.sizing.shafts.retention import ENDS, Retention, ends, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 
 __all__ = [
     "ENDS",
     "Built",
+    "Groove",
+    "Held",
+    "Holder",
     "Retention",
     "Section",
     "Strength",
     "built_checks",
     "carrier_checks",
     "centred_bearings",
+    "cut_steps",
+    "ends",
+    "groove_checks",
+    "grooves",
+    "held_rings",
+    "holders_of",
+    "holding_checks",
     "pressure_centre_checks",
     "refuse_bores",
     "refuse_idle_shafts",

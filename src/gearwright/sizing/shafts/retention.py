@@ -3,9 +3,9 @@
 Parts are slid on from both ends up to shoulders, or to spacers on what sits further in. What pushes a shaft against a
 shoulder is held by it; what would pull the shaft out of a bearing, or a gear off its seat, must be held beyond the
 outermost part of that end. There a ring of DIN 471 is tried: its groove must bear the force and have room. Where it
-does not, an end plate is, whose screw in the centre hole of a solid shaft must clamp with more than the force; it lies
-on a spacer as long as what the shaft sticks out. Where neither can be, a nut is needed, which nobody has sized: that is
-said.
+does not, a lock nut is, whose thread on the seat must bear the force and have room. Where it does not, an end plate is,
+whose screw in the centre hole of a solid shaft must clamp with more than the force; it lies on a spacer as long as what
+the shaft sticks out. Where none can be, nothing holds: that check fails.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import NamedTuple
 
-from gearwright.catalogue import CentreHole, RetainingRing, centre_hole, retaining_ring
-from gearwright.checks import Check, not_assessed
+from gearwright.catalogue import CentreHole, LockNut, RetainingRing, centre_hole, lock_nut, retaining_ring
+from gearwright.checks import Check
 from gearwright.identity import Kind, PartId, Role
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BuiltShaft
@@ -24,6 +24,7 @@ from gearwright.spec.design import LOCATES
 from gearwright.units import text
 
 CLAUSE = "DIN 471, groove"
+NUT = "thread sheared at 200 N/mm² yield"
 PLATE = "ISO 898-1, preload of 8.8"
 _INSIDE = 1e-6
 """How far from an edge a place lies that is certainly on one side of it [m]."""
@@ -72,11 +73,13 @@ class Retention(NamedTuple):
     """End of the part that is held, from the shaft's first end [m]."""
     hole: CentreHole | None = None
     """In the end of the shaft, for the screw of an end plate; None where nothing can lie before that end."""
+    nut: LockNut | None = None
+    """Whose thread has the diameter of the seat."""
 
     @property
     def holds(self) -> bool:
-        """Whether a ring has room and bears the force, or an end plate does."""
-        return self.has_ring or self.has_plate
+        """Whether a ring has room and bears the force, or a nut does, or an end plate."""
+        return self.has_ring or self.has_nut or self.has_plate
 
     @property
     def has_ring(self) -> bool:
@@ -84,9 +87,43 @@ class Retention(NamedTuple):
         return not _lacking(self)
 
     @property
+    def has_nut(self) -> bool:
+        """Whether a lock nut holds it, as no ring does."""
+        return not self.has_ring and self.nut is not None and _fits(self, self.nut)
+
+    @property
     def has_plate(self) -> bool:
-        """Whether an end plate holds it, as no ring does."""
-        return bool(_lacking(self)) and self.hole is not None and self.hole.preload >= self.force
+        """Whether an end plate holds it, as neither ring nor nut does."""
+        others = self.has_ring or self.has_nut
+        return not others and self.hole is not None and self.hole.preload >= self.force
+
+
+def ends(sizing: Sizing) -> Iterator[Retention]:
+    """Yield both ends of every built shaft where something is held, also where no force pulls.
+
+    Args:
+        sizing: As sized.
+    """
+    for shaft in sizing.built_shafts:
+        seated = list(_seated(sizing, shaft))
+        core = _core(sizing, shaft)
+        for way in ENDS:
+            stack = [part for part in seated if core is None or way * (part.start + part.end - 2.0 * core) > 0.0]
+            held = sorted((part for part in stack if not part.is_machine), key=lambda part: way * part.edge(way))
+            if not held:
+                continue
+            force = max(part.pulls[way > 0] for part in held)
+            found = _retention(shaft, way, held[-1], stack, force=force)
+            yield found._replace(hole=_hole(sizing, shaft, found))
+
+
+def _core(sizing: Sizing, shaft: BuiltShaft) -> float | None:
+    """Return where a shaft is thickest, of a plain one where its own gear is; None where it has no shoulder [m]."""
+    thick = max(shaft.steps, key=lambda step: step.diameter)
+    if all(step.diameter > thick.diameter - _INSIDE for step in shaft.steps):
+        own = {joint.part for joint in sizing.joints if joint.shaft == shaft.name and joint.kind == "integral"}
+        return next(((step.start + step.end) / 2.0 for step in shaft.steps if step.seat in own), None)
+    return (thick.start + thick.end) / 2.0
 
 
 def retentions(sizing: Sizing) -> Iterator[Retention]:
@@ -95,45 +132,45 @@ def retentions(sizing: Sizing) -> Iterator[Retention]:
     Args:
         sizing: As sized.
     """
-    for shaft in sizing.built_shafts:
-        seated = list(_seated(sizing, shaft))
-        core = max(shaft.steps, key=lambda step: step.diameter)
-        for way in ENDS:
-            stack = [part for part in seated if way * ((part.start + part.end) - (core.start + core.end)) > 0.0]
-            held = sorted((part for part in stack if not part.is_machine), key=lambda part: way * part.edge(way))
-            if not held:
-                continue
-            force = max(part.pulls[way > 0] for part in held)
-            if force > 0.0:
-                found = _retention(shaft, way, held[-1], stack, force=force)
-                yield found._replace(hole=_hole(sizing, shaft, found))
+    yield from (held for held in ends(sizing) if held.force > 0.0)
 
 
 def retention_checks(sizing: Sizing) -> Iterator[Check]:
-    """Yield whether a retaining ring holds what pulls at the ends of built shafts, or why that is open.
+    """Yield whether what holds both ends of built shafts bears what pulls there; where nothing holds, it fails.
 
     Args:
         sizing: As sized.
     """
     for held in retentions(sizing):
-        part, mode = PartId(Kind.SHAFT, held.shaft), f"axial retention at its {ENDS[held.way]} end"
-        if held.has_plate and held.hole is not None:
-            yield Check(
-                part, mode, PLATE, held.hole.preload, held.force, "force",
-                symbol="F_V", place=f"end plate with {held.hole.screw} beside {held.outermost}",
-            )  # fmt: skip
-            continue
-        lacking = _lacking(held)
-        if lacking or held.ring is None:
-            why = (
-                f"{text(held.force, 'force')} pull at {held.outermost}: {lacking}; a nut or an end plate is to be sized"
-            )
-            yield not_assessed(part, mode, CLAUSE, why)
-            continue
+        clause, bears, symbol, what = _bearing_up(held)
         yield Check(
-            part, mode, CLAUSE, held.ring.capacity, held.force, "force",
-            symbol="F_N", place=f"{held.ring.designation} beside {held.outermost}",
+            PartId(Kind.SHAFT, held.shaft), f"axial retention at its {ENDS[held.way]} end", clause, bears, held.force,
+            "force", symbol=symbol, place=f"{what} beside {held.outermost}", why="" if held.holds else _objection(held),
         )  # fmt: skip
+
+
+def _bearing_up(held: Retention) -> tuple[str, float, str, str]:
+    """Return by what an end is held: source, the force that it bears [N], its symbol and what it is."""
+    if held.has_ring and held.ring is not None:
+        return CLAUSE, held.ring.capacity, "F_N", held.ring.designation
+    if held.has_nut and held.nut is not None:
+        return NUT, held.nut.capacity, "F", held.nut.designation
+    if held.has_plate and held.hole is not None:
+        return PLATE, held.hole.preload, "F_V", f"end plate with {held.hole.screw}"
+    return CLAUSE, 0.0, "F_N", "nothing"
+
+
+def _objection(held: Retention) -> str:
+    """Return why nothing holds, and what would help."""
+    nut = "DIN 981 has no nut of this diameter" if held.nut is None else f"a {held.nut.designation} fits no better"
+    return (
+        f"{_lacking(held)}; {nut}, and no end plate can lie there: move it inwards, let the shaft go on as thick, or"
+        " let another bearing locate the shaft"
+    )
+
+
+def _fits(held: Retention, nut: LockNut) -> bool:
+    return held.room >= nut.room and nut.capacity >= held.force
 
 
 def _hole(sizing: Sizing, shaft: BuiltShaft, held: Retention) -> CentreHole | None:
@@ -199,4 +236,4 @@ def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *
     level = list(takewhile(lambda step: abs(step.diameter - seat) < _INSIDE, past))
     last = edge if not level else level[-1].end if way > 0 else level[-1].start
     room = max(0.0, min(way * (place - edge) for place in (*beyond, last)))
-    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat), edge)
+    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat), edge, nut=lock_nut(seat))

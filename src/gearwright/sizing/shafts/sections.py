@@ -30,6 +30,7 @@ from gearwright.parts.shafts import (
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
+    groove_concentration,
     keyseat_concentration,
     keyway_factor,
     notch_sensitivity,
@@ -52,7 +53,7 @@ NO_LIMIT = 99.0
 """Safety that stands for a section without load, for tables [-]."""
 _BESIDE = 1e-6
 """Places of a hub that are nearer to each other are one [m]."""
-HubNotch = Literal["", "key", "spline", "press-fit"]
+HubNotch = Literal["", "key", "spline", "press-fit", "groove"]
 
 
 class Section(NamedTuple):
@@ -70,6 +71,8 @@ class Section(NamedTuple):
     """Thickest diameter of the shaft, at which it was heat treated [m]."""
     shoulder: Shoulder | None = None
     hub: HubNotch = ""
+    radius: float = 0.0
+    """At the bottom of a groove [m]."""
 
 
 class Borne(NamedTuple):
@@ -267,6 +270,8 @@ def _felt(section: Section, ultimate: float) -> Concentration:
 
 
 def _measured(section: Section, ultimate: float) -> Concentration:
+    if section.hub == "groove":
+        return groove_concentration(section.radius, ultimate)
     laws = {"key": keyway_factor, "spline": spline_factor, "press-fit": press_fit_factor}
     return laws[section.hub](section.diameter, ultimate) if section.hub else NO_NOTCH
 

@@ -12,6 +12,7 @@ from gearwright.render.drawings.sheet.entities import Entity, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
 from gearwright.render.drawings.views.gear_view import bevel_section, cylinder_section, ring_section
+from gearwright.render.drawings.views.holder_view import holder_anchor, holder_section
 from gearwright.render.drawings.views.positions import PLATE_GAP, Lying, Positions
 from gearwright.render.drawings.views.shaft_parts import (
     MM,
@@ -27,6 +28,7 @@ from gearwright.shape.teeth import cylindrical_gear, halves_of, is_internal, kin
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.sizing.mass import Cage, cage_of
 from gearwright.sizing.places import runs
+from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
 
 LEAST_RING = 0.5
@@ -91,6 +93,14 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
             radius = MM * (rolling.outer_diameter / 2.0 - 0.15 * (rolling.outer_diameter - rolling.bore) / 2.0)
             anchor = axis.at(middle, radius)
             items.append(Item(f"Bearing {bearing.name}", rolling.designation, 1, rolling.mass, anchor))
+    for holder in holders_of(sizing):
+        if holder.shaft == name:
+            entities += holder_section(axis, holder)
+            remark = (
+                holder.designation
+                or f"Ø{MM * holder.outer:.4g} / Ø{MM * holder.bore:.4g} x {MM * (holder.end - holder.start):.4g}"
+            )
+            items.append(Item(holder.kind.capitalize(), remark, 1, holder.mass, holder_anchor(axis, holder)))
     return entities, items
 
 

@@ -1,0 +1,131 @@
+"""Grooves of retaining rings and threads of lock nuts in built shafts: where they are, and what they leave of strength.
+
+They are found after a shaft is built, beyond its outermost bearings and hubs: it does not grow by them. Its safeties
+there are checks of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from gearwright.checks import Check
+from gearwright.identity import Kind, PartId
+from gearwright.sizing.loads import shaft_forces
+from gearwright.sizing.mounted import BuiltShaft, SectionStrength
+from gearwright.sizing.rating import context_of
+from gearwright.sizing.result import Sizing
+from gearwright.sizing.shafts.holding import holders_of
+from gearwright.sizing.shafts.retention import Retention, ends
+from gearwright.sizing.shafts.sections import Section, Strength, strengths
+
+GROOVE_RADIUS = 0.1
+"""At the bottom of a ring's groove over the thickness of the ring, at most: DIN 471 [-]."""
+ROOT_RADIUS = 0.125
+"""At the root of a thread over its pitch, at least: ISO 965-1 [-]."""
+_NEAR = 1e-9
+"""Places that are nearer to each other are one [m]."""
+
+
+class Groove(NamedTuple):
+    """What is cut into a shaft for a ring or a nut."""
+
+    shaft: str
+    start: float
+    """From the shaft's first end [m]."""
+    end: float
+    """[m]"""
+    diameter: float
+    """That is left: of a thread its core [m]."""
+    radius: float
+    """At the bottom [m]."""
+    what: str
+    """Such as ``groove of DIN 471 - 30 x 1.5`` or ``thread M30 x 1.5``."""
+    is_thread: bool = False
+
+
+def grooves(sizing: Sizing) -> Iterator[Groove]:
+    """Yield the grooves and threads of every built shaft.
+
+    Args:
+        sizing: As sized.
+    """
+    kinds = {(holder.shaft, holder.beside, holder.kind) for holder in holders_of(sizing)}
+    for end in ends(sizing) if kinds else ():
+        if (end.shaft, end.outermost, "retaining ring") in kinds and end.has_ring and end.ring is not None:
+            low, high = _span(end, end.ring.groove_width)
+            radius = GROOVE_RADIUS * end.ring.thickness
+            yield Groove(end.shaft, low, high, end.ring.groove, radius, f"groove of {end.ring.designation}")
+        elif (end.shaft, end.outermost, "lock nut") in kinds and end.nut is not None:
+            low, high = _span(end, end.nut.room)
+            radius = ROOT_RADIUS * end.nut.pitch
+            yield Groove(end.shaft, low, high, end.nut.core, radius, f"thread {end.nut.cut}", is_thread=True)
+
+
+def cut_steps(sizing: Sizing, shaft: BuiltShaft) -> tuple[tuple[float, float, float], ...]:
+    """Return the steps of a shaft with the grooves of its rings, as start, end and radius [m].
+
+    Args:
+        sizing: As sized.
+        shaft: One of its built shafts.
+    """
+    own = [groove for groove in grooves(sizing) if groove.shaft == shaft.name and not groove.is_thread]
+    steps = []
+    for step in shaft.steps:
+        edges = {step.start, step.end}
+        edges |= {edge for groove in own for edge in (groove.start, groove.end) if step.start < edge < step.end}
+        places = sorted(edges)
+        for low, high in pairwise(places):
+            cut = [groove.diameter for groove in own if groove.start < high - _NEAR and groove.end > low + _NEAR]
+            steps.append((low, high, min([step.diameter, *cut]) / 2.0))
+    return tuple(steps)
+
+
+def groove_strengths(sizing: Sizing) -> Iterator[SectionStrength]:
+    """Yield the safeties of every groove and thread.
+
+    Args:
+        sizing: As sized.
+    """
+    context = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
+    gears = {gear.name: gear for gear in sizing.gears}
+    for shaft in sizing.built_shafts:
+        own = [groove for groove in grooves(sizing) if groove.shaft == shaft.name]
+        if not own:
+            continue
+        plan = sizing.arrangement.plans[shaft.name]
+        forces = shaft_forces(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
+        judge = Strength(shaft.name, sizing.design, sizing.design.shaft_material, tuple(context.flows))
+        blank = max(step.diameter for step in shaft.steps)
+        sections = [
+            Section(groove.what, groove.what, at, groove.diameter, blank, hub="groove", radius=groove.radius)
+            for groove in own
+            for at in (groove.start, groove.end)
+        ]
+        yield from strengths(sections, forces, judge, bore=shaft.bore)
+
+
+def groove_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield the safeties of every groove and thread against fatigue and yielding, the worse of its two edges.
+
+    Args:
+        sizing: As sized.
+    """
+    asked = sizing.design.service
+    worst: dict[tuple[str, str], SectionStrength] = {}
+    for found in groove_strengths(sizing):
+        key = (found.shaft, found.place)
+        if key not in worst or found.fatigue_safety < worst[key].fatigue_safety:
+            worst[key] = found
+    for (shaft, place), found in worst.items():
+        part, clause = PartId(Kind.SHAFT, shaft), "Shigley, table 7-1"
+        safeties = (("fatigue", "n_f", found.fatigue_safety, asked.shaft_fatigue_safety),
+                    ("yield", "n_y", found.yield_safety, asked.shaft_yield_safety))  # fmt: skip
+        for mode, symbol, safety, least in safeties:
+            yield Check(part, f"{mode} at its {place}", clause, safety, least, symbol=symbol, case=found.case)
+
+
+def _span(end: Retention, width: float) -> tuple[float, float]:
+    low, high = sorted((end.place, end.place + end.way * width))
+    return low, high

@@ -1,0 +1,203 @@
+"""Turned parts that hold bearings along shafts: rings, nuts, end plates, spacers, covers; how thick, how heavy."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from gearwright.catalogue import STEEL_DENSITY, CentreHole, LockNut, RetainingRing, housing_materials
+from gearwright.catalogue.centre_holes import PRELOAD, PROOF_STRESS
+from gearwright.sizing.mounted import BearingSizing
+from gearwright.sizing.result import Sizing
+from gearwright.sizing.shafts.retention import Retention
+from gearwright.sizing.shafts.stretches import SHOULDER
+
+RING_HEIGHT = 0.08
+"""How far a retaining ring stands out of the shaft over its diameter, an estimate [-]."""
+SCREWS = 6
+"""Of a cover, an assumption [-]."""
+SURPLUS = 1.5
+"""Clamping of a cover's screws over the force that they hold, an assumption [-]."""
+COVER_SCREWS = ((5e-3, 0.8e-3), (6e-3, 1.0e-3), (8e-3, 1.25e-3), (10e-3, 1.5e-3), (12e-3, 1.75e-3), (16e-3, 2e-3))
+"""Thread and pitch of screws of covers, coarse threads of ISO 261 [m]."""
+CIRCLE, RIM = 3.0, 5.5
+"""Diameter of the circle of screws, and of the cover, beyond the bearing's over the screw's diameter [-]: a screw's
+head of 1.5 d lies between, as does as much wall of the housing inside the thread."""
+LEAST_PLATE = 3e-3
+"""Thinnest end plate, an assumption [m]."""
+
+
+class Holder(NamedTuple):
+    """A part of revolution about a shaft."""
+
+    name: str
+    shaft: str
+    beside: str
+    """Bearing that it holds."""
+    kind: str
+    """retaining ring, lock washer, lock nut, end plate, spacer, housing spacer or cover."""
+    designation: str
+    """Of the standard, or its screws; empty of a plain part."""
+    start: float
+    """From the shaft's first end [m]."""
+    end: float
+    """[m]"""
+    bore: float
+    """Diameter [m]; 0: none."""
+    outer: float
+    """Diameter [m]."""
+    mass: float
+    """[kg]"""
+    turns: bool
+    """Whether it goes round with the shaft."""
+    force: float = 0.0
+    """That it bears [N]."""
+    capacity: float = 0.0
+    """What its screws clamp with [N]; 0 of what has none, or is checked with the end of its shaft."""
+
+
+def ring(sizing: Sizing, bearing: BearingSizing, end: Retention, standard: RetainingRing) -> Holder:
+    """Return a retaining ring in its groove beside a bearing.
+
+    Args:
+        sizing: As sized.
+        bearing: That it holds.
+        end: Of the shaft.
+        standard: The ring.
+    """
+    del sizing
+    span = _span(end.place, end.way, standard.thickness)
+    outer = standard.shaft * (1.0 + 2.0 * RING_HEIGHT)
+    return _made(
+        bearing, "retaining ring", standard.designation, span, (standard.groove, outer), STEEL_DENSITY, turns=True
+    )
+
+
+def washer_and_nut(bearing: BearingSizing, end: Retention, nut: LockNut) -> tuple[Holder, Holder]:
+    """Return a lock washer and the nut behind it, as heavy as their maker says.
+
+    Args:
+        bearing: That they hold.
+        end: Of the shaft.
+        nut: The nut.
+    """
+    behind = end.place + end.way * nut.washer
+    sheet = _made(
+        bearing, "lock washer", "", _span(end.place, end.way, nut.washer), (nut.thread, nut.face), 0.0, turns=True
+    )
+    body = _made(
+        bearing,
+        "lock nut",
+        nut.designation,
+        _span(behind, end.way, nut.width),
+        (nut.thread, nut.outer),
+        0.0,
+        turns=True,
+    )
+    return sheet._replace(mass=nut.washer_mass), body._replace(mass=nut.mass)
+
+
+def plate(sizing: Sizing, bearing: BearingSizing, end: Retention, hole: CentreHole) -> tuple[Holder, ...]:
+    """Return an end plate before the end of a shaft, with the spacer on what sticks out of the bearing.
+
+    Args:
+        sizing: As sized.
+        bearing: That they hold.
+        end: Of the shaft.
+        hole: For its screw.
+    """
+    shaft = next(shaft for shaft in sizing.built_shafts if shaft.name == end.shaft)
+    face = shaft.steps[-1].end if end.way > 0 else shaft.steps[0].start
+    seat, material = bearing.inner_diameter, sizing.design.shaft_material
+    outer = seat + SHOULDER * (bearing.outer_diameter - seat)
+    allowed = (material.yield_strength or math.inf) / sizing.design.shafting.safety
+    thick = max(clamped_plate(end.force, hole.thread, (seat + outer) / 2.0, allowed), LEAST_PLATE)
+    made = _made(bearing, "end plate", f"screw {hole.screw}, 8.8", _span(face, end.way, thick), (0.0, outer),
+                 material.density, turns=True)._replace(force=end.force)  # fmt: skip
+    if abs(face - end.place) < 1e-6:
+        return (made,)
+    low, high = sorted((face, end.place))
+    return spacer(sizing, bearing, (low, high), bore=seat, outer=outer, turns=True), made
+
+
+def spacer(
+    sizing: Sizing, bearing: BearingSizing, span: tuple[float, float], *, bore: float, outer: float, turns: bool
+) -> Holder:
+    """Return a plain ring between two parts.
+
+    Args:
+        sizing: As sized.
+        bearing: Beside which it lies.
+        span: Where it begins and ends [m].
+        bore: Diameter [m].
+        outer: Diameter [m].
+        turns: Whether it lies on the shaft, not in the housing.
+    """
+    kind, density = ("spacer" if turns else "housing spacer"), sizing.design.shaft_material.density
+    return _made(bearing, kind, "", span, (bore, outer), density, turns=turns)
+
+
+def cover(sizing: Sizing, bearing: BearingSizing, way: int, force: float) -> Holder:
+    """Return the ring that screws onto the housing before an outer ring.
+
+    Args:
+        sizing: As sized.
+        bearing: That it holds.
+        way: Towards which end it lies.
+        force: That the outer ring presses on it with [N].
+    """
+    material = housing_materials()[sizing.design.housing.material]
+    screw, clamps = next(((d, clamp) for d, clamp in _clamps() if clamp >= SURPLUS * force), _clamps()[-1])
+    room = bearing.outer_diameter - bearing.inner_diameter
+    bore = bearing.outer_diameter - SHOULDER * room
+    circle = bearing.outer_diameter + CIRCLE * screw
+    allowed = math.sqrt(3.0) * material.shear_strength
+    thick = max(material.least_wall, clamped_plate(force, (bore + bearing.outer_diameter) / 2.0, circle, allowed))
+    face = bearing.position + way * bearing.width / 2.0
+    made = _made(
+        bearing, "cover", f"{SCREWS} screws M{1e3 * screw:g}, 8.8", _span(face, way, thick),
+        (bore, bearing.outer_diameter + RIM * screw), material.density, turns=False,
+    )  # fmt: skip
+    return made._replace(force=force, capacity=clamps)
+
+
+def clamped_plate(force: float, inner: float, outer: float, allowed: float) -> float:
+    """Return how thick a plate must be that is pressed along one circle and held along another [m].
+
+    Args:
+        force: [N].
+        inner: Diameter of the smaller circle [m].
+        outer: Of the larger [m].
+        allowed: Stress [Pa].
+
+    Source: strips along the radius, which bear alone: M = F (r_o − r_i) on 2 π r_i, σ = 6 M/(2 π r_i t²). Rings around
+        them, which are left out, make it thicker than it must be.
+
+    >>> round(1e3 * clamped_plate(33.5e3, 0.020, 0.071, 567e6), 1)
+    21.9
+    """
+    return math.sqrt(6.0 * force * (outer - inner) / 2.0 / (math.pi * inner * allowed))
+
+
+def _clamps() -> list[tuple[float, float]]:
+    """Return diameters of screws [m] and what all of a cover's clamp with [N]: 0.7 S_p A_s each."""
+    return [(d, SCREWS * PRELOAD * math.pi / 4.0 * (d - 0.9382 * pitch) ** 2 * _proof(d)) for d, pitch in COVER_SCREWS]
+
+
+def _proof(thread: float) -> float:
+    return next(stress for largest, stress in PROOF_STRESS if thread <= largest)
+
+
+def _span(place: float, way: int, thick: float) -> tuple[float, float]:
+    low, high = sorted((place, place + way * thick))
+    return low, high
+
+
+def _made(
+    bearing: BearingSizing, kind: str, designation: str, span: tuple[float, float], size: tuple[float, float],
+    density: float, *, turns: bool,
+) -> Holder:  # fmt: skip
+    bore, outer = size
+    mass = math.pi / 4.0 * (outer**2 - bore**2) * (span[1] - span[0]) * density
+    name = f"{kind} beside {bearing.name}, {1e3 * span[0]:.4g} mm"
+    return Holder(name, bearing.shaft, bearing.name, kind, designation, *span, bore, outer, mass, turns)

@@ -1,0 +1,141 @@
+"""What holds both rings of every bearing, and the parts for it, against hand calculation."""
+
+import math
+import re
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from gearwright.checks import Status
+from gearwright.shape import solid_masses
+from gearwright.sizing.shafts import cut_steps, groove_checks, grooves, held_rings, holders_of, holding_checks
+from gearwright.sizing.shafts.grooves import groove_strengths
+from gearwright.sizing.shafts.holders import clamped_plate
+from shipped_work import sized
+
+TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+
+
+def by_side(sizing):
+    return {(held.bearing, held.ring, held.way): held for held in held_rings(sizing)}
+
+
+def test_every_ring_of_the_helicopters_gearbox_that_must_be_held_is():
+    sizing = sized("ec120b")
+    assert {held.bearing for held in held_rings(sizing)} == set(sizing.design.bearings)
+    assert all(held.by for held in held_rings(sizing))
+    assert all(check.status is Status.PASSES for check in holding_checks(sizing))
+
+
+def test_what_a_bearing_locates_decides_which_rings_are_held():
+    """A taper bearing two sides, one that floats by its rollers four, a ball bearing that floats its inner ring."""
+    held = by_side(sized("ec120b"))
+    assert {key[1:] for key in held if key[0] == "mast-upper"} == {("inner", -1), ("outer", 1)}
+    assert {key[1:] for key in held if key[0] == "mast-lower"} == {("inner", 1), ("outer", -1)}
+    assert len([key for key in held if key[0] == "intermediate-nose"]) == 4
+    assert {key[1:] for key in held if key[0] == "tail-front"} == {("inner", -1), ("inner", 1)}
+
+
+def test_inner_rings_lean_on_shoulders_spacers_and_rings():
+    held = by_side(sized("ec120b"))
+    assert held["mast-upper", "inner", -1].by == "a shoulder"
+    assert held["intermediate-rear", "inner", 1].by == "a spacer of 8 mm to helical.wheel"
+    assert held["intermediate-rear", "inner", -1].by == "a spacer of 6 mm to intermediate-axial"
+    assert held["input-axial", "inner", 1].by == "DIN 471 - 25 x 1.2"
+    assert held["intermediate-axial", "inner", -1].by == "an end plate with M20"
+    assert held["input-rear", "inner", -1].by == "its fit alone"  # torque passes: a groove would weaken the shaft
+    assert held["mast-lower", "outer", -1].by == "a cover with 6 screws M5, 8.8"
+
+
+def test_a_spacer_between_two_bearings_is_one_part_that_both_lean_on():
+    sizing = sized("ec120b")
+    held = by_side(sizing)
+    ways = (held["intermediate-rear", "inner", -1], held["intermediate-axial", "inner", 1])
+    assert ways[0].holders == ways[1].holders
+    (spacer,) = ways[0].holders
+    assert spacer.end - spacer.start == pytest.approx(6e-3) and spacer.bore == pytest.approx(65e-3)
+    # Thinner than what either bearing wants beside it: 65 mm + 0.175 (D − 65 mm), D = 120 and 140 mm.
+    assert spacer.outer == pytest.approx(65e-3 + 0.175 * 55e-3)
+    assert len(holders_of(sizing)) == len({holder.name for holder in holders_of(sizing)})
+
+
+def test_a_cover_by_hand():
+    """Six screws, the first whose preload is 1.5 times the force: 0.7 · 580 N/mm² on 20.1 mm² of M6."""
+    sizing = sized("ec120b")
+    cover = next(holder for holder in holders_of(sizing) if holder.kind == "cover" and holder.beside == "mast-upper")
+    bearing = next(bearing for bearing in sizing.bearings if bearing.name == "mast-upper")
+    force = sizing.design.service.application_factor * abs(bearing.axial)
+    assert cover.force == pytest.approx(force)
+    assert cover.designation == "6 screws M6, 8.8" and cover.capacity == pytest.approx(
+        6 * 0.7 * 580.0 * 20.12, rel=1e-3
+    )
+    assert 6 * 0.7 * 580.0 * 14.18 < 1.5 * force < cover.capacity
+    lip = (cover.bore + bearing.outer_diameter) / 2.0
+    circle = bearing.outer_diameter + 3.0 * 6e-3
+    moment = force * (circle - lip) / 2.0 / (math.pi * lip)  # N m on a metre of the smaller circle
+    stress = math.sqrt(3.0) * 25e6  # aluminium
+    assert (cover.end - cover.start) == pytest.approx(math.sqrt(6.0 * moment / stress))
+    assert clamped_plate(4.0 * force, lip, circle, stress) == pytest.approx(2.0 * (cover.end - cover.start))
+
+
+def test_a_plain_shaft_that_carries_thrust_needs_a_ring_at_both_ends():
+    """The mast of the report is a cylinder: 24.5 kN either way, and no shoulder."""
+    sizing = sized("ec120b-as-reported")
+    rings = [holder for holder in holders_of(sizing) if holder.shaft == "mast" and holder.kind == "retaining ring"]
+    assert [holder.designation for holder in rings] == ["DIN 471 - 60 x 2"]
+    assert by_side(sizing)["mast-lower", "inner", -1].by.startswith("a spacer of 267 mm to mast-upper")
+
+
+def test_grooves_are_cut_into_the_shaft_and_weighed():
+    sizing = sized("ec120b")
+    (groove,) = (groove for groove in grooves(sizing) if groove.shaft == "tail")
+    tail = next(shaft for shaft in sizing.built_shafts if shaft.name == "tail")
+    steps = cut_steps(sizing, tail)
+    assert (groove.start, 2e3 * min(radius for low, high, radius in steps if low >= groove.start - 1e-9)) == (
+        pytest.approx(0.102), pytest.approx(19.0))  # fmt: skip
+    assert steps[0][0] == tail.steps[0].start and steps[-1][1] == tail.steps[-1].end
+    assert all(low[1] == high[0] for low, high in pairwise(steps))
+    whole = sum(math.pi / 4.0 * step.diameter**2 * (step.end - step.start) for step in tail.steps)
+    cut = sum(math.pi * radius**2 * (high - low) for low, high, radius in steps)
+    assert whole - cut == pytest.approx(math.pi / 4.0 * (0.020**2 - 0.019**2) * 1.3e-3, rel=1e-6)
+
+
+def test_a_groove_where_torque_passes_is_as_weak_as_shigley_says():
+    """K_ts = 3 of a ring's groove, felt with q of r = 0.12 mm; torque alone: τ = 16 T/(π d³)."""
+    sizing = sized("ec120b")
+    (found,) = {round(found.torsion_notch, 9) for found in groove_strengths(sizing) if found.shaft == "tail"}
+    ksi = sizing.design.shaft_material.ultimate_strength / 6.894757e6
+    root = 0.190 - 2.51e-3 * ksi + 1.35e-5 * ksi**2 - 2.67e-8 * ksi**3
+    assert found == pytest.approx(1.0 + 2.0 / (1.0 + root / math.sqrt(0.12 / 25.4)), rel=1e-6)
+    assert all(check.status is Status.PASSES for check in groove_checks(sizing))
+
+
+def test_a_thinner_shaft_at_the_groove_fails():
+    text = re.sub(r", diameter_mm = 20 \}", " }", TEXT)
+    sizing = gw.size(gw.parse(text))
+    failing = [check for check in groove_checks(sizing) if check.status is Status.FAILS]
+    assert [(str(check.part), check.mode) for check in failing] == [("tail", "yield at its groove of DIN 471 - 17 x 1")]
+
+
+def test_parts_that_hold_bearings_stand_in_the_scene_and_in_the_mass():
+    sizing = sized("ec120b")
+    scene, complete = gw.scene(sizing, detail="coarse"), gw.complete_mass(sizing)
+    listed = {item.part: item.each for item in complete.parts}
+    turning = sizing.flows[next(iter(sizing.flows))].speeds
+    for holder in holders_of(sizing):
+        node, surface = scene.by_name[holder.name], scene.surfaces[holder.name]
+        assert listed[holder.name] == holder.mass > 0.0
+        volume = math.pi / 4.0 * (holder.outer**2 - holder.bore**2) * (holder.end - holder.start)
+        assert surface.volume == pytest.approx(volume, rel=0.05)  # chords of a coarse circle
+        frame = sizing.arrangement.frames[holder.shaft]
+        middle = np.asarray(frame.origin) + (holder.start + holder.end) / 2.0 * np.asarray(frame.along)
+        assert np.allclose(node.axes.origin, middle)
+        speed = abs(node.spins[next(iter(sizing.flows))])
+        assert speed == pytest.approx(abs(turning[holder.shaft]) if holder.turns else 0.0)
+    rest = listed["fasteners and small parts"]
+    assert rest > 0.0  # what is sized is taken out of the share of small parts
+    assert all(
+        abs(row.solid / row.weighed - 1.0) < 5e-3 for row in solid_masses(sizing, gw.scene(sizing)) if row.weighed
+    )
