@@ -55,6 +55,7 @@ NOTHINGS = """
     BearingSizing.reference_speed BearingSizing.speed_factor JointSizing.interference JointSizing.running_pressure
     JointSizing.needed_pressure JointSizing.module Unloaded.module_bending Unloaded.module_contact
     Unloaded.bending_stress Unloaded.contact_stress Ask.speed Stretch.diameter Stretch.shoulder Stretch.fillet
+    Section.radius Holder.force Holder.capacity
     SectionStrength.fillet Segment.bore bending_shaft.damping_ratio PropellerDrive.pitch_command MachineDrive.slope
     Periodic.offset Periodic.constant Line.damping Line.backlash Member.torsion Member.run_out PlanetError.radial
     PlanetError.tangential PlanetError.tooth_thickness PlanetarySet.damping GearContact.helix_angle GearContact.place
@@ -68,6 +69,7 @@ NOTHINGS = """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
 NO = """
+    Groove.is_thread
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open

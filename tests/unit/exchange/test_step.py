@@ -102,8 +102,9 @@ def test_a_gearbox_is_read_back_with_the_names_colours_places_and_volumes_of_its
         assert 1e-9 * properties.Mass() == pytest.approx(written, rel=1e-5), (
             label
         )  # integrated over other splits of faces
-        # Open CASCADE integrates over ends with many teeth to a hundredth; circles of 90 corners lose 0.08 %.
-        assert written == pytest.approx(surface.volume, rel=0.012 if built.solids[node.surface].sections else 3e-3)
+        # Open CASCADE integrates over ends with many teeth to a hundredth; circles of 90 corners lose 0.08 %,
+        # of which thin rings feel several times their share, as bores gain as much.
+        assert written == pytest.approx(surface.volume, rel=0.012 if built.solids[node.surface].sections else 6e-3)
         middle = properties.CentreOfMass()
         along = (np.array([middle.X(), middle.Y(), middle.Z()]) / 1e3 - node.axes.origin) @ node.axes.turned
         assert math.hypot(along[0], along[1]) < 1e-3 * surface.reach, label  # round bodies, on their axes

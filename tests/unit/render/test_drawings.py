@@ -12,22 +12,26 @@ from built_design import BORES, JOINTS, STEPS, built_sizing
 
 import gearwright as gw
 from gearwright.errors import DesignError
+from gearwright.parts.bevel import face_and_root
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.catalogue import contents, sheets
+from gearwright.render.drawings.housing_sheet import housing_content, true_to
 from gearwright.render.drawings.sheet.crossing import crossings, segments, texts
 from gearwright.render.drawings.sheet.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.sheet.dxf import sheet_document, sheet_dxf
-from gearwright.render.drawings.sheet.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
+from gearwright.render.drawings.sheet.entities import Arc, Corner, Distance, Layer, Path, Words, millimetres, runs
 from gearwright.render.drawings.sheet.frame import inside
 from gearwright.render.drawings.sheet.sheets import SCALES
 from gearwright.render.drawings.sheet.svg import sheet_svg
+from gearwright.render.drawings.sheet.tolerances import Tolerance, frame_length, tolerance_frame
 from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.render.drawings.views.positions import positions
 from gearwright.render.drawings.views.shaft_parts import shaft_body
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.mass import complete_mass
+from gearwright.sizing.shafts import holders_of
 from gearwright.spec import edited
 from shipped_work import sized
 
@@ -153,11 +157,25 @@ def test_dimensions_of_a_bevel_gear_are_its_cones(built, drawings):
     assert float(table(sheet)["Pitch cone angle"].rstrip("°")) == pytest.approx(
         math.degrees(pair.pitch_angles[1]), abs=5e-5
     )
-    (clear,) = sheets(
-        sized("ec120b"), ["gear-bevel.wheel"]
-    )  # where a line would run through it, the table has it alone
-    angles = [float(each.get_measurement()) for each in written(clear).modelspace().query("DIMENSION") if each.dimtype]
+
+
+@pytest.mark.parametrize("side", [0, 1])
+def test_every_angle_on_the_sheet_of_a_bevel_gear_is_one_of_its_cones_and_the_table_has_all_three(built, side):
+    """Where a line would run through the text of an angle at every radius, the table has it alone."""
+    for sizing in (built, sized("ec120b")):
+        (sheet,) = sheets(sizing, [f"gear-bevel.{('pinion', 'wheel')[side]}"])
+        pair = bevel_pair(sizing, "bevel")
+        face, root = face_and_root(pair, side)
+        cones = {"Pitch cone angle": pair.pitch_angles[side], "Face cone angle": face, "Root cone angle": root}
+        for name, angle in cones.items():
+            assert float(table(sheet)[name].rstrip("°")) == pytest.approx(math.degrees(angle), abs=5e-5), name
+        drawn_angles = [each for each in written(sheet).modelspace().query("DIMENSION") if each.dimtype]
+        for each in drawn_angles:
+            assert any(math.isclose(float(each.get_measurement()), math.degrees(cone), abs_tol=1e-6)
+                       for cone in cones.values())  # fmt: skip
+    (wheel,) = sheets(sized("ec120b"), ["gear-bevel.wheel"])
     cone = bevel_pair(sized("ec120b"), "bevel").pitch_angles[1]
+    angles = [float(each.get_measurement()) for each in written(wheel).modelspace().query("DIMENSION") if each.dimtype]
     assert any(math.isclose(math.degrees(cone), each, abs_tol=1e-6) for each in angles)
 
 
@@ -416,6 +434,65 @@ def test_a_spline_stands_with_its_data():
 def test_a_file_is_the_same_each_time(drawings):
     for sheet in drawings.values():
         assert sheet_dxf(sheet) == sheet_dxf(sheet)
+
+
+def test_crossed_axes_are_seen_along_the_first_shaft_too():
+    """EC120B: pitch circles about input, intermediate and tail at their true places; the mast upright across them."""
+    sizing = sized("ec120b")
+    (sheet,) = sheets(sizing, ["arrangement"])
+    circles = {arc.centre for arc in sheet.entities if isinstance(arc, Arc) and arc.layer is Layer.PITCH}
+    frames = sizing.arrangement.frames
+    axes = {name: complex(*frames[name].origin[1:]) for name in ("input", "intermediate", "tail")}
+    # Upside down in space, as the mast's second end is drawn above its first one.
+    apart = {(one - other) / sheet.scale for one, other in itertools.permutations(circles, 2)}
+    for one, other in itertools.permutations(axes.values(), 2):
+        assert any(abs(-1e3 * (one - other) - each) < 1e-4 for each in apart)
+    wheel = [body for body in sizing.arrangement.bodies if str(body.part) == "bevel.wheel"]
+    wide = 2e3 * max(body.radius for body in wheel) * sheet.scale
+    outlines = [extent([mark]) for mark in sheet.entities if isinstance(mark, Path) and mark.layer is Layer.THIN]
+    assert any(math.isclose(box[2] - box[0], wide, abs_tol=1e-6) for box in outlines)
+
+
+def test_bores_of_the_housing_have_their_bearings_sizes_and_what_they_must_keep():
+    sizing = sized("ec120b")
+    (sheet,) = sheets(sizing, ["housing"])
+    values = measured(sheet)
+    for bearing in sizing.bearings:
+        assert any(math.isclose(1e3 * bearing.outer_diameter, value, rel_tol=1e-9) for value in values), bearing.name
+    first = min(bearing.position - bearing.width / 2.0 for bearing in sizing.bearings if bearing.shaft == "mast")
+    last = max(bearing.position + bearing.width / 2.0 for bearing in sizing.bearings if bearing.shaft == "mast")
+    assert any(math.isclose(1e3 * (last - first), value, rel_tol=1e-9) for value in values)
+    texts_of = [mark.text for mark in words_of(sheet)]
+    # Two radial bores a shaft are datums, the four-point bearings' are none: A to H.
+    rows = {row[1]: row[3] for row in housing_content(sizing).grids[0].rows}
+    assert "".join(rows.values()) == "ABCDEFGH" and not rows["input-axial"] and not rows["intermediate-axial"]
+    # IT6 of 52 mm: 19 µm coaxial to A; js7 of 213.669 mm: IT7, 46 µm, to the axis A-B.
+    assert {"Ø0.019", "Ø0.046"} <= set(texts_of)
+    assert true_to(sizing, "input") is None and true_to(sizing, "mast") is None
+    assert true_to(sizing, "tail") == Tolerance("position", pytest.approx(0.030), "input")
+
+
+def test_a_frame_has_the_symbol_its_zone_and_its_datums():
+    for what, circles in (("coaxiality", 2), ("position", 1), ("flatness", 0), ("perpendicularity", 0)):
+        marks = tolerance_frame(0j, Tolerance(what, 0.02, "" if what == "flatness" else "A"))
+        assert len([mark for mark in marks if isinstance(mark, Arc)]) == circles
+        words = [mark.text for mark in marks if isinstance(mark, Words)]
+        assert words == [("Ø0.02" if circles else "0.02"), *([] if what == "flatness" else ["A"])]
+        assert extent(marks)[2] == pytest.approx(frame_length(Tolerance(what, 0.02, "" if what == "flatness" else "A")))
+
+
+def test_a_first_sizing_has_no_sheet_of_bores():
+    assert "housing-bores" not in {content.name for content in contents(sized("in-line-h2"))}
+
+
+def test_the_arrangement_shows_and_lists_what_holds_bearings():
+    sizing = sized("ec120b")
+    (sheet,) = sheets(sizing, ["arrangement"])
+    said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
+    for holder in holders_of(sizing):
+        assert f"{holder.mass:.3g}" in said, holder.name
+    assert said.count("Cover") == len([holder for holder in holders_of(sizing) if holder.kind == "cover"])
+    assert {"DIN 471 - 25 x 1.2", "6 screws M8, 8.8", "screw M20, 8.8"} <= set(said)
 
 
 def test_sheets_are_found_by_name_and_by_kind(built):

@@ -16,7 +16,7 @@ from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import balloon
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
-from gearwright.render.drawings.views.end_view import end_view
+from gearwright.render.drawings.views.end_view import end_view, is_square
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
@@ -62,13 +62,13 @@ def arrangement_content(sizing: Sizing) -> Content:
     return Content(
         NAME, title, lambda scale: _views(sizing, plane, scale),
         (Grid("Parts; mass of one", rows, heads), _axes(sizing)),
-        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0, kind=NAME,
+        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0, kind=NAME, is_whole=True,
     )  # fmt: skip
 
 
 def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
     if _has_end_view(sizing, plane):
-        yield "Pitch circles on the left: seen along the axes from the second ends, at their true places."
+        yield "On the left: along the first shaft from its second end, axes at true places; gears by pitch circle."
     if sizing.bearings:
         yield (
             "Bearings simplified: boundary dimensions ISO 15 or ISO 355, rings with shoulders as drawn, rolling "
@@ -112,8 +112,7 @@ def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
 
 
 def _has_end_view(sizing: Sizing, plane: Positions) -> bool:
-    parallel = all(pair.kind == "cylindrical" for pair in sizing.design.pairs.values())
-    return parallel and not plane.exact
+    return is_square(sizing) and (not plane.exact or bool(plane.notes))
 
 
 def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity], list[Item]]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from gearwright.errors import Problem, near, refuse
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.gear_sheet import gear_content
+from gearwright.render.drawings.housing_sheet import housing_content
 from gearwright.render.drawings.shaft_sheet import shaft_content
 from gearwright.render.drawings.sheet.compose import Content, compose
 from gearwright.render.drawings.sheet.sheets import Sheet
@@ -40,7 +41,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
 
 
 def contents(sizing: Sizing) -> Iterator[Content]:
-    """Yield what every sheet shows: the general arrangement, shafts, gears.
+    """Yield what every sheet shows: the general arrangement, shafts, gears, bores of the housing.
 
     Args:
         sizing: What was sized.
@@ -50,6 +51,9 @@ def contents(sizing: Sizing) -> Iterator[Content]:
     for gear in sizing.gears:
         for label, shaft in gear_sheets(sizing, gear).items():
             yield gear_content(sizing, gear, shaft, label)
+    bores = housing_content(sizing)
+    if bores is not None:
+        yield bores
 
 
 def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:

@@ -95,6 +95,8 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         share = f"; both leave {ratio:g} of the solid disc" if gear.role is Role.WHEEL and ratio < 1.0 else ""
         wide, inside, outside = (trimmed(size, 2) for size in (hub.web.width, 2.0 * hub.web.rim, 2.0 * hub.web.hub))
         yield f"Web {wide} thick in the middle, rim inside Ø{inside}, hub Ø{outside}: as weighed{share}."
+    if hub.bore and kind_of(sizing, gear.stage) == "bevel":
+        yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
         yield f"Axial run-out of the faces IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if gear.bodies > 1:
@@ -169,7 +171,7 @@ def face_runout(root: float) -> Tolerance | None:
     """
     if not SMALLEST < 2.0 * root / MM <= LARGEST:
         return None
-    return Tolerance(is_total=False, width=MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), datums="A")
+    return Tolerance("run-out", MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), "A")
 
 
 def _across(axis: Axis, radius: float, x: float, aside: float, suffix: str = "") -> Distance:
@@ -238,10 +240,22 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     if hub.bore:
         suffix = f" {hub.tolerance}" if hub.tolerance else ""
         entities.append(_at(axis, complex(bored[1], hub.bore / 2.0), right, suffix))
+        entities += datum(complex(right, axis.at(0.0, -hub.bore / 2.0).imag), -1j, "A")
+        entities += _back_runout(axis, profile, heel.real, right)
     if hub.boss is not None:
         outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
         entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
     return entities
+
+
+def _back_runout(axis: Axis, profile: BevelProfile, back: float, right: float) -> Iterator[Entity]:
+    """Yield what the back of a bevel gear may run out against its bore, beyond the diameters beside it."""
+    tolerance = face_runout(profile.roots[1].imag)
+    if tolerance is not None:
+        face = axis.at(back, -0.9 * profile.roots[1].imag)
+        start = complex(max(right, face.real) + 24.0, face.imag)
+        yield from (Path((face, start), Layer.SYMBOL), arrow(face, -1 + 0j, Layer.SYMBOL))
+        yield from tolerance_frame(start, tolerance)
 
 
 def _uncrossed(arcs: Sequence[Corner], lines: Sequence[Segment]) -> list[Corner]:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits, standard_tolerance
 from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.dimensions import arrow, extent
+from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import (
-    GAP,
     TEXT,
     Distance,
     Entity,
@@ -18,12 +16,12 @@ from gearwright.render.drawings.sheet.entities import (
     Path,
     Words,
     millimetres,
-    words_length,
 )
 from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import cutting_plane, texture, texture_length
+from gearwright.render.drawings.sheet.symbols import cutting_plane
 from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum, tolerance_frame
+from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum
+from gearwright.render.drawings.views.marks import ACROSS, Mark, marked
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
 from gearwright.render.drawings.views.tooth_data import tooth_grid
@@ -39,28 +37,10 @@ RUNOUT_GRADE = 5
 """Of the seats of normal bearings, of which half is their total run-out; assumed (usual)."""
 BELOW = TRIANGLE + 2.0 + HIGH - 4.0
 """By which lengths stand lower than without datums [mm]."""
-ACROSS = 10.5
-"""Between what is written across a shaft: a texture mark on one side reaches beside half a frame on the other [mm]."""
 LEVEL = 8.0
 """Between parallel dimension lines [mm]."""
 SEAT_TEXTURE = "Ra 0.8"
 """Of bearing seats; assumed (usual for IT6 and normal bearings)."""
-
-
-class _Mark(NamedTuple):
-    """Something written across a shaft: a diameter, or a designation with a leader."""
-
-    x: float
-    """Along the axis [mm]."""
-    radius: float
-    """Of the outline there [mm]."""
-    suffix: str
-    """After the diameter."""
-    words: str = ""
-    """Instead of a diameter."""
-    texture: str = ""
-    tolerance: Tolerance | None = None
-    """Of the surface there, instead of words."""
 
 
 def shaft_content(sizing: Sizing, name: str) -> Content:
@@ -126,10 +106,10 @@ def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
     top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
     places = spread([axis.scale * mark.x for mark in marks], ACROSS)
     for mark, slot in zip(marks, places, strict=True):
-        yield from _mark(axis, mark, slot, top)
+        yield from marked(axis, mark, slot, top)
 
 
-def _marks(body: ShaftBody) -> Iterator[_Mark]:
+def _marks(body: ShaftBody) -> Iterator[Mark]:
     for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
         beside = [neighbour.diameter for neighbour in (before, after) if neighbour is not None and neighbour.tolerance]
         if not piece.tolerance and piece.diameter in beside:
@@ -139,10 +119,10 @@ def _marks(body: ShaftBody) -> Iterator[_Mark]:
         if conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
         suffix = f" {piece.tolerance}" if piece.tolerance else ""
-        yield _Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
+        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
     for toothing in body.splines:
         x = toothing.start + 0.75 * (toothing.end - toothing.start)
-        yield _Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
+        yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
 
 
 def _middle(body: ShaftBody, piece: Piece) -> float:
@@ -151,38 +131,14 @@ def _middle(body: ShaftBody, piece: Piece) -> float:
     return piece.start + share * (piece.end - piece.start)
 
 
-def _runouts(body: ShaftBody, seats: Sequence[Piece]) -> Iterator[_Mark]:
+def _runouts(body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Mark]:
     """Yield the total run-out of every bearing seat against the axis of both radial bearings."""
     for piece in body.pieces:
         if piece.tolerance and seats:
             runout = MM * standard_tolerance(piece.diameter / MM, RUNOUT_GRADE) / 2.0
-            tolerance = Tolerance(is_total=True, width=runout, datums="–".join(DATUMS))
+            tolerance = Tolerance("total run-out", runout, "–".join(DATUMS))
             x = piece.start + 0.85 * (piece.end - piece.start)
-            yield _Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
-
-
-def _mark(axis: Axis, mark: _Mark, place: float, top: float) -> Iterator[Entity]:
-    """Yield a diameter whose line goes on above the shaft, to its slot, with the text along it."""
-    low, high = axis.at(mark.x, -mark.radius), axis.at(mark.x, mark.radius)
-    start = complex(place, axis.origin.imag + top + 8.0)
-    knee = complex(high.real, axis.origin.imag + top + 2.0)
-    if mark.tolerance is not None:
-        yield Path((high, knee, start), Layer.SYMBOL)
-        yield arrow(high, -1j, Layer.SYMBOL)
-        yield from tolerance_frame(start, mark.tolerance, math.pi / 2.0)
-        return
-    words = mark.words or f"Ø{millimetres(2.0 * mark.radius)}{mark.suffix}"
-    length = words_length(words, TEXT)
-    middle = start + 1j * (1.0 + length / 2.0) - GAP
-    tail = start + 1j * (2.0 + length)
-    if mark.words:
-        yield Words(middle, words, TEXT, "middle", math.pi / 2.0, Layer.DIMENSION)
-    else:
-        yield Distance(low, high, high, math.pi / 2.0, axis.scale, "Ø", mark.suffix, middle)
-    end = tail + (1j * texture_length(mark.texture) if mark.texture else 0.0)
-    yield Path((high, knee, start, end), Layer.DIMENSION)
-    if mark.texture:
-        yield from texture(tail + 2.5j, mark.texture, math.pi / 2.0)
+            yield Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
 
 
 def _lengths(axis: Axis, body: ShaftBody, *, below: float) -> Iterator[Entity]:

@@ -38,6 +38,8 @@ class Content:
     """[-]"""
     kind: str = ""
     """What it shows: ``arrangement``, ``shaft`` or ``gear``."""
+    is_whole: bool = False
+    """Whether it shows a whole gearbox, for which A0 at 1:2 is better than less at 1:5."""
 
 
 def compose(content: Content) -> Sheet:
@@ -71,7 +73,7 @@ Room = tuple[float, float, float, float]
 def _fits(content: Content) -> Iterator[tuple[Size, float, Rows, Room]]:
     """Yield the sheets that hold the content, the best first."""
     for smallest_scale, tried in WISHES:
-        for size in SIZES[:tried]:
+        for size in SIZES[: len(SIZES) if content.is_whole and smallest_scale < 1.0 else tried]:
             room = _room(content, size)
             for scale in SCALES:
                 if room is not None and smallest_scale <= scale <= content.largest_scale:

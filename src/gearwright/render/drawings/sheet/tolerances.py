@@ -5,9 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
-from gearwright.render.drawings.sheet.entities import SMALL, Entity, Layer, Path, Words, words_length
+from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, words_length
 
 HIGH = 2.0 * SMALL
 """Height of a frame [mm] (ISO 7083: twice the height of its letters)."""
@@ -19,20 +19,23 @@ TRIANGLE = 3.0
 """Height of the triangle of a datum [mm]."""
 
 
+Characteristic = Literal["run-out", "total run-out", "coaxiality", "position", "perpendicularity", "flatness"]
+
+
 class Tolerance(NamedTuple):
     """What a frame says."""
 
-    is_total: bool
-    """True for total run-out, False for circular run-out."""
+    what: Characteristic
     width: float
     """Of its zone [mm]."""
-    datums: str
-    """Such as ``A–B``."""
+    datums: str = ""
+    """Such as ``A–B``; empty of what needs none."""
 
     @property
     def text(self) -> str:
-        """The width as the frame has it, to 0.1 µm."""
-        return f"{self.width:.4f}".rstrip("0").rstrip(".")
+        """The width as the frame has it, to 0.1 µm; with Ø where its zone is a cylinder."""
+        round_zone = "Ø" if self.what in ("coaxiality", "position") else ""
+        return round_zone + f"{self.width:.4f}".rstrip("0").rstrip(".")
 
 
 def frame_length(tolerance: Tolerance) -> float:
@@ -58,8 +61,8 @@ def tolerance_frame(start: complex, tolerance: Tolerance, turn: float = 0.0) -> 
                complex(0.0, HIGH / 2.0))  # fmt: skip
     entities: list[Entity] = [_path(start, along, outline, closed=True)]
     entities += [_path(start, along, (edge - 0.5j * HIGH, edge + 0.5j * HIGH)) for edge in edges[1:-1]]
-    entities += _symbol(start + along * widths[0] / 2.0, along, is_total=tolerance.is_total)
-    for text, left, width in zip((tolerance.text, tolerance.datums), edges[1:], widths[1:], strict=False):
+    entities += _symbol(start + along * widths[0] / 2.0, along, tolerance.what)
+    for text, left, width in zip(_texts(tolerance), edges[1:], widths[1:], strict=False):
         at = start + along * complex(left + width / 2.0, -SMALL / 2.0)
         entities.append(Words(at, text, SMALL, "middle", turn, Layer.SYMBOL))
     return entities
@@ -88,8 +91,11 @@ def datum(foot: complex, way: complex, letter: str) -> list[Entity]:
 
 
 def _widths(tolerance: Tolerance) -> list[float]:
-    texts = (tolerance.text, tolerance.datums)
-    return [HIGH + _AIR, *(words_length(text, SMALL) + 2.0 * _AIR for text in texts)]
+    return [HIGH + _AIR, *(words_length(text, SMALL) + 2.0 * _AIR for text in _texts(tolerance))]
+
+
+def _texts(tolerance: Tolerance) -> tuple[str, ...]:
+    return (tolerance.text, tolerance.datums) if tolerance.datums else (tolerance.text,)
 
 
 def _path(
@@ -98,7 +104,24 @@ def _path(
     return Path(tuple(start + along * point for point in points), Layer.SYMBOL, closed=closed, filled=filled)
 
 
-def _symbol(middle: complex, along: complex, *, is_total: bool) -> list[Entity]:
+def _symbol(middle: complex, along: complex, what: Characteristic) -> list[Entity]:
+    """Return the symbol of a characteristic (ISO 1101, table 1)."""
+    if what in ("run-out", "total run-out"):
+        return _arrows(middle, along, is_total=what == "total run-out")
+    if what == "perpendicularity":
+        strokes = ((complex(-1.6, -1.5), complex(1.6, -1.5)), (complex(0.0, -1.5), complex(0.0, 1.6)))
+        return [_path(middle, along, stroke) for stroke in strokes]
+    if what == "flatness":
+        corners = (complex(-2.0, -1.0), complex(0.8, -1.0), complex(2.0, 1.0), complex(-0.8, 1.0))
+        return [_path(middle, along, corners, closed=True)]
+    small = Arc(middle, 0.8, Layer.SYMBOL)
+    if what == "coaxiality":
+        return [small, Arc(middle, 1.6, Layer.SYMBOL)]
+    cross = ((complex(-1.8, 0.0), complex(1.8, 0.0)), (complex(0.0, -1.8), complex(0.0, 1.8)))
+    return [Arc(middle, 1.2, Layer.SYMBOL), *(_path(middle, along, stroke) for stroke in cross)]
+
+
+def _arrows(middle: complex, along: complex, *, is_total: bool) -> list[Entity]:
     """Return one leaning arrow of circular run-out, or two joined ones of total run-out."""
     lean = complex(1.6, 3.0)
     feet = (complex(-1.8, -1.5), complex(0.2, -1.5)) if is_total else (complex(-0.8, -1.5),)
