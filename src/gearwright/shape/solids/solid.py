@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.shape.solids.surface import Surface, around_hole, circle, joined, revolved, strip
 
 
@@ -44,6 +44,10 @@ class Solid(NamedTuple):
 
 RING_CORNERS = 2
 """Corners of the outside of a ring over those of other circles: thin walls lose most by chords [-]."""
+SAME_ROOT = 1e-9
+"""How far radii of roots may differ by rounding over themselves [-]."""
+FEW = 6
+"""Points of roots below which a loop has no teeth [-]."""
 TOUCHING = 3
 """Corners of a circle that is one point [-]."""
 
@@ -67,7 +71,8 @@ def surface_of(solid: Solid, segments: int) -> Surface:
     for end, (height, radius) in zip(order, (profile[0], profile[-1]), strict=True):
         section, ring = solid.sections[end], ring_of(radius, height, corners)
         outer, inner = (ring, section) if solid.inside else (section, ring)
-        ends.append(cap(outer, inner, facing(section, up=end == -1), up=end == -1))
+        toothed_loop = (1 if solid.inside else 0) if solid.edges.any() else None
+        ends.append(cap(outer, inner, facing(section, up=end == -1), up=end == -1, toothed=toothed_loop))
     toothed = wall(solid.sections, solid.edges, inside=solid.inside)
     return joined([toothed, *(ends[::-1] if solid.inside else ends), revolved(profile, corners)])
 
@@ -134,24 +139,65 @@ def wall(sections: Sequence[Section], edges: Bools, *, inside: bool = False) -> 
     return Surface(points.reshape(-1, 3), normals.reshape(-1, 3), triangles)
 
 
-def cap(outer: Section, inner: Section, normal: tuple[float, float], *, up: bool) -> Surface:
+def cap(
+    outer: Section, inner: Section, normal: tuple[float, float], *, up: bool, toothed: int | None = None
+) -> Surface:
     """Return the face between two loops at one end of a body.
+
+    Teeth are cut off along the chords of their roots, and each is made of triangles of its own: between the corners of
+    a circle and the flanks of many teeth they would reach across gaps.
 
     Args:
         outer: The outer loop.
         inner: The inner one.
         normal: Of the face, along the axis and outwards from it [-].
         up: Whether it looks along +z.
+        toothed: Which loop has teeth: 0 the outer one, 1 the inner one; None: neither.
     """
     angle = np.concatenate([outer.angle, inner.angle])
     turned = []
     for section in (outer, inner):
         lead = np.mod(section.angle[0] + np.pi, 2.0 * np.pi) - np.pi
         turned.append(section.angle - section.angle[0] + lead)
-    triangles = strip(*turned)
+    kept = [np.arange(len(section.angle)) for section in (outer, inner)]
+    teeth: list[Ints] = []
+    if toothed is not None:
+        radius = (outer, inner)[toothed].radius
+        kept[toothed], cut = teeth_apart(radius if toothed == 0 else -radius)
+        teeth.append(cut if toothed == 0 else cut[:, ::-1] + len(outer.angle))
+    numbers = np.concatenate([kept[0], kept[1] + len(outer.angle)])
+    between = numbers[strip(turned[0][kept[0]], turned[1][kept[1]])]
+    triangles = np.concatenate([between, *teeth])
     points = np.concatenate([outer.points, inner.points])
     normals = np.stack([normal[1] * np.cos(angle), normal[1] * np.sin(angle), np.full(len(angle), normal[0])], axis=1)
     return Surface(points, normals, triangles if up else triangles[:, ::-1])
+
+
+def teeth_apart(radius: Floats) -> tuple[Ints, Ints]:
+    """Return the points of a loop that are left without its teeth, and the triangles of the teeth.
+
+    Args:
+        radius: Of its points [m], shape (n,); of teeth that point inwards, negative.
+
+    Source: a tooth is walked from both of its roots at once, from flank to flank.
+    """
+    least = float(radius.min())
+    base, count = np.flatnonzero(radius <= least + SAME_ROOT * abs(least)), len(radius)
+    if len(base) < FEW:  # a block's sides
+        return np.arange(count), np.empty((0, 3), dtype=np.int64)
+    spans = np.mod(np.roll(base, -1) - base, count)
+    spans[spans == 0] = count
+    found = [np.empty((0, 3), dtype=np.int64)]
+    for span in np.unique(spans[spans > 1]):
+        low, high, steps = 0, int(span), list[tuple[int, int, int]]()
+        while high - low > 1:
+            steps.append((low, low + 1, high))
+            low += 1
+            if high - low > 1:
+                steps.append((low, high - 1, high))
+                high -= 1
+        found.append((base[spans == span][:, None, None] + np.array(steps)).reshape(-1, 3) % count)
+    return base, np.concatenate(found)
 
 
 def ring_of(radius: float, height: float, segments: int) -> Section:
