@@ -30,7 +30,7 @@ def groove_concentration(radius: float, ultimate_strength: float) -> Concentrati
 
     >>> groove = groove_concentration(0.15e-3, 1000e6)
     >>> round(groove.bending, 2), round(groove.torsion, 2)
-    (3.53, 2.22)
+    (3.74, 2.46)
     """
     return felt_concentration(GROOVE, notch_sensitivity(radius, ultimate_strength))
 

