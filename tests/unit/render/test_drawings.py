@@ -481,6 +481,14 @@ def test_a_frame_has_the_symbol_its_zone_and_its_datums():
         assert extent(marks)[2] == pytest.approx(frame_length(Tolerance(what, 0.02, "" if what == "flatness" else "A")))
 
 
+def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():
+    """DIN 471 - 25 x 1.2: Ø23.9, 1.3 mm wide, beside the bearing that ends at 215.5 mm."""
+    (sheet,) = sheets(sized("ec120b"), ["shaft-input"])
+    values = measured(sheet)
+    for value in (23.9, 215.5, 216.8):
+        assert any(math.isclose(value, each, rel_tol=1e-9) for each in values), value
+
+
 def test_a_first_sizing_has_no_sheet_of_bores():
     assert "housing-bores" not in {content.name for content in contents(sized("in-line-h2"))}
 

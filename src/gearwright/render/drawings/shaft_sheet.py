@@ -83,7 +83,7 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
 def _views(body: ShaftBody, seats: Sequence[Piece], cuts: Sequence[Groove], scale: float) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
-    main += [line for groove in cuts for line in _groove(axis, groove)]
+    main += [line for groove in cuts if groove.is_thread for line in _thread(axis, groove)]
     main += _diameters(axis, body, seats)
     main += _lengths(axis, body, below=BELOW if seats else 0.0)
     for letter, seat in zip(DATUMS, seats, strict=False):
@@ -217,12 +217,11 @@ def _grooves(sizing: Sizing, name: str) -> list[Groove]:
     return [groove for groove in grooves(sizing) if groove.shaft == name]
 
 
-def _groove(axis: Axis, groove: Groove) -> Iterator[Entity]:
-    """Yield the edges of a groove, both halves; of a thread its core as thin lines (ISO 6410-1)."""
-    start, end, radius = MM * groove.start, MM * groove.end, MM * groove.diameter / 2.0
+def _thread(axis: Axis, thread: Groove) -> Iterator[Entity]:
+    """Yield the core of a thread as thin lines, and where it ends (ISO 6410-1)."""
+    start, end, radius = MM * thread.start, MM * thread.end, MM * thread.diameter / 2.0
     for side in (1.0, -1.0):
-        layer = Layer.THIN if groove.is_thread else Layer.OUTLINE
-        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), layer)
+        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), Layer.THIN)
     for x in (start, end):
         yield Path((axis.at(x, -radius), axis.at(x, radius)), Layer.OUTLINE)
 

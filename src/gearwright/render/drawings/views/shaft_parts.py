@@ -11,6 +11,7 @@ from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
+from gearwright.sizing.shafts import grooves
 
 MM = 1e3
 """Millimetres in a metre."""
@@ -115,6 +116,9 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     pieces = _merged([_turned(sizing, step) for step in built.steps])
     for joint in integral:
         pieces = _overlaid(pieces, toothed_piece(sizing, gear_of(sizing, joint.part), joint.position))
+    for groove in grooves(sizing):
+        if groove.shaft == name and not groove.is_thread:
+            pieces = _overlaid(pieces, Piece(MM * groove.start, MM * groove.end, (MM * groove.diameter,) * 2))
     return ShaftBody(
         name,
         tuple(pieces),
@@ -197,7 +201,7 @@ def away_of(sizing: Sizing, gear: GearSizing) -> float:
 
 
 def _overlaid(pieces: list[Piece], toothed: Piece) -> list[Piece]:
-    """Return pieces with teeth in place of what they cover."""
+    """Return pieces with teeth, or a groove, in place of what they cover."""
     left = [replace(piece, end=min(piece.end, toothed.start)) for piece in pieces if piece.start < toothed.start - 1e-6]
     right = [replace(piece, start=max(piece.start, toothed.end)) for piece in pieces if piece.end > toothed.end + 1e-6]
     return [*left, toothed, *right]
