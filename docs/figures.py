@@ -38,6 +38,7 @@ def _study(name: str) -> Any:
 
 
 FIGURES: Mapping[str, Callable[[], Any]] = {
+    "hybrid-turboprop-schematic": lambda: power_flow_figure(_sized("hybrid-turboprop"), "rated"),
     "in-line-h2-schematic": lambda: power_flow_figure(_sized("in-line-h2"), "rated"),
     "off-set-schematic": lambda: schematic_figure(_sized("off-set")),
     "off-set-h2-power": lambda: power_flow_figure(_sized("off-set-h2"), "rated"),

@@ -67,3 +67,20 @@ def test_engines_writes_csv(tmp_path):
     lines = path.read_text(encoding="utf-8").splitlines()
     assert len(lines) == 1 + 3
     assert lines[1].startswith("1.3,PW100,")
+
+
+def test_a_design_states_power_and_speeds_itself():
+    """What is given beside it wins; 20 000 rpm is that of its turbine, the power that of turbine and motor."""
+    own = json.loads(run("mass", "--design", "in-line-h2", "--json").stdout)["result"]["requirement"]
+    assert own["power_kw"] == pytest.approx(2051.0)
+    assert own["engine_speed_rpm"] == pytest.approx(20000.0)
+    assert own["propeller_speed_rpm"] == pytest.approx(1212.0, rel=0.01)
+    more = json.loads(run("mass", "--design", "in-line-h2", "--power-kw", "3000", "--json").stdout)["result"]
+    assert more["requirement"] == {**own, "power_kw": 3000.0, "beta": more["requirement"]["beta"]}
+
+
+def test_without_a_design_what_is_left_out_is_told_at_once():
+    with pytest.raises(DesignError) as told:
+        run("mass", "--power-kw", "2051")
+    assert [problem.path for problem in told.value.problems] == ["--engine-rpm", "--propeller-rpm"]
+    assert "--design" in told.value.problems[0].message

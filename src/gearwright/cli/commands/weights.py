@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from gearwright.sizing import Sizing
-    from gearwright.weights import CheckedEngine, StatedMass
+    from gearwright.weights import CheckedEngine, Requirement, StatedMass
 
 _KW = 1e3
 
@@ -102,9 +102,13 @@ def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
 
 
 def mass(
-    power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox")],
-    engine_rpm: Annotated[float, typer.Option(help="Speed of the input")],
-    propeller_rpm: Annotated[float, typer.Option(help="Speed of the propeller or rotor")],
+    power_kw: Annotated[
+        float | None, typer.Option(help="Power at the rating that sizes the gearbox; left out: of the design")
+    ] = None,
+    engine_rpm: Annotated[float | None, typer.Option(help="Speed of the input; left out: of the design")] = None,
+    propeller_rpm: Annotated[
+        float | None, typer.Option(help="Speed of the propeller or rotor; left out: of the design")
+    ] = None,
     design: Annotated[str | None, typer.Option(help="Design whose parts are summed up beside the statistics")] = None,
     mass_kg: Annotated[float | None, typer.Option(help="Your own mass; it wins over every estimate")] = None,
     origin: Annotated[str, typer.Option(help="Where your own mass comes from")] = "",
@@ -112,12 +116,11 @@ def mass(
     json: JsonOption = False,
 ) -> None:
     """Show what a gearbox weighs by every public method, with the band of the real weights."""
-    from gearwright.units import RPM
-    from gearwright.weights import Requirement, compare
+    from gearwright.weights import compare
 
     sizing = sized(design) if design is not None else None
     comparison = compare(
-        Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM),
+        _requirement(sizing, power_kw, engine_rpm, propeller_rpm),
         bottom_up=_of_parts(sizing) if sizing is not None else None,
         stated=stated_mass(mass_kg, origin),
     )
@@ -137,15 +140,38 @@ def mass(
         tell(f"wrote {report}")
 
 
+def _requirement(
+    sizing: Sizing | None, power_kw: float | None, engine_rpm: float | None, propeller_rpm: float | None
+) -> Requirement:
+    """Return power and speeds as given, and those of the design where they are left out."""
+    from gearwright.errors import Problem, refuse
+    from gearwright.sizing.mass import requirement_of
+    from gearwright.units import RPM
+    from gearwright.weights import Requirement
+
+    own = None if sizing is None else requirement_of(sizing)
+    stands = (None, None, None) if own is None else (own.power, own.engine_speed, own.propeller_speed)
+    given = {"--power-kw": (power_kw, _KW), "--engine-rpm": (engine_rpm, RPM), "--propeller-rpm": (propeller_rpm, RPM)}
+    values = {
+        name: stated if value is None else value * unit
+        for (name, (value, unit)), stated in zip(given.items(), stands, strict=True)
+    }
+    fix = "or --design with a file that states it" if sizing is None else "as the design does not reduce a speed"
+    refuse(Problem(name, f"is missing; give it, {fix}") for name, value in values.items() if value is None)
+    return Requirement(*(value for value in values.values() if value is not None))
+
+
 def _of_parts(sizing: Sizing) -> StatedMass:
     """Return the sum of all parts of a sizing, with its band and what gears, shafts and carriers are of it."""
     from gearwright.sizing.mass import complete_mass
+    from gearwright.spec.design import PRELIMINARY
     from gearwright.units import text
     from gearwright.weights import StatedMass
 
     mass = complete_mass(sizing)
     low, high, solid = (text(value, "mass", 3) for value in (*mass.band, sizing.parts_mass))
-    words = f"sum of its parts, 68 % from {low} to {high}; its gears as solid bodies, shafts and carriers {solid}"
+    gears = "gears as made" if sizing.level == PRELIMINARY else "gears as solid bodies"
+    words = f"sum of its parts, 68 % from {low} to {high}; its {gears}, shafts and carriers {solid}"
     return StatedMass(mass.total, words)
 
 

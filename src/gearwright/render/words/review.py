@@ -16,6 +16,7 @@ from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
+from gearwright.spec.design import PRELIMINARY
 from gearwright.units import shown, text
 
 
@@ -91,7 +92,8 @@ def variants_text(found: Variants) -> RenderableType:
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
-    yield "of solid wheels", text(closed.mass, "mass")
+    made = closed.sizing.level == PRELIMINARY
+    yield "with gears as made" if made else "of solid wheels", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
     for row in closed.lives:
