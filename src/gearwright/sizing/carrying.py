@@ -102,7 +102,9 @@ class CarrierSizing:
     ]
     """Force of the teeth of one planet on its pin [N]."""
     centrifugal_force: Annotated[
-        float, Quantity("force"), Origin("F_c = m_p r_c ω_c², with what turns of its bearing", "kinematics")
+        float,
+        Quantity("force"),
+        Origin("F_c = m_p r_c ω_c², with what turns of its bearing; preliminary: m_p of a disc", "kinematics"),
     ]
     """Centrifugal force of one planet on its pin [N]."""
     radial_force: Annotated[
