@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from gearwright.mission import duty_spectrum as duty
     from gearwright.mission import fly_mix as mix
     from gearwright.mission.windows import fly_window as window
-    from gearwright.optimum import search
+    from gearwright.optimum import optimise, search
     from gearwright.render.drawings.catalogue import sheets as draw
     from gearwright.render.pages.notebook import figure
     from gearwright.render.pages.report import report
@@ -132,6 +132,7 @@ _VERBS = {
     "named_results": "sizing",
     "nearest_variant": "closure",
     "notebook": "shipped.gallery",
+    "optimise": "optimum",
     "parse": "spec",
     "periodic": "dynamics",
     "phase_forces": "mission",
@@ -234,6 +235,7 @@ __all__ = [
     "named_results",
     "nearest_variant",
     "notebook",
+    "optimise",
     "parse",
     "periodic",
     "phase_forces",

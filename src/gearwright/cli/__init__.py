@@ -27,6 +27,7 @@ from gearwright.cli.commands.export import export
 from gearwright.cli.commands.files import new, schema
 from gearwright.cli.commands.lives import duty, mix
 from gearwright.cli.commands.mission import fly
+from gearwright.cli.commands.optimise import optimise
 from gearwright.cli.commands.propeller import propeller
 from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.review import review
@@ -50,7 +51,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty, propeller, rotor, turboshaft),
-    "Studies": (compare, architectures, study, status, resume, merge, cluster),
+    "Studies": (compare, architectures, optimise, study, status, resume, merge, cluster),
     "Mass and engines": (mass, engines),
     "Published work": (validate,),
 }

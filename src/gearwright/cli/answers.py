@@ -39,6 +39,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),
     "architectures": (f"{_ROOM}architectures:ArchitecturesAnswer", ""),
+    "optimise": (f"{_ROOM}optimum:OptimiseAnswer", ""),
     "study": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "resume": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "status": (f"{_ROOM}study:StatusAnswer", ""),

@@ -15,7 +15,6 @@ from gearwright.closure import Wishes
 from gearwright.enumeration.ranking import Candidate, candidate
 from gearwright.enumeration.requirement import Requirement, requirement_of
 from gearwright.enumeration.trains import Architecture, trains
-from gearwright.enumeration.workers import computed
 from gearwright.errors import Problem, refuse
 from gearwright.showing import Shown
 from gearwright.sizing import size
@@ -23,6 +22,7 @@ from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, parse
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
+from gearwright.study.running import computed
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 from gearwright.version import __version__

@@ -5,5 +5,22 @@ How designs are evaluated, and the journal that keeps them, is in `study`.
 
 from gearwright.optimum.asking import Search, search
 from gearwright.optimum.freedoms import DESIGN, is_continuous
+from gearwright.optimum.hypervolume import hypervolume
+from gearwright.optimum.optimise import optimise
+from gearwright.optimum.optimum import Best, Binding, Counts, Influence, Optimum, Price, Regret
 
-__all__ = ["DESIGN", "Search", "is_continuous", "search"]
+__all__ = [
+    "DESIGN",
+    "Best",
+    "Binding",
+    "Counts",
+    "Influence",
+    "Optimum",
+    "Price",
+    "Regret",
+    "Search",
+    "hypervolume",
+    "is_continuous",
+    "optimise",
+    "search",
+]

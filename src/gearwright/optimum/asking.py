@@ -194,7 +194,12 @@ def _answered(study: Study, design: str, row: Asked, answer: Answer) -> Row:
 
 @verb
 def search(
-    study: Study, designs: Mapping[str, Design] | None = None, *, journal: Path | None = None, workers: int = 0
+    study: Study,
+    designs: Mapping[str, Design] | None = None,
+    *,
+    journal: Path | None = None,
+    workers: int = 0,
+    anyway: bool = False,
 ) -> Search:
     """Return a search that can be asked for designs, and told what came of them; any optimiser can drive it.
 
@@ -203,6 +208,7 @@ def search(
         designs: Name -> design, for every name in the study; left out: read by their names.
         journal: File that keeps every evaluation; one that is there is gone on with.
         workers: Processes that compute; 0: this one.
+        anyway: Go on with a journal although designs or what computes have changed since it was begun.
 
     Raises:
         DesignError: If there is nothing to vary or to want, a path does not exist, or the journal is of another search.
@@ -224,4 +230,4 @@ def search(
     if workers < 0:
         raise DesignError([Problem("workers", f"{workers} are asked; 0 computes in this process")])
     known = designs if designs is not None else {name: read(find_design(name)) for name in study.designs}
-    return Search(own, known, Bench(own, known, journal=journal, workers=workers))
+    return Search(own, known, Bench(own, known, journal=journal, workers=workers, anyway=anyway))

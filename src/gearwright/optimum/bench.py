@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from pathlib import Path
 
-import numpy as np
-
 from gearwright.errors import Problem, refuse
-from gearwright.optimum.judging import Judged, judged
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Blocks, Row, blocks_of
 from gearwright.study.cases import Case, refuse_unknown_paths
@@ -19,14 +16,16 @@ from gearwright.study.running import Compute, Journal, begin, in_memory, local, 
 class Bench:
     """What evaluates the designs of one search, and remembers them."""
 
-    def __init__(self, study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int) -> None:
+    def __init__(
+        self, study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int, anyway: bool = False
+    ) -> None:
         self.study, self.designs = study, designs
         self.computed = 0
         """Designs that were evaluated since it was opened [-]."""
         self._open = ExitStack()
         try:
             refuse_unknown_paths(study, designs)
-            self.book = self._book(journal)
+            self.book = self._book(journal, anyway=anyway)
             self.compute: Compute = self._open.enter_context(local(study, designs, workers))
             self.book.begin_run(workers)
         except BaseException:
@@ -34,7 +33,7 @@ class Bench:
             raise
         self._known = dict(self._kept()) if journal is not None else {}
 
-    def _book(self, journal: Path | None) -> Journal:
+    def _book(self, journal: Path | None, *, anyway: bool) -> Journal:
         """Return the journal, begun anew or gone on with."""
         if journal is None:
             book = in_memory(self.study, self.designs)
@@ -45,7 +44,8 @@ class Bench:
             if known.study != self.study:
                 message = f"is of another search, {known.study.name!r}, or of one that asks for something else"
                 refuse([Problem("journal", f"{journal} {message}; name another file, or take this one away")])
-            refuse_changes(journal, known, self.designs)
+            if not anyway:
+                refuse_changes(journal, known, self.designs)
         else:
             begin(journal, self.study, self.designs)
         return self._open.enter_context(opened(journal))
@@ -72,22 +72,16 @@ class Bench:
             found.update(blocks)
         return [found[case.number] for case in cases]
 
-    def judge(self, cases: Sequence[Case], tell: Callable[[int], None] = lambda count: None) -> Judged:
-        """Return objectives and violations of cases, in their order.
+    def tried(self, cases: Sequence[Case]) -> list[Row]:
+        """Return the rows of cases that are not kept: what follows from an answer and is soon computed again.
 
         Args:
-            cases: With numbers that follow each other.
-            tell: Called with how many are finished.
+            cases: Numbered from 0.
         """
-        first, count = cases[0].number if cases else 0, len(cases)
-        values, broken = np.zeros((count, len(self.study.objectives))), np.zeros((count, len(self.study.constraints)))
-        done = 0
-        for blocks in self._finished(cases):
-            numbers, own = judged(self.study, blocks)
-            values[numbers - first], broken[numbers - first] = own.values, own.broken
-            done += len(blocks)
-            tell(done)
-        return Judged(values, broken)
+        found: dict[int, Row] = {}
+        for finished in self.compute(iter(cases), len(cases)):
+            found.update(finished)
+        return [found[case.number] for case in cases]
 
     def _finished(self, cases: Sequence[Case]) -> Iterator[Blocks]:
         """Yield cases in any order: those of the journal, then those that are computed."""
@@ -106,6 +100,24 @@ class Bench:
             self.book.append(blocks)
             self.computed += len(blocks)
             yield blocks
+
+    def known_between(self, first: int, end: int) -> list[tuple[int, Row]]:
+        """Return number and row of what the journal has from one number up to another.
+
+        Args:
+            first: Number of a case.
+            end: Number behind the last.
+        """
+        return [(number, row) for number, row in sorted(self._known.items()) if first <= number < end]
+
+    def append(self, blocks: Blocks) -> None:
+        """Keep cases that were computed elsewhere.
+
+        Args:
+            blocks: Finished cases.
+        """
+        self.book.append(blocks)
+        self.computed += len(blocks)
 
     def known(self, case: Case) -> Row | None:
         """Return the row that the journal has of a case; None where it has none.

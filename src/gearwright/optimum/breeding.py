@@ -9,7 +9,8 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.optimum.judging import Judged
-from gearwright.study.running import children, crowding
+from gearwright.study.answers import crowding
+from gearwright.study.running import children
 
 ALIKE = 1e-12
 """Places of the unit cube that are nearer are one [-]."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -90,14 +91,22 @@ def _of_block(study: Study, block: Block) -> Judged:
     if block.shape.failed or any(entries[name][2] != REAL for name in asked):
         return judged_rows(study, [row for _, row in block])
     offset = len(block.shape.inputs)
+    columns = {name: (block.records[f"entry {offset + entries[name][0]}"], entries[name][1]) for name in asked}
+    return judged_columns(study, columns)
+
+
+def judged_columns(study: Study, columns: Mapping[str, tuple[Floats, str]]) -> Judged:
+    """Return what optimisers know of designs whose results are columns.
+
+    Args:
+        study: With objectives and constraints.
+        columns: Result -> values [SI], shape (designs,), and their dimension.
+    """
     signs = [1.0 if sense == "minimum" else -1.0 for sense in study.objectives.values()]
-    values = [sign * block.records[f"entry {offset + entries[name][0]}"]
-              for sign, name in zip(signs, study.objectives, strict=True)]  # fmt: skip
-    broken = []
-    for name in study.constraints:
-        place, dimension, _ = entries[name]
-        broken.append(_over(study, name, block.records[f"entry {offset + place}"] * shown(1.0, dimension)))
-    return Judged(np.array(values).T, np.array(broken).reshape(len(broken), len(block)).T)
+    values = [sign * columns[name][0] for sign, name in zip(signs, study.objectives, strict=True)]
+    broken = [_over(study, name, columns[name][0] * shown(1.0, columns[name][1])) for name in study.constraints]
+    count = len(values[0])
+    return Judged(np.array(values).reshape(-1, count).T, np.array(broken).reshape(-1, count).T)
 
 
 ROUNDING = 1e-9

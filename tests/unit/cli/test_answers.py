@@ -47,6 +47,7 @@ LINES = {
     "size": "size hybrid.toml",
     "close": "close pair.toml --crossings",
     "architectures": "architectures pair.toml --stages 1 --close 0 --workers 0",
+    "optimise": "optimise hybrid.toml --free carriers.fill=0.4..0.8 --screened 0 --evaluations 24 --workers 0",
     "review": "review hybrid.toml",
     "modes": "modes hybrid.toml",
     "simulate": f"simulate hybrid.toml {SHORT}",

@@ -59,7 +59,7 @@ def run_shown(
 
     part = _part(shard, journal)
     count = _workers(workers, len(part.cases(case_count(study))))
-    with _stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
+    with stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
         return run_study(
             study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start, part=part
         )  # fmt: skip
@@ -139,7 +139,7 @@ def resume(
     if not anyway:
         _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = _workers(workers, known.total)
-    with _stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
+    with stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
         table = go_on(
             journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls),
             part=_part(shard, journal),
@@ -307,11 +307,13 @@ def start_of(cluster: str | None, tls: tuple[Path, Path, Path] | None) -> Start:
 
 
 @contextmanager
-def _stopped_cleanly(journal: Path | None) -> Iterator[None]:
+def stopped_cleanly(journal: Path | None, following: str = "") -> Iterator[None]:
+    """Say what is kept where Ctrl-C ends a run, and how it goes on."""
     try:
         yield
     except KeyboardInterrupt:
-        kept = f"what is finished is kept; next: gearwright resume {journal}" if journal else "nothing was kept"
+        following = following or f"gearwright resume {journal}"
+        kept = f"what is finished is kept; next: {following}" if journal else "nothing was kept"
         tell(f"interrupted: {kept}")
         raise typer.Exit(INTERRUPTED) from None
 

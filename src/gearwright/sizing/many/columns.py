@@ -36,6 +36,8 @@ TRIED = 4
 PLAIN = "lewis-hertz"
 """Rating of which designs with built shafts are tried together: steps and bearings part the rows as a standard's sizes
 do not, and what is tried in vain costs a second."""
+BY_VALUE = frozenset({"pressure_angle"})
+"""Numbers of which the search for teeth takes one for all its candidates: rows part by them."""
 DEEP = 12
 """How often rows may part before they are sized one by one [-]."""
 
@@ -160,7 +162,7 @@ def _group(
             continue
         own = [_python(cells[row]) for row in rows.tolist()]
         entry = entry_of(base, path)
-        if entry is None:
+        if entry is None or entry.location[-1] in BY_VALUE:
             if any(cell != own[0] for cell in own):
                 parting.append(path)
             continue

@@ -28,7 +28,7 @@ class Search(Record):
     )
     still: int = Field(8, ge=1, le=10_000, description="Generations without growth of the hypervolume that end them")
     growth: Ratio = Field(1e-3, ge=0, le=1, description="Growth of the hypervolume that counts, over itself")
-    polished: int = Field(12, ge=0, le=200, description="Designs of the front whose teeth are kept and sizes polished")
+    polished: int = Field(32, ge=0, le=200, description="Designs of the front whose teeth are kept and sizes polished")
     samples: int = Field(256, ge=8, le=65_536, description="Of what is uncertain, for the regret")
     seed: int = Field(1, ge=0, description="Start of the random numbers: the same seed, the same answer")
 

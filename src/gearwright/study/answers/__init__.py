@@ -18,6 +18,7 @@ from gearwright.study.answers.export import columns, refuse_export, write_table
 from gearwright.study.answers.pareto import (
     FAILED,
     Limit,
+    crowding,
     front_table,
     left_of,
     limits_of,
@@ -51,6 +52,7 @@ __all__ = [
     "bound",
     "columns",
     "confidence",
+    "crowding",
     "front_table",
     "kept",
     "left_of",

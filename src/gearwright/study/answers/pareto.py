@@ -159,3 +159,23 @@ def non_dominated(values: Floats, broken: Floats) -> Bools:
             worse = (values >= values[k]).all(axis=1) & (values > values[k]).any(axis=1)
             best &= ~((broken > broken[k]) | (same & worse))
     return best
+
+
+def crowding(values: Floats, rank: Ints) -> Floats:
+    """Return the crowding distance of every row within its rank [-]; the ends of a front are infinitely far apart.
+
+    Args:
+        values: Objectives, shape (rows, objectives).
+        rank: Front that each row belongs to, shape (rows,).
+    """
+    distance = np.zeros(len(values))
+    for front in np.unique(rank):
+        members = np.flatnonzero(rank == front)
+        for column in values.T:
+            order = members[np.argsort(column[members], kind="stable")]
+            ordered = column[order]
+            distance[order[[0, -1]]] = np.inf
+            span = ordered[-1] - ordered[0]
+            if 0.0 < span < np.inf:
+                distance[order[1:-1]] += (ordered[2:] - ordered[:-2]) / span
+    return distance

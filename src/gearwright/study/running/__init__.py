@@ -9,10 +9,11 @@ from gearwright.study.running.fly_many import fly_many
 from gearwright.study.running.journal import Journal, begin, in_memory, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import Part, merge, part_of, slurm
+from gearwright.study.running.processes import computed
 from gearwright.study.running.reliable import LimitState, Reliability, reliability
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, refuse_changes, resume, run_study
-from gearwright.study.running.search import children, crowding, generations
+from gearwright.study.running.search import children, generations
 from gearwright.study.running.workers import Compute, local
 
 __all__ = [
@@ -29,7 +30,7 @@ __all__ = [
     "children",
     "commands",
     "compare",
-    "crowding",
+    "computed",
     "fly_many",
     "generations",
     "in_memory",

@@ -12,7 +12,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.spec import Study, case_count, value_at
-from gearwright.study.answers import Row, ranks, violations, wanted
+from gearwright.study.answers import Row, crowding, ranks, violations, wanted
 from gearwright.study.cases import Case
 
 CROSSOVER = 0.9
@@ -56,26 +56,6 @@ def _case(study: Study, number: int, gene: Floats) -> Case:
         for (path, axis), place in zip(study.axes.items(), gene[1:], strict=True)
     }
     return Case(number, design, inputs)
-
-
-def crowding(values: Floats, rank: Ints) -> Floats:
-    """Return the crowding distance of every row within its rank [-]; the ends of a front are infinitely far apart.
-
-    Args:
-        values: Objectives, shape (rows, objectives).
-        rank: Front that each row belongs to, shape (rows,).
-    """
-    distance = np.zeros(len(values))
-    for front in np.unique(rank):
-        members = np.flatnonzero(rank == front)
-        for column in values.T:
-            order = members[np.argsort(column[members], kind="stable")]
-            ordered = column[order]
-            distance[order[[0, -1]]] = np.inf
-            span = ordered[-1] - ordered[0]
-            if 0.0 < span < np.inf:
-                distance[order[1:-1]] += (ordered[2:] - ordered[:-2]) / span
-    return distance
 
 
 def children(parents: Floats, rank: Ints, crowd: Floats, generator: np.random.Generator) -> Floats:

@@ -1,0 +1,137 @@
+"""The answer of a search: its front, what binds every design of it, what limits cost, and how sure the choice is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gearwright.errors import DesignError, Problem
+from gearwright.showing import Shown
+from gearwright.spec import Study
+from gearwright.spec.studies import Value
+from gearwright.study.answers import Row
+from gearwright.units import Ratio
+
+
+@dataclass(frozen=True)
+class Binding:
+    """What keeps a design from being better."""
+
+    kind: str
+    """check, constraint, or end of a range."""
+    name: str
+    """Of the check, result or path."""
+    margin: Ratio
+    """Value over limit [-]; 1 is just enough."""
+
+
+@dataclass(frozen=True)
+class Best:
+    """A design of the front."""
+
+    row: Row
+    """Its design, freedoms and results; polished ones with their teeth, too."""
+    binds: tuple[Binding, ...]
+    """The nearest first."""
+    teeth: Mapping[str, tuple[int, ...]]
+    """Stage -> teeth of its gears."""
+    polished: bool
+    """Whether its sizes were polished with its teeth kept."""
+
+    @property
+    def inputs(self) -> Mapping[str, Value]:
+        """Dotted path -> value, in the unit of the path."""
+        return self.row.inputs
+
+
+@dataclass(frozen=True)
+class Price:
+    """What a limit costs."""
+
+    limit: str
+    """Path, result or end of a range."""
+    kind: str
+    """rule, constraint, or end of a range."""
+    changes: Mapping[str, float]
+    """Objective -> its change for each per cent by which the limit is relaxed, all others polished along [SI]."""
+
+
+@dataclass(frozen=True)
+class Regret:
+    """How the designs of the front do where nobody knows what comes."""
+
+    place: int
+    """Of the design in the front."""
+    best: Ratio
+    """Part of the samples in which it is the best of the front [-]."""
+    mean: Ratio
+    """Of how much it is worse than the best, over the span of the front [-]."""
+    late: Ratio
+    """The same, which 95 % of the samples keep [-]."""
+    keeps: Ratio
+    """Part of the samples in which it keeps every constraint as it was built, teeth, modules and widths kept [-]."""
+    spread: Mapping[str, tuple[float, float]]
+    """Objective -> values that 5 and 95 % of the samples stay below, sized anew for each [SI]."""
+
+
+@dataclass(frozen=True)
+class Influence:
+    """What an assumption does to the chosen design and to the choice."""
+
+    path: str
+    low: float
+    """16 % of all that may come, in the unit of the path."""
+    high: float
+    """84 %."""
+    changes: Mapping[str, float]
+    """Objective of the chosen design -> its change from low to high [SI]."""
+    chosen: tuple[int, int]
+    """Design of the front that would be chosen at either."""
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What the search looked at."""
+
+    screened: int
+    """Designs of the first layer [-]."""
+    bred: int
+    """Designs of generations [-]."""
+    polished: int
+    """Designs of the polish [-]."""
+    generations: int
+
+
+@dataclass(frozen=True, repr=False)
+class Optimum(Shown):
+    """The best designs that a search found."""
+
+    study: Study
+    front: tuple[Best, ...]
+    """The best of the first objective first."""
+    chosen: int
+    """Place of the design nearest to having the best of every objective at once, over the span of the front."""
+    counts: Counts
+    growth: tuple[float, ...]
+    """Hypervolume of the front after every generation, over the box between its first ideal and its first nadir [-]."""
+    still: bool
+    """Whether the hypervolume stood still; False where the evaluations ran out."""
+    prices: tuple[Price, ...] = ()
+    regrets: tuple[Regret, ...] = ()
+    influences: tuple[Influence, ...] = ()
+
+    @property
+    def best(self) -> Best:
+        """The chosen design.
+
+        Raises:
+            DesignError: If the front is empty.
+        """
+        if not self.front:
+            raise DesignError([Problem("constraints", "no design keeps all of them; relax one")], self.study.name)
+        return self.front[self.chosen]
+
+    @property
+    def objectives(self) -> tuple[str, ...]:
+        """What was wanted."""
+        return tuple(self.study.objectives)
