@@ -24,7 +24,8 @@ def optimum_sentences(optimum: Optimum) -> Iterator[str]:
     teeth = f"; teeth {teeth_text(best)}" if teeth_text(best) else ""
     inputs = ", ".join(f"{path} = {_written(best.inputs[path])}" for path in optimum.study.axes)
     yield f"Chosen of {len(optimum.front)} on the front: {said}, with {best.row.design}: {inputs}{teeth}."
-    looked = f"{counts.screened:,} designs screened, {counts.bred:,} in {counts.generations} generation{_s(counts.generations)}"
+    generations = f"{counts.generations} generation{_s(counts.generations)}"
+    looked = f"{counts.screened:,} designs screened, {counts.bred:,} in {generations}"
     ended = "the hypervolume stands still" if optimum.still else "the evaluations ran out while the hypervolume grew"
     yield f"Looked at: {looked}, {counts.polished:,} in the polish; {ended}."
     if optimum.regrets:
