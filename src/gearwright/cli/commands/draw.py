@@ -31,7 +31,8 @@ def draw(
     ],
     folder: Annotated[Path | None, typer.Option("--out", help="Folder; left out: NAME-drawings here")] = None,
     what: Annotated[
-        str | None, typer.Option(help="Sheets by name, or all of a kind (shaft, gear), with commas; left out: all")
+        str | None,
+        typer.Option(help="Sheets by name, or all of a kind (shaft, gear, housing), with commas; left out: all"),
     ] = None,
     formats: Annotated[str, typer.Option("--format", help="svg, dxf or both, with a comma")] = "svg,dxf",
     report: ReportOption = None,
