@@ -9,6 +9,9 @@ import pytest
 
 import gearwright as gw
 from gearwright.checks import Status
+from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.sheet.entities import Words
+from gearwright.reviews.making import spanner_checks
 from gearwright.shape import solid_masses
 from gearwright.sizing.shafts import cut_steps, groove_checks, grooves, held_rings, holders_of, holding_checks
 from gearwright.sizing.shafts.grooves import groove_strengths
@@ -139,3 +142,22 @@ def test_parts_that_hold_bearings_stand_in_the_scene_and_in_the_mass():
     assert all(
         abs(row.solid / row.weighed - 1.0) < 5e-3 for row in solid_masses(sizing, gw.scene(sizing)) if row.weighed
     )
+
+
+def test_where_no_ring_can_be_had_a_nut_holds_with_its_thread_in_shaft_and_drawing(monkeypatch):
+    """KM 4 on the 20 mm of the tail's shaft: washer 1 mm, nut 6 mm, thread M20 x 1 with a core of 18.77 mm."""
+    monkeypatch.setattr("gearwright.sizing.shafts.retention.retaining_ring", lambda diameter: None)
+    sizing = sized("ec120b")
+    own = [holder for holder in holders_of(sizing) if holder.beside == "tail-rear" and "lock" in holder.kind]
+    assert [(holder.kind, holder.mass) for holder in own] == [("lock washer", 0.004), ("lock nut", 0.02)]
+    assert [(holder.start, holder.end) for holder in own] == [
+        (pytest.approx(0.102), pytest.approx(0.103)), (pytest.approx(0.103), pytest.approx(0.109))]  # fmt: skip
+    (thread,) = (groove for groove in grooves(sizing) if groove.shaft == "tail")
+    assert thread.is_thread and thread.what == "thread M20 x 1" and thread.end == pytest.approx(0.110)
+    assert thread.diameter == pytest.approx(0.020 - 1.2269e-3)
+    modes = {check.mode for check in groove_checks(sizing)}
+    assert modes == {"fatigue at its thread M20 x 1", "yield at its thread M20 x 1"}
+    assert any(check.mode == "access to a nut at its second end" for check in spanner_checks(sizing))
+    (sheet,) = sheets(sizing, ["shaft-tail"])
+    assert any("KM 4 with MB 4" in mark.text for mark in sheet.entities if isinstance(mark, Words))
+    assert "lock nut beside tail-rear, 103 mm" in gw.scene(sizing, detail="coarse").by_name
