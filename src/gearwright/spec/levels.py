@@ -53,7 +53,7 @@ def implied(design: Design) -> dict[str, str]:
     """
     if design.level == BUILT:
         return {}
-    entries = {} if "level" in design.model_fields_set else {"level": design.level}
+    entries: dict[str, str] = {} if "level" in design.model_fields_set else {"level": design.level}
     if design.level == PRELIMINARY:
         if "rating" not in design.gears.model_fields_set:
             entries["gears.rating"] = design.gears.rating
