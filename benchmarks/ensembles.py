@@ -19,20 +19,20 @@ from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 from cases import split_torque
-from ceilings import measured
 from integrators import machine, mesh_forces, reference
 from peers import Case, dense, has, numba_slope
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import System, simulate_many, statics
-from gearwright.dynamics.codegen import compiled, parameter_rows, topology
-from gearwright.dynamics.model import own_groups, stacked
+from gearwright.dynamics.motion.side_by_side import Precision, lanes_of
 
 DURATION, TARGET, TRIED = 0.1, 1e-3, 4
 WORKERS = os.cpu_count() or 1
+PRECISIONS: tuple[Precision, ...] = get_args(Precision)
 
 
 def family(count: int) -> list[System]:
@@ -51,10 +51,15 @@ def start_of(system: System) -> np.ndarray:
     return np.concatenate([position, np.zeros_like(position)])
 
 
-def ours(systems: list[System], start: np.ndarray, setting: float) -> Callable[[], np.ndarray]:
-    """Eight to a vector on every core; setting: step [s]. Statistics of every step are included."""
+def ours(
+    systems: list[System], start: np.ndarray, setting: float, precision: Precision = "double"
+) -> Callable[[], np.ndarray]:
+    """Eight or sixteen to a vector on every core; setting: step [s]. Statistics of every step are included.
+
+    So is a second run at twice the step, which measures the error, and of single precision a few in double.
+    """
     starts = np.tile(start, (len(systems), 1))
-    return lambda: simulate_many(systems, DURATION, step=setting, start=starts).state
+    return lambda: simulate_many(systems, DURATION, step=setting, start=starts, precision=precision).state
 
 
 def ours_single(case: Case, setting: float) -> np.ndarray:
@@ -220,8 +225,11 @@ def compare(count: int, rounds: int, scipy_count: int) -> list[str]:
     start = start_of(split_torque())
     found = settings(systems, start)
     runs: dict[str, tuple[Callable, str, float]] = {
-        "gearwright, eight to a vector": (ours(systems, start, found["gearwright"][0]), "gearwright", 1.0)
-    }
+        f"gearwright, {lanes_of(precision)} to a vector, {precision}": (
+            ours(systems, start, found["gearwright"][0], precision), "gearwright", 1.0
+        )
+        for precision in PRECISIONS
+    }  # fmt: skip
     if "JAX" in found:
         runs["JAX RK4, vmap"] = (jax_many(systems, start, found["JAX"][0]), "JAX", 1.0)
     if "diffrax" in found:
@@ -242,7 +250,7 @@ def compare(count: int, rounds: int, scipy_count: int) -> list[str]:
                 if turn:
                     times[name].append((scale * spent[0], scale * spent[1]))
     medians = {name: np.median(values, axis=0) for name, values in times.items()}
-    best = medians["gearwright, eight to a vector"]
+    best = medians[next(iter(runs))]
     lines = ["", f"### {count} trajectories of 0.1 s, mesh-force error at most {TARGET:g}", ""]
     lines += ["| solver | setting | error | time [s] | times slower | processor time [s] | times slower |"]
     lines += ["| --- | --- | --- | --- | --- | --- | --- |"]
@@ -253,74 +261,25 @@ def compare(count: int, rounds: int, scipy_count: int) -> list[str]:
     return lines
 
 
-def growth(rounds: int) -> list[str]:
+def growth(rounds: int, counts: tuple[int, ...] = (64, 256, 1024, 4096, 16384)) -> list[str]:
     """Return the table of our processor time per trajectory against their number, taken in turn; 0.02 s each."""
-    base = start_of(split_torque())
-    counts = (64, 256, 1024, 4096, 16384)
-    systems = family(counts[-1])
-    costs: dict[int, list[float]] = {count: [] for count in counts}
+    base, systems = start_of(split_torque()), family(counts[-1])
+    costs: dict[tuple[int, Precision], list[float]] = {(n, precision): [] for n in counts for precision in PRECISIONS}
+    moved = dict[int, float]()
     for _ in range(rounds):
-        for count in counts:
+        for (count, precision), spent in costs.items():
             starts = np.tile(base, (count, 1))
             began = time.process_time()
-            simulate_many(systems[:count], 0.02, step=1.5e-5, start=starts)
-            costs[count].append((time.process_time() - began) / count)
+            run = simulate_many(systems[:count], 0.02, step=1.5e-5, start=starts, precision=precision)
+            spent.append((time.process_time() - began) / count)
+            moved[count] = run.rounding.peak
     lines = ["", "### Cost per trajectory against their number, 0.02 s each at 15 µs", ""]
-    lines += ["| trajectories | processor time each [ms] |", "| --- | --- |"]
-    return lines + [f"| {count} | {1e3 * statistics.median(costs[count]):.3f} |" for count in counts]
-
-
-def multiplications(members: list[System]) -> int:
-    """Return the products of whole vectors in one step of eight members side by side: units take one each a turn."""
-    arrays = [member.arrays for member in members]
-    shape, together = topology(arrays[0]), stacked(arrays)
-    layout, rows = parameter_rows(together, 1.5e-5)
-    text = compiled(shape, layout, 8, own_groups(together, layout, layout._fields, rows)).assembly
-    parts = {part.split("(")[0].split("@")[-1]: part.count(" fmul ") for part in text.split("define ")[1:]}
-    return 2 * parts["instant"] + parts["look"] + 3 * parts["slope"] + parts["advance"]
-
-
-def ceiling(rounds: int) -> list[str]:
-    """Return how many of the products that a core could do in that time it does: alike but for stiffness, and not."""
-    start, rng = np.tile(start_of(split_torque()), (256, 1)), np.random.default_rng(1)
-    alike = family(256)
-    flops, loaded = measured()
-    lines = ["", "### Products of whole vectors beside what one core can do", ""]
-    lines += [
-        f"One core, measured: {flops / 1e9:.1f} GFLOP/s fused, {loaded / 1e9:.0f} GB/s from the nearest cache.",
-        "",
-    ]
-    lines += ["| members differ in | products a step | time of eight steps side by side [ns] | of the most [%] |"]
-    lines += ["| --- | --- | --- | --- |"]
-    for name, systems in {"stiffness": alike, "every number": [scattered(one, rng) for one in alike]}.items():
-        times = {duration: list[float]() for duration in (0.04, 0.08)}
-        for _ in range(2 * rounds + 1):
-            for duration, spent in times.items():
-                begun = time.process_time()
-                simulate_many(systems, duration, step=1.5e-5, start=start, threads=1)
-                spent.append(time.process_time() - begun)
-        steps = min(times[0.08]) - min(times[0.04])  # without what is done once; other work only lengthens it
-        taken = round(0.04 / 1.5e-5) * 1.5 * 256 / 8  # half as many again measure the error
-        step, products = steps / taken, multiplications(systems)
-        lines.append(f"| {name} | {products} | {step * 1e9:.0f} | {100 * products * 16 / step / flops:.0f} |")
+    lines += ["| trajectories | processor time each, double [ms] | single [ms] | times | peaks moved by single |"]
+    lines += ["| --- | --- | --- | --- | --- |"]
+    for count in counts:
+        double, single = (1e3 * statistics.median(costs[count, precision]) for precision in PRECISIONS)
+        lines.append(f"| {count} | {double:.3f} | {single:.3f} | {double / single:.1f} | {moved[count]:.0e} |")
     return lines
-
-
-def scattered(system: System, rng: np.random.Generator) -> System:
-    """Return a system whose numbers are all a little different."""
-    arrays = system.arrays
-
-    def other(values: np.ndarray) -> np.ndarray:
-        return values * rng.uniform(0.95, 1.05, len(values))
-
-    loads = arrays.loads._replace(constant=other(arrays.loads.constant))
-    series = {
-        name: one._replace(cosine=other(one.cosine), sine=other(one.sine))
-        for name, one in (("variation", arrays.variation), ("error", arrays.error))
-    }
-    plain = {name: other(getattr(arrays, name)) for name in ("mass", "stiffness", "damping", "backlash", "tone_rate")}
-    weight = arrays.line_weight * float(rng.uniform(0.95, 1.05))
-    return replace(system, arrays=arrays._replace(line_weight=weight, loads=loads, **plain, **series))
 
 
 def main() -> None:
@@ -337,7 +296,6 @@ def main() -> None:
                 machine(),
                 *compare(chosen.count, chosen.rounds, chosen.scipy),
                 *growth(chosen.rounds),
-                *ceiling(chosen.rounds),
             ]
         )
         + "\n"

@@ -252,3 +252,30 @@ def test_two_processes_that_compile_the_same_at_once_agree(tmp_path):
     said.append(subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout)
     assert said[0] and len(set(said)) == 1
     assert not list(tmp_path.glob("code-*/.*.part"))
+
+
+READ_ONLY = """
+import errno, os, sys
+closed = tuple(sys.argv[1:])
+def refuse(event, args):
+    if event in ("open", "os.mkdir", "os.rename") and str(args[0]).startswith(closed):
+        if event != "open" or (isinstance(args[2], int) and args[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)):
+            raise OSError(errno.EROFS, "Read-only file system", str(args[0]))
+sys.addaudithook(refuse)
+"""
+
+
+def test_an_install_and_a_cache_that_are_read_only_serve_what_was_compiled_before(tmp_path):
+    """The first process writes nothing beside the sources; the second, nothing at all, and compiles nothing."""
+    environment = {**os.environ, VARIABLE: str(tmp_path), "PYTHONDONTWRITEBYTECODE": "1"}
+    package = str(Path(kept_code.__file__).parents[1])
+
+    def run(*closed):
+        command = [sys.executable, "-c", READ_ONLY + TOGETHER + RUN, *closed]
+        said = subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
+        return said.split(), {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
+
+    (forces, hits), kept = run(package)
+    assert hits == "0"
+    assert any(path.name.startswith("structure-") for path in kept)
+    assert run(package, str(tmp_path)) == ([forces, "1"], kept)
