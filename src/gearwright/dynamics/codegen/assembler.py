@@ -22,9 +22,9 @@ def aligned(*shape: int, single: bool = False) -> Floats:
         single: Whether its numbers are of single precision.
     """
     count, side = int(np.prod(shape)), SINGLE if single else CHUNK
-    room = np.zeros(count + side, dtype=np.float32 if single else np.float64)
+    room: Any = np.zeros(count + side, dtype=np.float32 if single else np.float64)
     first = -(room.ctypes.data // room.itemsize) % side
-    return room[first : first + count].reshape(shape)
+    return room[first : first + count].reshape(shape)  # type: ignore[no-any-return]
 
 
 _NOTHING = ctypes.c_char * 0
