@@ -30,6 +30,8 @@ class Archive:
     def __init__(self, objectives: int, constraints: int) -> None:
         self.rows: list[Row] = []
         self.judged = Judged(np.zeros((0, objectives)), np.zeros((0, constraints)))
+        self.sized, self.refusal = False, ""
+        """Whether any design could be sized, and why the first that could not be is refused."""
 
     def add(self, rows: Sequence[Row], own: Judged) -> None:
         """Take in designs, and keep those that no other one dominates.
@@ -38,6 +40,8 @@ class Archive:
             rows: Designs with their results.
             own: What is known of them.
         """
+        self.sized = self.sized or bool((~own.failed).any())
+        self.refusal = self.refusal or next((row.problem for row in rows if row.problem), "")
         rows, judged = [*self.rows, *rows], self.judged.joined(own)
         good = np.flatnonzero(judged.good)
         best = good[judged.take(good).ranks == 0]
