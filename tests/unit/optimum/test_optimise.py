@@ -18,7 +18,7 @@ AXES = {
     WIDTH: {"from": 7, "to": 14},
     "planetaries.second.planets": {"values": [3, 4, 5]},
 }
-SMALL = {"screened": 512, "population": 12, "evaluations": 240, "polished": 2, "samples": 16, "seed": 3}
+SMALL = {"screened": 256, "population": 12, "evaluations": 160, "polished": 2, "samples": 16, "seed": 3}
 UNCERTAIN = {"gears.contact_safety": {"distribution": "normal", "mean": 1.5, "deviation": 0.05}}
 
 
@@ -50,7 +50,7 @@ def test_the_answer_is_the_same_whatever_the_workers_and_however_often_it_was_st
         if said.startswith(stops[0]):
             raise Stopped
 
-    stops = ["screened", "generation 2", "generation 4", "what limits"]
+    stops = ["screened", "generation 2", "what limits"]
     while stops:
         with pytest.raises(Stopped):
             gw.optimise(study(), journal=tmp_path / "search.journal", tell=tell)

@@ -86,6 +86,7 @@ def _crossed(first: Floats, second: Floats, generator: np.random.Generator) -> F
     beta = np.where(draw <= 0.5, (2.0 * draw) ** power, (0.5 / (1.0 - draw)) ** power)
     beta = np.where(generator.random(len(first)) < 0.5, beta, 1.0)
     middle, half = (first + second) / 2.0, (second - first) / 2.0
+    half = np.where((beta != 1.0) & (generator.random(len(first)) < 0.5), -half, half)  # genes of both parents meet
     return np.clip(np.stack([middle - beta * half, middle + beta * half]), 0.0, 1.0)
 
 
