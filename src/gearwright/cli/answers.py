@@ -41,6 +41,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "architectures": (f"{_ROOM}architectures:ArchitecturesAnswer", ""),
     "optimise": (f"{_ROOM}optimum:OptimiseAnswer", ""),
     "study": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
+    "study reduced": (f"{_ROOM}reduced:ReducedAnswer", ""),
     "resume": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "status": (f"{_ROOM}study:StatusAnswer", ""),
     "mass": (f"{_ROOM}weights:MassAnswer", ""),

@@ -57,8 +57,8 @@ def run_shown(
     from gearwright.spec import case_count
     from gearwright.study.running import run_study
 
-    part = _part(shard, journal)
-    count = _workers(workers, len(part.cases(case_count(study))))
+    part = part_given(shard, journal)
+    count = workers_for(workers, len(part.cases(case_count(study))))
     with stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
         return run_study(
             study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start, part=part
@@ -138,11 +138,11 @@ def resume(
     present = {} if anyway else present_designs(known.designs, Path(known.origin))
     if not anyway:
         _refuse_changed_mission(journal, known.study, Path(known.origin))
-    count = _workers(workers, known.total)
+    count = workers_for(workers, known.total)
     with stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
         table = go_on(
             journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls),
-            part=_part(shard, journal),
+            part=part_given(shard, journal),
         )  # fmt: skip
     show_table("resume", table, known.study, csv=csv, json=json, jsonl=jsonl)
     if not (json or jsonl):
@@ -150,7 +150,7 @@ def resume(
     write_files(known.study, table, known.designs, export=export, report=report)
 
 
-def _part(shard: str | None, journal: Path | None) -> Part:
+def part_given(shard: str | None, journal: Path | None) -> Part:
     """Return the part of a study that is asked for; a part without a journal would be lost."""
     from gearwright.errors import DesignError, Problem
     from gearwright.study.running import Part, part_of
@@ -167,8 +167,14 @@ def merge(
     into: Annotated[Path, typer.Option(help="Journal that gets what all of them have; made where there is none")],
 ) -> None:
     """Make the journals of parts of one study a single one, which `resume` completes and shows."""
+    from gearwright.study.running import is_reduced, merge_reduced
     from gearwright.study.running import merge as merged
 
+    if all(path.is_file() and is_reduced(path) for path in journals):
+        from gearwright.cli.commands.reduced import show_reduced
+
+        show_reduced(merge_reduced(journals, into), json=False)
+        return
     done, total = merged(journals, into)
     show(f"{done:,} of {total:,} cases in {into}")
     show(f"next: gearwright resume {into}")
@@ -289,7 +295,8 @@ def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Desi
     return {name: design_of(name, folder) for name in there}
 
 
-def _workers(asked: int | None, cases: int) -> int:
+def workers_for(asked: int | None, cases: int) -> int:
+    """Return how many processes compute: as many as were asked for, none for a few cases, else one for each core."""
     if asked is not None:
         return asked
     return 0 if cases <= SMALL else os.cpu_count() or 1
@@ -315,6 +322,21 @@ def stopped_cleanly(journal: Path | None, following: str = "") -> Iterator[None]
         following = following or f"gearwright resume {journal}"
         kept = f"what is finished is kept; next: {following}" if journal else "nothing was kept"
         tell(f"interrupted: {kept}")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+@contextmanager
+def watched_until_stopped(again: str) -> Iterator[Callable[[Progress], None]]:
+    """Show the progress of cases; stop cleanly on Ctrl-C, and say how to go on.
+
+    Args:
+        again: Command that goes on; empty where nothing is kept.
+    """
+    try:
+        with _watched(None) as watch:
+            yield watch
+    except KeyboardInterrupt:
+        tell(f"interrupted: what is finished is kept; next: {again}" if again else "interrupted: nothing was kept")
         raise typer.Exit(INTERRUPTED) from None
 
 

@@ -76,6 +76,18 @@ def study(
     read = read_study(path)
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {design: design_of(design, path.parent) for design in read.designs}
+    if read.reduced is not None:
+        from gearwright.cli.commands.reduced import study_reduced
+
+        refused = {
+            "--csv": csv is not None, "--export": export is not None, "--figure": figure is not None,
+            "--report": report is not None, "--jsonl": jsonl,
+        }  # fmt: skip
+        start = start_of(cluster, tls)
+        study_reduced(
+            read, designs, state=journal, workers=workers, start=start, shard=shard, json=json, refused=refused
+        )  # fmt: skip
+        return
     refuse_files(csv, export, figure, report)
     table = run_shown(
         read,

@@ -25,6 +25,8 @@ from gearwright.verbs import verb
 
 MOST_CASES = 10_000_000
 """More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
+MOST_REDUCED = 1_000_000_000
+"""Cases of a study that keeps no rows."""
 MOST_SAMPLES = 1_000_000
 """Largest number of samples that are drawn at once."""
 MISSION_PATH, FLY_RESULT = "mission.", "fly."
@@ -48,7 +50,7 @@ class Sampling(Record):
 
     method: Method = Field("grid", description="grid: every combination; list: the k-th values of all axes together")
     count: int | None = Field(
-        None, ge=1, le=MOST_SAMPLES, description="Samples of each design; evaluations of nsga2, form and subset"
+        None, ge=1, le=MOST_REDUCED, description="Samples of each design; evaluations of nsga2, form and subset"
     )
     seed: int = Field(1, ge=0, description="Start of the random numbers: the same seed, the same cases")
     population: int = Field(
@@ -79,6 +81,12 @@ class Flown(Record):
     )
 
 
+class Reduction(Record):
+    """What a study keeps instead of its rows."""
+
+    best: int = Field(20, ge=1, le=1000, description="Rows of the best cases that are kept, of every objective")
+
+
 class Study(Shown, Record):
     """Designs varied along axes, with results by name."""
 
@@ -101,6 +109,9 @@ class Study(Shown, Record):
     constraints: dict[str, Bound] = Field(default_factory=dict, description="Result -> what it must keep")
     simulate: Simulated = Field(default_factory=Simulated, description="How results named simulate.… are had")
     fly: Flown = Field(default_factory=Flown, description="How results named fly.… are had")
+    reduced: Reduction | None = Field(
+        None, description="Given: no rows are kept, only how results are spread, along which axis, and the best cases"
+    )
     search: Search | None = Field(None, description="How `gearwright optimise` looks for the best along the axes")
     uncertain: dict[str, Axis] = Field(
         default_factory=dict, description="Dotted path -> distribution of what nobody knows, for [search]'s regret"
@@ -174,9 +185,10 @@ def case_count(study: Study) -> int:
     if study.search is not None:
         return len(study.designs) * study.search.screened + study.search.evaluations
     count = _sampled(study) if study.sampling.method == "nsga2" else len(study.designs) * _each(study)
-    if count > MOST_CASES:
+    most = MOST_CASES if study.reduced is None else MOST_REDUCED
+    if count > most:
         message = (
-            f"{count:,} cases; at most {MOST_CASES:,} are run: take larger steps or fewer axes, or draw samples of"
+            f"{count:,} cases; at most {most:,} are run: take larger steps or fewer axes, or draw samples of"
             ' them: [sampling] method = "sobol", count = 4096'
         )
         raise DesignError([Problem("axes", message)])
@@ -205,6 +217,17 @@ def _sampled(study: Study) -> int:
     if sampling.count is None:
         message = f"{sampling.method!r} draws samples: say how many, such as count = 1024"
         raise DesignError([Problem("sampling.count", message)])
+    streamed = study.reduced is not None and sampling.method == "random"
+    if sampling.count > MOST_SAMPLES and not streamed:
+        message = (
+            f"{sampling.count:,} are drawn at once; at most {MOST_SAMPLES:,} are, beside [reduced] more by 'random'"
+        )
+        raise DesignError([Problem("sampling.count", message)])
+    if study.reduced is not None and study.searches:
+        message = (
+            f"{sampling.method!r} goes on from its rows, and none are kept; take another method, or [reduced] away"
+        )
+        raise DesignError([Problem("reduced", message)])
     if sampling.method == "saltelli" and len(study.axes) < 2:
         raise DesignError([Problem("axes", "'saltelli' compares the influences of axes; give two or more")])
     if sampling.method == "saltelli" and sampling.count & (sampling.count - 1):

@@ -28,6 +28,7 @@ from gearwright.study.answers.pareto import (
     violations,
     wanted,
 )
+from gearwright.study.answers.reduced import Reduced, as_plain, from_plain
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
 from gearwright.study.answers.table import Row, Table, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
@@ -42,17 +43,20 @@ __all__ = [
     "Blocks",
     "Influence",
     "Limit",
+    "Reduced",
     "Row",
     "Shape",
     "Standing",
     "Table",
     "Verdict",
+    "as_plain",
     "block_of_columns",
     "blocks_of",
     "bound",
     "columns",
     "confidence",
     "crowding",
+    "from_plain",
     "front_table",
     "kept",
     "left_of",

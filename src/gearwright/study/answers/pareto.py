@@ -34,7 +34,7 @@ def pareto_front(study: Study, table: Table) -> tuple[Row, ...]:
     if not good:
         raise DesignError([Problem("constraints", "no design keeps all of them; relax one")])
     values = wanted(study, good)
-    best = np.flatnonzero(ranks(values, np.zeros(len(good))) == 0)
+    best = np.flatnonzero(non_dominated(values, np.zeros(len(good))))
     _, distinct = np.unique(values[best], axis=0, return_index=True)
     return tuple(good[k] for k in best[distinct])
 
@@ -153,7 +153,7 @@ def non_dominated(values: Floats, broken: Floats) -> Bools:
         broken: Violation of the constraints [-], shape (rows,).
     """
     best = np.ones(len(values), dtype=bool)
-    for k in range(len(values)):
+    for k in np.lexsort((*values.T[::-1], broken)).tolist():  # what comes first strikes out the most
         if best[k]:
             same = broken == broken[k]
             worse = (values >= values[k]).all(axis=1) & (values > values[k]).any(axis=1)

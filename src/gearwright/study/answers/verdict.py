@@ -16,7 +16,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.spec import Study
-from gearwright.study.answers.pareto import FAILED, ranks, violations, wanted
+from gearwright.study.answers.pareto import FAILED, non_dominated, violations, wanted
 from gearwright.study.answers.table import Row, Table
 
 WEIGHTS = 2000
@@ -76,11 +76,11 @@ def verdict(study: Study, table: Table) -> Verdict | None:
     values = np.stack([_allowed(study, rows) for rows in groups])
     places = np.stack([_places(value) for value in values])
     means = places.mean(axis=2)
-    non_dominated = np.mean([ranks(value, np.zeros(len(designs))) == 0 for value in values], axis=0)
+    on_front = np.mean([non_dominated(value, np.zeros(len(designs))) for value in values], axis=0)
     standings = [
         Standing(name, float(place), int(won), float(share), float(free))
         for name, place, won, share, free in zip(
-            designs, means.mean(axis=0), _firsts(means), _acceptability(study, places), non_dominated, strict=True
+            designs, means.mean(axis=0), _firsts(means), _acceptability(study, places), on_front, strict=True
         )
     ]
     standings.sort(key=lambda standing: (standing.place, -standing.first))

@@ -17,6 +17,9 @@ from gearwright.arrays import Floats
 from gearwright.spec import Study, axis_values, case_count, value_at
 from gearwright.spec.studies import Value
 
+DRAWN = 1 << 16
+"""Independent draws that are held at once [-]."""
+
 
 class Case(NamedTuple):
     """One variant of one design."""
@@ -56,8 +59,19 @@ def _values(study: Study) -> Iterator[tuple[Value, ...]]:
             yield from zip(*columns, strict=True) if columns else iter([()])
         return
     axes = list(study.axes.items())
-    for row in unit_sample(study):
+    for row in _rows(study):
         yield tuple(value_at(path, axis, float(place)) for (path, axis), place in zip(axes, row, strict=True))
+
+
+def _rows(study: Study) -> Iterator[Floats]:
+    """Yield the rows of the sample; independent draws a part at a time, of which there may be a thousand millions."""
+    if study.sampling.method != "random":
+        yield from unit_sample(study)
+        return
+    generator, left = np.random.default_rng(study.sampling.seed), study.sampling.count or 0
+    while left:
+        yield from generator.random((min(left, DRAWN), len(study.axes)))
+        left -= min(left, DRAWN)
 
 
 def unit_sample(study: Study) -> Floats:

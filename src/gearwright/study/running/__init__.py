@@ -10,6 +10,7 @@ from gearwright.study.running.journal import Journal, begin, in_memory, opened, 
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import Part, merge, part_of, slurm
 from gearwright.study.running.processes import computed
+from gearwright.study.running.reducing import is_reduced, merge_reduced, reduce_study
 from gearwright.study.running.reliable import LimitState, Reliability, reliability
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, refuse_changes, resume, run_study
@@ -34,12 +35,15 @@ __all__ = [
     "fly_many",
     "generations",
     "in_memory",
+    "is_reduced",
     "local",
     "made_with",
     "merge",
+    "merge_reduced",
     "opened",
     "part_of",
     "recorded",
+    "reduce_study",
     "refuse_changes",
     "reliability",
     "resume",

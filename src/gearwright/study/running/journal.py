@@ -30,6 +30,7 @@ from gearwright.study.running.journal_file import (
     FORMER,
     add_tables,
     connect,
+    dumped,
     has_tables,
     held,
     is_held,
@@ -223,20 +224,15 @@ def in_memory(study: Study, designs: Mapping[str, Design]) -> Journal:
 
 def _write_study(database: sqlite3.Connection, study: Study, designs: Mapping[str, Design], origin: str) -> bool:
     """Write what a journal begins with, all or nothing; tell whether the database was free for it."""
-    texts = {name: _dumped(design) for name, design in designs.items()}
+    texts = {name: dumped(design) for name, design in designs.items()}
     made = json.dumps(dict(made_with()))
     total = case_count(study)
-    entry = summed(FORMAT, __version__, _dumped(study), json.dumps(texts), origin, total, made)
+    entry = summed(FORMAT, __version__, dumped(study), json.dumps(texts), origin, total, made)
     with written(database, advice=_ELSEWHERE):
         if has_tables(database):
             return False
         add_tables(database, entry)
     return True
-
-
-def _dumped(record: Study | Design) -> str:
-    """Return a record as JSON in SI, defaults left out."""
-    return record.model_dump_json(by_alias=True, exclude_unset=True)
 
 
 @contextmanager

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from gearwright.errors import DesignError, GearwrightError, Problem, SolveError
 from gearwright.reading import refuse_irregular
+from gearwright.spec import Design, Study
 
 FORMAT, FORMER = 5, 4
 """Version of the tables below; the one before it, which can be read."""
@@ -42,6 +43,15 @@ def summed(*values: object) -> tuple[object, ...]:
         values: In the order of the table.
     """
     return *values, sha256(repr(values).encode()).hexdigest()[:16]
+
+
+def dumped(record: Study | Design) -> str:
+    """Return a record as JSON in SI, defaults left out.
+
+    Args:
+        record: Of a study.
+    """
+    return record.model_dump_json(by_alias=True, exclude_unset=True)
 
 
 def connect(path: Path) -> sqlite3.Connection:
