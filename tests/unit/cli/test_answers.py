@@ -66,6 +66,7 @@ LINES = {
     "compare": "compare in-line star",
     "compare closed": "compare pair.toml --life-h 300",
     "study": "study small.toml --workers 0",
+    "study reduced": "study reduced.toml --workers 0",
     "resume": "resume journal --workers 0",
     "status": "status journal",
     "mass": "mass --power-kw 2051 --engine-rpm 20204 --propeller-rpm 1212 --design in-line-h2",
@@ -80,7 +81,14 @@ WITH_LINES = [command for command, (_, row) in ANSWERS.items() if row]
 def call(monkeypatch, capsys, tmp_path):
     """Run the command line in a folder with designs, a mission and a study; gives code, out, err, new files."""
     monkeypatch.chdir(tmp_path)
-    files = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "small.toml": STUDY, "short.toml": MISSION, "duty.csv": DUTY}
+    files = {
+        "pair.toml": PAIR,
+        "hybrid.toml": HYBRID,
+        "small.toml": STUDY,
+        "reduced.toml": f"{STUDY}\n[reduced]\n",
+        "short.toml": MISSION,
+        "duty.csv": DUTY,
+    }
     for name, text in files.items():
         Path(name).write_text(text, encoding="utf-8")
 

@@ -30,7 +30,7 @@ from gearwright.study.answers.pareto import (
 )
 from gearwright.study.answers.reduced import Reduced, as_plain, from_plain
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
-from gearwright.study.answers.table import Row, Table, quantiles
+from gearwright.study.answers.table import Row, Table, kind_of, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
 
 __all__ = [
@@ -59,6 +59,7 @@ __all__ = [
     "from_plain",
     "front_table",
     "kept",
+    "kind_of",
     "left_of",
     "limits_of",
     "non_dominated",

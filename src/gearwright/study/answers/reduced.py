@@ -5,7 +5,6 @@ A reduced study adds up: that of two parts is the reduced one of both together, 
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -20,7 +19,7 @@ from gearwright.spec import Study, value_at
 from gearwright.study.answers.blocks import OTHER, Block, Blocks
 from gearwright.study.answers.pareto import non_dominated, violations, wanted
 from gearwright.study.answers.sketch import buckets, quantiles_of
-from gearwright.study.answers.table import Row
+from gearwright.study.answers.table import Row, kind_of
 from gearwright.units import shown, unit
 
 SECTIONS = 24
@@ -61,7 +60,7 @@ class Reduced(Shown):
             self.cases += len(block)
             if block.shape.failed:
                 self.failed += len(block)
-                self.reasons.update(re.sub(r"[-\d.]+", "…", texts[-1]) for texts in block.texts)  # type: ignore[arg-type]
+                self.reasons.update(kind_of(texts[-1]) for texts in block.texts)  # type: ignore[arg-type]
             else:
                 self._count(block)
                 self._keep_best(block)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from typing import Any, Literal
 
 import numpy as np
@@ -117,6 +118,19 @@ class Table(Shown):
     def failed(self) -> tuple[Row, ...]:
         """Rows that failed."""
         return tuple([row for row in self.rows if row.problem])
+
+
+def kind_of(problem: str) -> str:
+    """Return why a case failed without its numbers, so that like reasons count together.
+
+    Args:
+        problem: Of a row.
+
+    >>> kind_of("first.width: 12.5 mm is below -3 mm")
+    'first…width: … mm is below … mm'
+    """
+    parts = groupby(problem, key=lambda letter: letter in "-.0123456789")
+    return "".join("…" if in_number else "".join(letters) for in_number, letters in parts)
 
 
 def quantiles(values: Sequence[float] | Floats, parts: Sequence[float]) -> list[float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from typing import NamedTuple
 
@@ -10,7 +9,7 @@ from gearwright.render.grid.csv_text import csv_text
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
 from gearwright.study import Row, Table
-from gearwright.study.answers import quantiles
+from gearwright.study.answers import kind_of, quantiles
 
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "complete_mass": "complete", "complete_mass.low": "68 % from",
@@ -149,7 +148,7 @@ def reasons(table: Table) -> list[str]:
     Args:
         table: Of the study.
     """
-    counts = Counter(re.sub(r"[-\d.]+", "…", row.problem) for row in table.failed)
+    counts = Counter(kind_of(row.problem) for row in table.failed)
     return [f"{count:,} × {reason}" for reason, count in counts.most_common(3)]
 
 
