@@ -32,7 +32,6 @@ ALLOWED = {
     "render/grid/csv_text.py": "what a spreadsheet takes for a formula",
     "render/grid/grid.py": "lines and words of a cell",
     "render/tables/sizing/materials.py": "words of a source",
-    "render/tables/study/variants.py": "numbers in the words of a refusal",
     "dynamics/vibration/judged.py": "lines of a message",
     "render/schematic/schematic.py": "lines of a caption",
     "render/style/": "lines of a text, markup of SVG and templates",
