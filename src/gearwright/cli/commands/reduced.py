@@ -31,7 +31,7 @@ def study_reduced(
         json: Whether the answer is JSON.
         refused: Option that needs rows -> whether it was given.
     """
-    from gearwright.cli.commands.runs import part_given, watched_until_stopped, workers_for
+    from gearwright.cli.commands.runs import part_given, stopped_cleanly, watched, workers_for
     from gearwright.errors import DesignError, Problem
     from gearwright.spec import case_count
     from gearwright.study.running import reduce_study
@@ -46,7 +46,7 @@ def study_reduced(
     part = part_given(shard, state)
     count = workers_for(workers, len(part.cases(case_count(study))))
     again = f"gearwright study … --journal {state}" if state is not None else ""
-    with watched_until_stopped(again) as watch:
+    with stopped_cleanly(state, again), watched(None) as watch:
         found = reduce_study(study, designs, workers=count, state=state, watch=watch, start=start, part=part)
     show_reduced(found, json=json)
 

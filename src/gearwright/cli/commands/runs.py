@@ -59,7 +59,7 @@ def run_shown(
 
     part = part_given(shard, journal)
     count = workers_for(workers, len(part.cases(case_count(study))))
-    with stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
+    with stopped_cleanly(journal), watched(_lines("study", study) if jsonl else None) as watch:
         return run_study(
             study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start, part=part
         )  # fmt: skip
@@ -139,7 +139,7 @@ def resume(
     if not anyway:
         _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = workers_for(workers, known.total)
-    with stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
+    with stopped_cleanly(journal), watched(_lines("resume", known.study) if jsonl else None) as watch:
         table = go_on(
             journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls),
             part=part_given(shard, journal),
@@ -325,21 +325,6 @@ def stopped_cleanly(journal: Path | None, following: str = "") -> Iterator[None]
         raise typer.Exit(INTERRUPTED) from None
 
 
-@contextmanager
-def watched_until_stopped(again: str) -> Iterator[Callable[[Progress], None]]:
-    """Show the progress of cases; stop cleanly on Ctrl-C, and say how to go on.
-
-    Args:
-        again: Command that goes on; empty where nothing is kept.
-    """
-    try:
-        with _watched(None) as watch:
-            yield watch
-    except KeyboardInterrupt:
-        tell(f"interrupted: what is finished is kept; next: {again}" if again else "interrupted: nothing was kept")
-        raise typer.Exit(INTERRUPTED) from None
-
-
 def _lines(command: str, study: Study) -> Callable[[Progress], None]:
     """Print the envelope of a study's JSON Lines; return what prints the rows that are finished."""
     from gearwright.render.answers.study import StudyAnswer, study_row
@@ -354,7 +339,7 @@ def _lines(command: str, study: Study) -> Callable[[Progress], None]:
 
 
 @contextmanager
-def _watched(printed: Callable[[Progress], None] | None) -> Iterator[Callable[[Progress], None]]:
+def watched(printed: Callable[[Progress], None] | None) -> Iterator[Callable[[Progress], None]]:
     """Show cases, rate, remaining time and failures on a terminal; elsewhere only what prints rows is told."""
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as Bar
