@@ -243,9 +243,9 @@ def _held(sizing: Sizing, name: str) -> Iterator[str]:
             yield f"Inner ring of {bearing}, by ends: {'; '.join(sides)}."
     steps = next((shaft.steps for shaft in sizing.built_shafts if shaft.name == name and not shaft.bore), ())
     holes = {way: centre_hole(step.diameter) for way, step in ((-1, steps[0]), (1, steps[-1]))} if steps else {}
-    cut = [f"{hole.designation} at the {ENDS[way]} end" for way, hole in holes.items() if hole is not None]
-    if cut:
-        yield f"Centres (assumed, by the ends' diameters): {', '.join(cut)}."
+    centres = [f"{hole.designation} at the {ENDS[way]} end" for way, hole in holes.items() if hole is not None]
+    if centres:
+        yield f"Centres (assumed, by the ends' diameters): {', '.join(centres)}."
 
 
 def _holder(held: Retention) -> str:

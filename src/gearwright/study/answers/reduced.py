@@ -47,7 +47,7 @@ class Reduced(Shown):
     """(Design, result, axis) -> values of every bucket, with their section of the axis; axis "" has no sections."""
     best: dict[int, Row] = field(default_factory=dict)
     """Number -> row of the cases that are kept: the Pareto front, and the best ones of every objective."""
-    reasons: Counts | Counter[str] = field(default_factory=Counter)
+    reasons: Counter[str] = field(default_factory=Counter)
     """Reason of failed cases without its digits -> how many."""
 
     def absorb(self, finished: Blocks) -> None:
@@ -60,7 +60,7 @@ class Reduced(Shown):
             self.cases += len(block)
             if block.shape.failed:
                 self.failed += len(block)
-                self.reasons.update(kind_of(texts[-1]) for texts in block.texts)  # type: ignore[arg-type]
+                self.reasons.update(kind_of(texts[-1]) for texts in block.texts)
             else:
                 self._count(block)
                 self._keep_best(block)
@@ -76,7 +76,7 @@ class Reduced(Shown):
         self.dimensions |= other.dimensions
         for key, counts in other.counts.items():
             self.counts.setdefault(key, Counter()).update(counts)
-        self.reasons.update(other.reasons)  # type: ignore[arg-type]
+        self.reasons.update(other.reasons)
         self._choose({**self.best, **other.best})
 
     def quantiles(self, design: str, result: str, parts: tuple[float, ...] = (0.05, 0.5, 0.95)) -> tuple[float, ...]:
@@ -218,7 +218,7 @@ def as_plain(reduced: Reduced) -> dict[str, Any]:
             [number, row.design, dict(row.inputs), {name: list(named) for name, named in row.results.items()}]
             for number, row in sorted(reduced.best.items())
         ],
-        "reasons": dict(sorted(reduced.reasons.items())),  # type: ignore[type-var]
+        "reasons": dict(sorted(reduced.reasons.items())),
     }
 
 

@@ -53,13 +53,16 @@ def _along(reduced: Reduced, design: str, axis: str) -> Grid:
     grid.add_column("cases", justify="right")
     for result in results:
         grid.add_column(f"{heading(result)} {reduced.unit(result)}".rstrip(), justify="right")
-    columns = {result: {section: rest for section, *rest in reduced.along(design, result, axis)} for result in results}
+    columns = {
+        result: {section: (count, levels) for section, count, levels in reduced.along(design, result, axis)}
+        for result in results
+    }
     sections = sorted(columns[results[0]])
     for section in sections[:: max(1, len(sections) // FEW)]:
         cells = []
         for result in results:
-            levels = columns[result].get(section, (0, None))[1]
-            low, median, high = ("–",) * 3 if levels is None else (written(reduced.shown(result, x), 3) for x in levels)
+            _, levels = columns[result].get(section, (0, ()))
+            low, median, high = [written(reduced.shown(result, level), 3) for level in levels] or ["–", "–", "–"]
             cells.append(f"{median} ({low}–{high})")
         grid.add_row(_begin(reduced, axis, section), f"{columns[results[0]][section][0]:,}", *cells)
     return grid
