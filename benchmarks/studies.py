@@ -32,8 +32,8 @@ from gearwright.spec import Study, parse_study, read
 from gearwright.study import run
 from gearwright.study.answers import Row, blocks_of
 from gearwright.study.cases import Case, cases
+from gearwright.study.journal.journal import Journal
 from gearwright.study.running import Progress, begin, local, opened, run_study
-from gearwright.study.running.journal import Journal
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

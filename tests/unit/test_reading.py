@@ -13,7 +13,7 @@ from gearwright.reading import LARGEST_TEXT, beside, text_of
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.spec import parse, parse_mission, parse_study, read, read_mission, read_study
 from gearwright.store import load
-from gearwright.study.running.journal_file import reading
+from gearwright.study.journal.file import reading
 
 CURVE = PAIR + '[dynamics.curves.stage]\nfile = "{}"\n'
 STUDY = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'

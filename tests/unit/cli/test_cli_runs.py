@@ -16,8 +16,8 @@ from gearwright.cli import app
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import read, read_study
+from gearwright.study.journal.journal import Journal
 from gearwright.study.running import Progress, begin
-from gearwright.study.running.journal import Journal
 
 TEXT = """schema = 1
 name = "fill"

@@ -9,8 +9,8 @@ from gearwright.render.answers.plain import named
 from gearwright.spec import Study
 from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Row, Table
+from gearwright.study.journal.journal import Status
 from gearwright.study.running import Reliability, reliability
-from gearwright.study.running.journal import Status
 from gearwright.units import Time
 
 

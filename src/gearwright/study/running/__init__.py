@@ -3,11 +3,11 @@
 A single case is computed in `cases`.
 """
 
+from gearwright.study.journal.journal import Journal, begin, in_memory, opened, recorded, rows_of, status, verify
+from gearwright.study.journal.made_with import changes_of, made_with
 from gearwright.study.running.cluster import Cluster, commands
 from gearwright.study.running.compare import compare
 from gearwright.study.running.fly_many import fly_many
-from gearwright.study.running.journal import Journal, begin, in_memory, opened, recorded, rows_of, status, verify
-from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.parts import Part, merge, part_of, slurm
 from gearwright.study.running.processes import computed
 from gearwright.study.running.reducing import is_reduced, merge_reduced, reduce_study

@@ -24,7 +24,7 @@ from gearwright.errors import DesignError, Problem, SolveError, install, refuse
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 from gearwright.study.cases import Case, evaluated, goes_together
-from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.journal.made_with import changes_of, made_with
 from gearwright.study.running.workers import PARTS, Compute, Finished
 
 CHUNK, TOGETHER = 32, 512

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import Study
-from gearwright.study.running.journal import Recorded, begin, opened, recorded
-from gearwright.study.running.journal_file import reading
-from gearwright.study.running.made_with import changes_of
-from gearwright.study.running.salvage import kept_rows
+from gearwright.study.journal.file import reading
+from gearwright.study.journal.journal import Recorded, begin, opened, recorded
+from gearwright.study.journal.made_with import changes_of
+from gearwright.study.journal.salvage import kept_rows
 
 MOST = 100_000
 """Parts of one study, at most [-]."""

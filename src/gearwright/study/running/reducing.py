@@ -18,8 +18,8 @@ from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Blocks, Reduced, as_plain, blocks_of, from_plain
 from gearwright.study.answers.blocks import NUMBER
 from gearwright.study.cases import cases, fixed, refuse_unknown_paths
-from gearwright.study.running.journal_file import dumped, summed
-from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.journal.file import dumped, summed
+from gearwright.study.journal.made_with import changes_of, made_with
 from gearwright.study.running.parts import WHOLE, Part, refuse_part
 from gearwright.study.running.runner import Progress, Start, Watch
 from gearwright.study.running.workers import local

@@ -13,8 +13,8 @@ from gearwright.errors import Problem, SolveError, refuse
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Blocks, Row, Table, blocks_of
 from gearwright.study.cases import Case, fixed, refuse_unknown_paths
-from gearwright.study.running.journal import Journal, Recorded, begin, in_memory, opened, recorded
-from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.journal.journal import Journal, Recorded, begin, in_memory, opened, recorded
+from gearwright.study.journal.made_with import changes_of, made_with
 from gearwright.study.running.parts import WHOLE, Part, refuse_part
 from gearwright.study.running.run import batches, refuse_search, table_of
 from gearwright.study.running.workers import Compute, local

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from gearwright.sizing import Named
 from gearwright.study.answers import Row
-from gearwright.study.running.journal_file import summed
+from gearwright.study.journal.file import summed
 
 
 def kept_rows(database: sqlite3.Connection, total: int) -> Iterator[tuple[int, Row | None]]:

@@ -10,8 +10,8 @@ from itertools import islice
 from pathlib import Path
 
 from gearwright.study.answers import Row, blocks_of
-from gearwright.study.running import journal_blocks, journal_former
-from gearwright.study.running.journal_file import (
+from gearwright.study.journal import blocks, former
+from gearwright.study.journal.file import (
     ADD_BLOCK,
     FORMAT,
     FORMER,
@@ -73,8 +73,8 @@ def kept_rows(database: sqlite3.Connection, total: int) -> Iterator[tuple[int, R
         total: Number of cases.
     """
     if format_of(database) == FORMER:
-        return journal_former.kept_rows(database, total)
-    return journal_blocks.kept_rows(database, total)
+        return former.kept_rows(database, total)
+    return blocks.kept_rows(database, total)
 
 
 def _is_sound(database: sqlite3.Connection) -> bool:
@@ -114,7 +114,7 @@ def salvage(path: Path, total: int) -> None:
 
 def _add(fresh: sqlite3.Connection, batch: list[tuple[int, Row]]) -> None:
     with written(fresh, advice=_AGAIN):
-        fresh.executemany(ADD_BLOCK, [journal_blocks.entry_of(block) for block in blocks_of(batch).blocks])
+        fresh.executemany(ADD_BLOCK, [blocks.entry_of(block) for block in blocks_of(batch).blocks])
 
 
 def _beside(path: Path) -> list[Path]:

@@ -23,8 +23,8 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.reading import refuse_irregular
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Block, Row, blocks_of
-from gearwright.study.running.journal_blocks import entry_of, finished
-from gearwright.study.running.journal_file import (
+from gearwright.study.journal.blocks import entry_of, finished
+from gearwright.study.journal.file import (
     ADD_BLOCK,
     FORMAT,
     FORMER,
@@ -38,8 +38,8 @@ from gearwright.study.running.journal_file import (
     summed,
     written,
 )
-from gearwright.study.running.made_with import made_with
-from gearwright.study.running.salvage import Losses, format_of, kept_rows, losses, salvage
+from gearwright.study.journal.made_with import made_with
+from gearwright.study.journal.salvage import Losses, format_of, kept_rows, losses, salvage
 from gearwright.version import __version__
 
 _ELSEWHERE = "Nothing was begun: free some space, or give another place"
