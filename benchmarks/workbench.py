@@ -6,6 +6,7 @@ python benchmarks/workbench.py [DESIGN] [--picture FILE.png]: needs the extras a
 from __future__ import annotations
 
 import argparse
+import compileall
 import os
 import re
 import shutil
@@ -16,9 +17,12 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import expect, sync_playwright
+
+import gearwright
 
 START = "from gearwright.cli import main; main()"
 CHANGES = 12
@@ -54,9 +58,10 @@ FRAME = """() => {
 @contextmanager
 def served(*words: str) -> Iterator[str]:
     """Yield the address of a workbench."""
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     with tempfile.TemporaryDirectory() as folder:
         line = [sys.executable, "-c", START, "app", *words, "--no-browser", "--folder", folder]
-        server = subprocess.Popen(line, stdout=subprocess.PIPE, text=True)
+        server = subprocess.Popen(line, stdout=subprocess.PIPE, text=True, env=kept)
         try:
             assert server.stdout is not None
             yield re.findall(r"http\S+", server.stdout.readline())[0]
@@ -85,6 +90,7 @@ def main() -> None:
     parser.add_argument("design", nargs="?", default="in-line-h2")
     parser.add_argument("--picture")
     asked = parser.parse_args()
+    compileall.compile_dir(Path(gearwright.__file__).parent, quiet=1)  # as an installation leaves it
     path = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
     arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     with sync_playwright() as playwright:

@@ -9,12 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
-from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name, refuse
 
 if TYPE_CHECKING:
+    from gearwright.arrays import Floats
     from gearwright.sizing import Sizing
 
 MOST_KEPT = 32
@@ -100,6 +98,8 @@ def packed(head: dict[str, Any], columns: Mapping[str, Floats]) -> Answer:
         head: Plain; it is told where each column stands.
         columns: Name -> numbers, which travel in single precision, little-endian.
     """
+    import numpy as np
+
     at, places = 0, dict[str, list[int]]()
     for name, values in columns.items():
         places[name] = [at, int(np.size(values))]

@@ -17,7 +17,7 @@ from gearwright.app.guard import policy
 from gearwright.app.jobs import Job, Jobs
 from gearwright.app.lane import Busy, Lane, Superseded
 from gearwright.app.pages import NONCE, files, index
-from gearwright.app.verbs import ASIDE, LONG, QUICK
+from gearwright.app.offered import ASIDE, LONG, QUICK
 from gearwright.app.worker import Stopped, Worker
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.formats import FORMATS
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 QUICK_LIMIT, ASIDE_LIMIT = 60.0, 900.0
 """After which an answer is no longer waited for [s]."""
+LATER = 4.0
+"""After what the page needs first, until what motion needs is loaded: it would hold up the page that just opens [s]."""
 WARM = "\0"
 """How the server calls itself where a window has its name."""
 LONGEST_PAGE = 64
@@ -93,8 +95,7 @@ class Desk:
 
     @asynccontextmanager
     async def open(self, _: Starlette) -> AsyncIterator[None]:
-        """Start what answers quickly before it is asked; end both with the server."""
-        self.quick.worker.start()
+        """Let what answers quickly begin before it is asked; end both with the server."""
         warm = asyncio.create_task(self._warm())
         try:
             yield
@@ -111,6 +112,7 @@ class Desk:
             text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
             for verb in ("size", "form", "flow"):
                 await self.quick.ask(Question(verb, text, str(opened.folder)), WARM)
+            await asyncio.sleep(LATER)
             self.jobs.begin(Question("modes", text, str(opened.folder)), WARM)
 
     async def page(self, _: Request) -> Response:

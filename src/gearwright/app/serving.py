@@ -40,7 +40,7 @@ def serve(
 
     where, file, shipped = _opened(name, folder)
     bound, worker = _bound(port), Worker()
-    worker.start()  # it loads what sizes while this process loads what serves
+    threading.Thread(target=worker.start, daemon=True).start()  # it loads what sizes while this loads what serves
     import uvicorn
 
     from gearwright.app.guard import Guard

@@ -6,11 +6,11 @@ for the same one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from gearwright.app import closing, flights, motions, trials
 from gearwright.app.asked import Answer, Question, Tell, as_json, case_of, sized
+from gearwright.app.offered import LONG, QUICK
 from gearwright.errors import DesignError, GearwrightError, Problem, by_name, refuse
 
 if TYPE_CHECKING:
@@ -28,10 +28,11 @@ def answered(question: Question, tell: Tell = lambda _: None) -> Answer:
         question: Of a page.
         tell: Takes how far a long computation is.
     """
+    verb = question.verb
     try:
-        if question.verb in LONG:
-            return LONG[question.verb](question, tell)
-        return QUICK[question.verb](question)
+        found = getattr(import_module(f"gearwright.app.{QUICK.get(verb) or LONG[verb]}"), verb)
+        answer: Answer = found(question) if verb in QUICK else found(question, tell)
+        return answer
     except DesignError as error:
         return _told([{"path": one.path, "message": one.message, "line": one.line} for one in error.problems])
     except (GearwrightError, MemoryError) as error:
@@ -42,7 +43,7 @@ def _told(problems: list[dict[str, Any]]) -> Answer:
     return Answer(as_json({"problems": problems}), status=422)
 
 
-def _size(question: Question) -> Answer:
+def size(question: Question) -> Answer:
     from gearwright.render.answers.design import size_answer
     from gearwright.render.answers.plain import plain
     from gearwright.render.words.headline import sizing_headline
@@ -57,13 +58,13 @@ def _size(question: Question) -> Answer:
     return Answer(as_json(told))
 
 
-def _form(question: Question) -> Answer:
+def form(question: Question) -> Answer:
     from gearwright.app.form import form_json
 
     return Answer(form_json(question.text))
 
 
-def _edit(question: Question) -> Answer:
+def edit(question: Question) -> Answer:
     from gearwright.app.edits import in_unit, with_entry
 
     path, value, key = (question.options.get(name) for name in ("path", "value", "key"))
@@ -74,7 +75,7 @@ def _edit(question: Question) -> Answer:
     return Answer(as_json({"text": with_entry(question.text, path or (), value)}))
 
 
-def _flow(question: Question) -> Answer:
+def flow(question: Question) -> Answer:
     from gearwright.render.schematic.schematic import power_flow_figure
     from gearwright.render.style.theme import to_svg
 
@@ -82,14 +83,14 @@ def _flow(question: Question) -> Answer:
     return Answer(to_svg(power_flow_figure(sizing, case_of(question, sizing)), "flow").encode(), "image/svg+xml")
 
 
-def _schematic(question: Question) -> Answer:
+def schematic(question: Question) -> Answer:
     from gearwright.render.schematic.schematic import schematic_figure
     from gearwright.render.style.theme import to_svg
 
     return Answer(to_svg(schematic_figure(sized(question)), "schematic").encode(), "image/svg+xml")
 
 
-def _model(question: Question) -> Answer:
+def model(question: Question) -> Answer:
     """Return the solids, behind what the page says of them: length of that text in four bytes, the text, the GLB."""
     from gearwright.render.pages.turning import solid_facts
     from gearwright.shape import glb, scene
@@ -114,7 +115,7 @@ def _with_temperatures(sizing: Sizing, facts: dict[str, Any]) -> dict[str, Any]:
     return {**facts, "heat": "contact temperature of the flanks, ISO/TS 6336-20"}
 
 
-def _review(question: Question, _: Tell) -> Answer:
+def review(question: Question, _: Tell) -> Answer:
     from gearwright.render.answers.plain import plain
     from gearwright.render.answers.review import review_answer
     from gearwright.render.words.headline import headline
@@ -129,7 +130,7 @@ def _review(question: Question, _: Tell) -> Answer:
     return Answer(as_json({"headline": headline(review), "result": plain(review_answer(review))}))
 
 
-def _influences(question: Question) -> Answer:
+def influences(question: Question) -> Answer:
     from gearwright.render.answers.insight import factors_answer, influences_answer
     from gearwright.render.answers.plain import plain
 
@@ -138,7 +139,7 @@ def _influences(question: Question) -> Answer:
     return Answer(as_json(plain(told)))
 
 
-def _meaning(_: Question) -> Answer:
+def meaning(_: Question) -> Answer:
     """Return what every number of a sizing means: words, unit, equation and source, as its schema has them."""
     from gearwright.render.answers.described import described
     from gearwright.render.answers.design import SizeAnswer
@@ -148,7 +149,7 @@ def _meaning(_: Question) -> Answer:
     return Answer(as_json(definitions))
 
 
-def _export(question: Question, _: Tell) -> Answer:
+def export(question: Question, _: Tell) -> Answer:
     from gearwright.formats import AS_USUAL, FORMATS
 
     wanted = question.options.get("format")
@@ -157,41 +158,7 @@ def _export(question: Question, _: Tell) -> Answer:
     return Answer(FORMATS[name](sized(question), AS_USUAL)[0], "application/octet-stream")
 
 
-def _report(question: Question, _: Tell) -> Answer:
+def report(question: Question, _: Tell) -> Answer:
     from gearwright.render.pages.report import report
 
     return Answer(report(sized(question)).encode(), "application/octet-stream")
-
-
-QUICK: Mapping[str, Callable[[Question], Answer]] = {
-    "edit": _edit,
-    "flow": _flow,
-    "form": _form,
-    "influences": _influences,
-    "meaning": _meaning,
-    "model": _model,
-    "schematic": _schematic,
-    "size": _size,
-}
-"""Name in the address -> what answers at once."""
-ASIDE = frozenset({"influences"})
-"""Those of them that have a process of their own, as they take seconds where a standard rates gears."""
-LONG: Mapping[str, Callable[[Question, Tell], Answer]] = {
-    "campbell": motions.campbell,
-    "close": closing.close,
-    "export": _export,
-    "fly": flights.fly,
-    "mission": flights.mission,
-    "modes": motions.modes,
-    "moved": trials.moved,
-    "report": _report,
-    "resume": trials.resume,
-    "review": _review,
-    "rows": trials.rows,
-    "runup": motions.runup,
-    "simulate": motions.simulate,
-    "study": trials.study,
-    "variant": trials.variant,
-    "window": flights.window,
-}
-"""Name of a job -> what it does, in a process that can be ended."""

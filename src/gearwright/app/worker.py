@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from contextlib import suppress
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection
+from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
 from threading import Lock, Thread
 
@@ -18,6 +20,10 @@ MEMORY = 16 * 2**30
 
 MANNERS = 5
 """By how much what takes long gives way to what answers a keystroke, as `nice` counts [-]."""
+
+
+NEEDED = ("gearwright.sizing", "gearwright.render.answers.design", "gearwright.render.schematic.schematic")
+"""Modules that every worker needs: where the system can fork, they are loaded once for all of them."""
 
 
 class Stopped(Exception):
@@ -39,7 +45,7 @@ class Worker:
         """Return the line to a process that runs."""
         with self._lock:
             if self._process is None or self._line is None or not self._process.is_alive():
-                context = get_context("spawn")
+                context = _context()
                 self._line, theirs = context.Pipe()
                 self._process = context.Process(target=_work, args=(theirs, self._heirs), daemon=not self._heirs)
                 self._process.start()
@@ -89,6 +95,14 @@ class Worker:
         if process is not None:
             process.kill()
             process.join()
+
+
+def _context() -> BaseContext:
+    """Return how a process is begun: a copy of one that has loaded what is needed, or from nothing."""
+    context = get_context("forkserver" if sys.platform == "linux" else "spawn")
+    if sys.platform == "linux":
+        context.set_forkserver_preload(list(NEEDED))
+    return context
 
 
 def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- multiprocessing passes arguments by place
