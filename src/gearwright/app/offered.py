@@ -13,8 +13,10 @@ QUICK = {
     "size": "verbs",
 }
 """What answers at once."""
-ASIDE = frozenset({"influences"})
-"""Those of them that have a process of their own, as they take seconds where a standard rates gears."""
+BESIDE = {"form": "form", "meaning": "form", "influences": "influences"}
+"""Those that need no sizing, or take seconds where a standard rates gears -> a process in which no number waits."""
+LIMITS = {"form": 60.0, "influences": 900.0}
+"""After which an answer of such a process is no longer waited for [s]."""
 LONG = {
     "campbell": "motions",
     "close": "closing",

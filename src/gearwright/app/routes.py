@@ -16,8 +16,8 @@ from gearwright.app.folder import Changed, design_files, journals, kept, save, t
 from gearwright.app.guard import policy
 from gearwright.app.jobs import Job, Jobs
 from gearwright.app.lane import Busy, Lane, Superseded
+from gearwright.app.offered import BESIDE, LIMITS, LONG, QUICK
 from gearwright.app.pages import NONCE, files, index
-from gearwright.app.offered import ASIDE, LONG, QUICK
 from gearwright.app.worker import Stopped, Worker
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.formats import FORMATS
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from starlette.requests import Request
     from starlette.responses import Response
 
-QUICK_LIMIT, ASIDE_LIMIT = 60.0, 900.0
+LIMIT = 60.0
 """After which an answer is no longer waited for [s]."""
 LATER = 4.0
 """After what the page needs first, until what motion needs is loaded: it would hold up the page that just opens [s]."""
@@ -89,20 +89,20 @@ class Desk:
 
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
-        self.quick = Lane(opened.worker, seconds=QUICK_LIMIT)
-        self.aside = Lane(Worker(), seconds=ASIDE_LIMIT)
+        self.quick = Lane(opened.worker, seconds=LIMIT)
+        self.beside = {name: Lane(Worker(), seconds=limit) for name, limit in LIMITS.items()}
         self.jobs = Jobs()
 
     @asynccontextmanager
     async def open(self, _: Starlette) -> AsyncIterator[None]:
-        """Let what answers quickly begin before it is asked; end both with the server."""
+        """Let what answers quickly begin before it is asked; end them with the server."""
         warm = asyncio.create_task(self._warm())
         try:
             yield
         finally:
             warm.cancel()
-            self.quick.worker.stop()
-            self.aside.worker.stop()
+            for lane in (self.quick, *self.beside.values()):
+                lane.worker.stop()
             self.jobs.close()
 
     async def _warm(self) -> None:
@@ -110,8 +110,8 @@ class Desk:
         opened = self.opened
         with suppress(GearwrightError, Superseded, Stopped, asyncio.CancelledError):
             text = self._shipped_text(opened.name) if opened.shipped else kept(opened.folder, opened.name).text
-            for verb in ("size", "form", "flow"):
-                await self.quick.ask(Question(verb, text, str(opened.folder)), WARM)
+            for verb in ("size", "flow", "form"):
+                await self._lane(verb).ask(Question(verb, text, str(opened.folder)), WARM)
             await asyncio.sleep(LATER)
             self.jobs.begin(Question("modes", text, str(opened.folder)), WARM)
 
@@ -184,9 +184,8 @@ class Desk:
         body = await _body(request)
         verb = request.url.path.rpartition("/")[2]
         question = Question(verb, _text(body), str(self.opened.folder), body)
-        lane = self.aside if verb in ASIDE else self.quick
         try:
-            answer = await lane.ask(question, str(body.get("page", ""))[:LONGEST_PAGE])
+            answer = await self._lane(verb).ask(question, str(body.get("page", ""))[:LONGEST_PAGE])
         except Superseded:
             return _error(409, "a newer question took the place of this one")
         except Busy:
@@ -194,6 +193,9 @@ class Desk:
         except Stopped as reason:
             return _error(409, str(reason))
         return Response(answer.content, answer.status, media_type=answer.kind)
+
+    def _lane(self, verb: str) -> Lane:
+        return self.beside[BESIDE[verb]] if verb in BESIDE else self.quick
 
     async def begin(self, request: Request) -> Response:
         """Begin a computation that takes long; its name is told at once."""

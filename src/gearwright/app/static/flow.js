@@ -4,6 +4,8 @@ import {at, made} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 import {drawing} from "/static/svg.js";
 
+let timer = 0;
+
 function tabs() {
   if (!state.answer) return;
   const names = Object.keys(state.answer.result.cases);
@@ -25,7 +27,13 @@ function step(event, names, name) {
   at("cases").querySelector("[aria-selected=true]").focus();
 }
 
-async function draw() {
+/* One drawing for whatever changes at once. */
+function draw() {
+  clearTimeout(timer);
+  timer = setTimeout(drawn, 0);
+}
+
+async function drawn() {
   if (!state.answer || !state.case || state.view !== "design-view") return;
   try {
     const text = await (await ask("flow", state.answer.text, {case: state.case})).text();
