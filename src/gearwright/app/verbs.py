@@ -44,6 +44,11 @@ def _told(problems: list[dict[str, Any]]) -> Answer:
 
 
 def size(question: Question) -> Answer:
+    """Return every number of a sizing, with its verdict.
+
+    Args:
+        question: With the text.
+    """
     from gearwright.render.answers.design import size_answer
     from gearwright.render.answers.plain import plain
     from gearwright.render.words.headline import sizing_headline
@@ -59,12 +64,22 @@ def size(question: Question) -> Answer:
 
 
 def form(question: Question) -> Answer:
+    """Return the text as a form: every entry, written or possible.
+
+    Args:
+        question: With the text.
+    """
     from gearwright.app.form import form_json
 
     return Answer(form_json(question.text))
 
 
 def edit(question: Question) -> Answer:
+    """Return the text with one entry changed, or written in another unit.
+
+    Args:
+        question: With the text, the path, and the value or the key of the other unit.
+    """
     from gearwright.app.edits import in_unit, with_entry
 
     path, value, key = (question.options.get(name) for name in ("path", "value", "key"))
@@ -76,6 +91,11 @@ def edit(question: Question) -> Answer:
 
 
 def flow(question: Question) -> Answer:
+    """Return the power flow of a load case as SVG.
+
+    Args:
+        question: With the text, and the load case.
+    """
     from gearwright.render.schematic.schematic import power_flow_figure
     from gearwright.render.style.theme import to_svg
 
@@ -84,6 +104,11 @@ def flow(question: Question) -> Answer:
 
 
 def schematic(question: Question) -> Answer:
+    """Return the skeleton as SVG.
+
+    Args:
+        question: With the text.
+    """
     from gearwright.render.schematic.schematic import schematic_figure
     from gearwright.render.style.theme import to_svg
 
@@ -91,7 +116,11 @@ def schematic(question: Question) -> Answer:
 
 
 def model(question: Question) -> Answer:
-    """Return the solids, behind what the page says of them: length of that text in four bytes, the text, the GLB."""
+    """Return the solids, behind what the page says of them: length of that text in four bytes, the text, the GLB.
+
+    Args:
+        question: With the text, and the detail.
+    """
     from gearwright.render.pages.turning import solid_facts
     from gearwright.shape import glb, scene
 
@@ -116,6 +145,12 @@ def _with_temperatures(sizing: Sizing, facts: dict[str, Any]) -> dict[str, Any]:
 
 
 def review(question: Question, _: Tell) -> Answer:
+    """Return every check of the review, worst first.
+
+    Args:
+        question: With the text.
+        _: There is nothing to tell.
+    """
     from gearwright.render.answers.plain import plain
     from gearwright.render.answers.review import review_answer
     from gearwright.render.words.headline import headline
@@ -131,6 +166,11 @@ def review(question: Question, _: Tell) -> Answer:
 
 
 def influences(question: Question) -> Answer:
+    """Return every factor of gears that a standard rates, and what 1 % of each value does to the safeties.
+
+    Args:
+        question: With the text.
+    """
     from gearwright.render.answers.insight import factors_answer, influences_answer
     from gearwright.render.answers.plain import plain
 
@@ -140,7 +180,11 @@ def influences(question: Question) -> Answer:
 
 
 def meaning(_: Question) -> Answer:
-    """Return what every number of a sizing means: words, unit, equation and source, as its schema has them."""
+    """Return what every number of a sizing means: words, unit, equation and source, as its schema has them.
+
+    Args:
+        _: Of a page; the text does not matter.
+    """
     from gearwright.render.answers.described import described
     from gearwright.render.answers.design import SizeAnswer
 
@@ -150,6 +194,12 @@ def meaning(_: Question) -> Answer:
 
 
 def export(question: Question, _: Tell) -> Answer:
+    """Return a file of a format.
+
+    Args:
+        question: With the text, and the format.
+        _: There is nothing to tell.
+    """
     from gearwright.formats import AS_USUAL, FORMATS
 
     wanted = question.options.get("format")
@@ -159,6 +209,12 @@ def export(question: Question, _: Tell) -> Answer:
 
 
 def report(question: Question, _: Tell) -> Answer:
+    """Return the report as a page.
+
+    Args:
+        question: With the text.
+        _: There is nothing to tell.
+    """
     from gearwright.render.pages.report import report
 
     return Answer(report(sized(question)).encode(), "application/octet-stream")
