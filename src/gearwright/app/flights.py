@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from gearwright.app.asked import Answer, Progress, Question, Tell, as_json, packed, sized
+from gearwright.app.thinned import extremes, instants
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError
 
 if TYPE_CHECKING:
     from gearwright.mission import Flight
-
-MOST_INSTANTS = 4000
-"""Of a window that are drawn; between them the page shows the least and the most [-]."""
 
 
 def mission(question: Question, tell: Tell) -> Answer:
@@ -138,12 +135,7 @@ def window(question: Question, tell: Tell) -> Answer:
     ]
     drives = [{"name": name, "unit": unit, "group": "machines"}
               for name, unit in zip(labels.drives, labels.drive_units, strict=True)]  # fmt: skip
-    thin = partial(_thinned, stride=max(1, len(samples.time) // MOST_INSTANTS))
-    columns = {"time": thin(samples.time), **{row["name"]: thin(values) for row, values in
+    columns = {"time": instants(samples.time), **{row["name"]: extremes(values) for row, values in
                zip([*lines, *drives], [*samples.line_force.T, *samples.drives.T], strict=True)}}  # fmt: skip
     return packed({"headline": window_verdict(found), **plain(window_answer(found)), "series": [*lines, *drives]},
                   columns)  # fmt: skip
-
-
-def _thinned(values: Floats, *, stride: int) -> Floats:
-    return np.asarray(values[::stride])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from gearwright.app.asked import Answer, Progress, Question, Tell, as_json, case_of, packed, sized
+from gearwright.app.thinned import extremes, instants
 from gearwright.arrays import Floats
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ def _lines(trace: Trace) -> list[dict[str, str]]:
 def _columns(samples: Samples) -> dict[str, Floats]:
     """Return time [ms] and the force or torque of every line."""
     forces = zip(samples.labels.lines, samples.line_force.T, strict=True)
-    return {"time": samples.time * 1e3, **dict(forces)}
+    return {"time": instants(samples.time * 1e3), **{name: extremes(force) for name, force in forces}}
 
 
 def _spectra(samples: Samples) -> dict[str, Floats]:

@@ -6,9 +6,8 @@ import os
 import signal
 import sys
 from contextlib import suppress
-from multiprocessing import get_context, parent_process
+from multiprocessing import Pipe, get_context, parent_process
 from multiprocessing.connection import Connection
-from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
 from threading import Lock, Thread
 
@@ -45,9 +44,8 @@ class Worker:
         """Return the line to a process that runs."""
         with self._lock:
             if self._process is None or self._line is None or not self._process.is_alive():
-                context = _context()
-                self._line, theirs = context.Pipe()
-                self._process = context.Process(target=_work, args=(theirs, self._heirs), daemon=not self._heirs)
+                self._line, theirs = Pipe()
+                self._process = _begun(theirs, self._heirs)
                 self._process.start()
                 theirs.close()
             return self._line
@@ -97,12 +95,13 @@ class Worker:
             process.join()
 
 
-def _context() -> BaseContext:
-    """Return how a process is begun: a copy of one that has loaded what is needed, or from nothing."""
-    context = get_context("forkserver" if sys.platform == "linux" else "spawn")
+def _begun(line: Connection, heirs: bool) -> BaseProcess:  # noqa: FBT001
+    """Return a process that answers: a copy of one that has loaded what is needed, or one that begins from nothing."""
     if sys.platform == "linux":
-        context.set_forkserver_preload(list(NEEDED))
-    return context
+        copying = get_context("forkserver")
+        copying.set_forkserver_preload(list(NEEDED))
+        return copying.Process(target=_work, args=(line, heirs), daemon=not heirs)
+    return get_context("spawn").Process(target=_work, args=(line, heirs), daemon=not heirs)
 
 
 def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- multiprocessing passes arguments by place

@@ -2,14 +2,25 @@
 import {offered} from "/static/files.js";
 import {Task, begin} from "/static/jobs.js";
 import {at, change, made, number, percent, ratio} from "/static/made.js";
-import {set, state} from "/static/state.js";
+import {on, set, state} from "/static/state.js";
+
+let of = ""; // the text that is closed
 
 new Task(at("close-line"), "Make it pass", told => {
   if (!state.answer) return null;
   at("unmet").replaceChildren();
-  return {...begin("close", state.text, {variants: at("variants").checked, anew: at("anew").checked}, told), taken: async answer => show(await answer.json())};
+  of = state.text;
+  return {...begin("close", of, {variants: at("variants").checked, anew: at("anew").checked}, told), taken: async answer => show(await answer.json())};
 });
 at("close-line").firstChild.title = "gearwright close: choose every free size so that all checks are met";
+
+/* What was found is of the text that it was asked of; of another one it is greyed, and says so. */
+function old() {
+  const changed = Boolean(of) && state.text !== of && at("unmet").childElementCount > 0;
+  at("unmet").classList.toggle("old", changed);
+  if (changed && !at("unmet").querySelector(".since")) at("unmet").prepend(made("p", {className: "since", textContent: "The text has changed since: this is of the one before."}));
+  if (!changed) at("unmet").querySelector(".since")?.remove();
+}
 
 function show(found) {
   const options = [[found.design_file, `${found.unmet.length ? "as far as it came" : "as it was closed"}, ${weighed(found.complete_mass_kg)}`]];
@@ -23,6 +34,7 @@ function show(found) {
   const tried = found.tried.map(one => made("li", {className: "hint", textContent: `${one.what} does not meet ${one.why}`}));
   at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), ...buttons, made("ul", {}, ...unmet, ...tried));
   at("unmet").scrollTop = 0;
+  old();
   document.body.dataset.closed = found.outcome;
 }
 
@@ -37,3 +49,5 @@ function pick(part) {
   button.addEventListener("click", () => set({selected: part}));
   return button;
 }
+
+on("text", old);

@@ -4,7 +4,7 @@ import {at, change, made, named, number, percent, ratio} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 
 const KEYS = [
-  ["mass_kg", "Gears, shafts, carriers", false], ["complete_total_kg", "Complete, without machines", false], ["worst_margin", "Worst margin", true],
+  ["mass_kg", "Gears, shafts, carriers", false], ["complete_total_kg", "Complete gearbox", false], ["worst_margin", "Worst margin", true],
   ["power_density_kw_kg", "Power density", true], ["envelope.length_mm", "Length", false], ["envelope.width_mm", "Width", false],
 ];
 const read = (result, key) => key.split(".").reduce((part, name) => part?.[name], result);
@@ -42,16 +42,27 @@ function shownChecks() {
 
 const MARK = 3; // margins from here on fill the bar
 
+/* A check without a margin, as of a frequency that has to stay away, says what was found beside what is wanted. */
+const said = row => (row.margin !== null ? ratio(row.margin) : row.value === null ? row.status : `${number(row.value, 3)} / ${number(row.limit, 3)} ${row.unit}`);
+const share = row => row.margin ?? row.ratio ?? 0;
+
+function unassessed(rows) {
+  const box = at("unassessed"), list = rows.filter(row => row.status === "not assessed");
+  box.hidden = !list.length;
+  box.firstElementChild.textContent = `${list.length} not assessed, and why`;
+  box.lastElementChild.replaceChildren(...list.map(row => made("li", {}, made("b", {textContent: row.part}), ` ${row.check}: ${row.why || row.source}`)));
+}
+
 function margins() {
   if (!state.answer) return;
-  const rows = shownChecks();
+  const all = shownChecks(), rows = all.filter(row => row.status !== "not assessed");
+  unassessed(all);
   at("margins").replaceChildren(...rows.map(row => {
-    const share = row.margin === null ? 0 : Math.max(0, Math.min(1, row.margin / MARK)), fails = row.status === "fails";
+    const filled = Math.max(0, Math.min(1, share(row) / MARK)), fails = row.status === "fails";
     const bar = made("span", {className: "bar", ariaHidden: "true"}, made("span", {className: fails ? "fails" : "room"}));
-    bar.firstChild.style.width = `${100 * share}%`;
-    const said = row.margin === null ? row.status : ratio(row.margin);
+    bar.firstChild.style.width = `${100 * filled}%`;
     const button = made("button", {type: "button", title: `${row.source}${row.case ? `, case ${row.case}` : ""}: ${number(row.value)} ${row.unit}, limit ${number(row.limit)} ${row.unit}`},
-      made("span", {className: "part", textContent: row.part}), made("span", {className: "check", textContent: row.check}), made("span", {className: "value", textContent: said}), bar);
+      made("span", {className: "part", textContent: row.part}), made("span", {className: "check", textContent: row.check}), made("span", {className: "value", textContent: said(row)}), bar);
     button.setAttribute("aria-pressed", String(row.part === state.selected));
     button.dataset.part = row.part;
     button.addEventListener("click", () => set({selected: state.selected === row.part ? "" : row.part}));
@@ -65,6 +76,8 @@ function chosen() {
 
 let job = null;
 
+const counted = checks => ["fails", "passes"].map(status => `${checks.filter(row => row.status === status).length} ${status.slice(0, -1).replace("passe", "pass")}`).join(", ");
+
 async function review() {
   const text = state.text;
   at("stop").hidden = false;
@@ -73,7 +86,7 @@ async function review() {
   try {
     const answer = await (await mine.answer).json();
     if (mine !== job) return;
-    at("reviewed").textContent = answer.headline;
+    at("reviewed").textContent = counted(answer.result.checks);
     at("reviewed").dataset.text = text;
     at("reviewed").title = "gearwright review";
     set({review: {text, headline: answer.headline, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve}))}});

@@ -1,5 +1,6 @@
 /* Lines that a reader zooms into and measures: uPlot in the colours of the page, with a common cursor and a mark. */
 /* global uPlot */
+import {keyed} from "/static/keyed.js";
 import {made} from "/static/made.js";
 
 let loaded = null;
@@ -50,6 +51,7 @@ export function plot(box, {x, xLabel, yLabel, lines, sync = "", log = false, leg
   });
   watch.observe(box);
   drawn.add({box, plot: made_, watch});
+  keyed(box, made_, `${yLabel} over ${xLabel}`);
   box.dataset.points = String(x.length);
   return made_;
 }
@@ -64,7 +66,7 @@ export function measure(plots, output, unit, told) {
     });
     (one.hooks.draw ??= []).push(() => mark !== null && upright(one, mark, ink("--accent")));
     (one.hooks.setCursor ??= []).push(() => {
-      if (one.cursor.left < 0 || one.cursor.event?.target !== one.over) return;
+      if (one.cursor.left < 0 || !(one.keys || one.cursor.event?.target === one.over)) return;
       const at = one.posToVal(one.cursor.left, "x");
       output.textContent = mark === null ? `${at.toPrecision(5)} ${unit}; click to measure from here` : told(mark, at);
     });

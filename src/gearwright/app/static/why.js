@@ -45,14 +45,17 @@ function meant(one = {}) {
   return [[description, ""], [equation, "formula"], [source && `Source: ${source}`, "hint"]].filter(([text]) => text).map(([textContent, className]) => made("p", {className, textContent}));
 }
 
+/* What a check found beside its limit; a frequency that has to stay away, and what counts in whole pieces, has no margin. */
+const judged = row => (row.value === null ? "not assessed" : `${number(row.value)} ${row.unit}, ${row.margin !== null ? "limit" : row.at_most ? "at most" : "at least"} ${number(row.limit)} ${row.unit}${row.margin === null ? `: ${row.status}` : `, margin ${ratio(row.margin)}`}`);
+
 /* A part of the gearbox: its checks, its numbers, its rating. */
 async function part(box) {
   const selected = state.selected, definitions = await meanings();
   if (selected !== state.selected || state.asked) return;
   const checks = (state.review?.text === state.answer.text ? state.review.checks : state.answer.result.margins).filter(row => row.part === selected);
-  const judged = checks.map((row, k) => made("li", {textContent: `${k ? "" : "Limits it most: "}${row.check}${row.case ? `, ${row.case}` : ""}: ${number(row.value)} ${row.unit}, limit ${number(row.limit)} ${row.unit}, margin ${ratio(row.margin)} (${row.source})${row.why ? `; ${row.why}` : ""}`}));
+  const list = checks.map((row, k) => made("li", {textContent: `${k ? "" : "Limits it most: "}${row.check}${row.case ? `, ${row.case}` : ""}: ${judged(row)}${row.source ? ` (${row.source})` : ""}${row.why ? `; ${row.why}` : ""}`}));
   const open = new Set([...box.querySelectorAll("details[open]")].map(one => one.dataset.key));
-  box.replaceChildren(made("h3", {textContent: selected}), made("ul", {}, ...judged), ...records().map(([room, record, kind]) => table(room, record, kind, definitions)));
+  box.replaceChildren(made("h3", {textContent: selected}), made("ul", {}, ...list), ...records().map(([room, record, kind]) => table(room, record, kind, definitions)));
   for (const one of box.querySelectorAll("details")) one.open = open.has(one.dataset.key);
   const text = state.answer.text;
   clearTimeout(timer);

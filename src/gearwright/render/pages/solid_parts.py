@@ -34,7 +34,7 @@ def _label(part: PartId) -> str:
 
 
 def parts_of(sizing: Sizing, scene: Scene, checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
-    """Return label -> title, numbers, worst margin and checks of every part of a scene.
+    """Return label -> title, numbers, worst margin and checks of every part of a scene, stage by stage, then shafts.
 
     Args:
         sizing: As sized.
@@ -42,7 +42,14 @@ def parts_of(sizing: Sizing, scene: Scene, checks: Sequence[Check]) -> dict[str,
         checks: Of its parts.
     """
     parts = {_label(node.part): node for node in scene.nodes}
-    return {label: _part(sizing, scene, node, checks) for label, node in parts.items()}
+    stages = list(dict.fromkeys(gear.part.name for gear in sizing.gears))
+
+    def place(label: str) -> tuple[int, bool, bool]:
+        part = parts[label].part
+        return (stages.index(part.name) if part.name in stages else len(stages), part.kind is Kind.BEARING,
+                part.kind is Kind.CARRIER)  # fmt: skip
+
+    return {label: _part(sizing, scene, parts[label], checks) for label in sorted(parts, key=place)}
 
 
 def _part(sizing: Sizing, scene: Scene, node: Node, checks: Sequence[Check]) -> dict[str, Any]:
