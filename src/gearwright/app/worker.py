@@ -24,6 +24,9 @@ MANNERS = 5
 NEEDED = ("gearwright.sizing", "gearwright.render.answers.design", "gearwright.render.schematic.schematic")
 """Modules that every worker needs: where the system can fork, they are loaded once for all of them."""
 
+COPIES = sys.platform == "linux"
+"""Whether a process may be a copy of another one here: elsewhere libraries do not bear it."""
+
 
 class Stopped(Exception):
     """The process that was asked is no longer there."""
@@ -97,7 +100,7 @@ class Worker:
 
 def _begun(line: Connection, heirs: bool) -> BaseProcess:  # noqa: FBT001
     """Return a process that answers: a copy of one that has loaded what is needed, or one that begins from nothing."""
-    if sys.platform == "linux":
+    if COPIES:
         copying = get_context("forkserver")
         copying.set_forkserver_preload(list(NEEDED))
         return copying.Process(target=_work, args=(line, heirs), daemon=not heirs)
