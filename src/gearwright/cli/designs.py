@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from gearwright.dynamics.vibration import SpeedCase
     from gearwright.render.pages.page import Stamp
     from gearwright.reviews import Review
     from gearwright.sizing import Sizing
@@ -48,12 +49,13 @@ def sized(name: str, level: str | None = None, life_h: float | None = None) -> S
         return size(edited(design, lives) if lives else design)
 
 
-def reviewed(sizing: Sizing, name: str) -> Review:
+def reviewed(sizing: Sizing, name: str, speeds: Sequence[SpeedCase] | None = None) -> Review:
     """Return the review of a sizing; a waiver of no check is placed at its line in the design's file.
 
     Args:
         sizing: Of the design.
         name: Path or name of the design.
+        speeds: Its critical speeds, where they are known already.
 
     Raises:
         DesignError: If a waiver names no check.
@@ -61,7 +63,7 @@ def reviewed(sizing: Sizing, name: str) -> Review:
     from gearwright.reviews import review_of
 
     with placed_in(name):
-        return review_of(sizing)
+        return review_of(sizing, speeds=speeds)
 
 
 def stamped(name: str, date: str = "") -> Stamp:

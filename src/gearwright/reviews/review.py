@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
 from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, unknown_waivers, unneeded, worst
 from gearwright.dynamics.sharing import sharing_checks
-from gearwright.dynamics.vibration import motion_checks
+from gearwright.dynamics.vibration import SpeedCase, motion_checks
 from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
 from gearwright.reviews.making import making_checks
@@ -100,8 +100,9 @@ def review(design: Design, mission: Mission | None = None, *, folder: Path | Non
 
 @verb
 def review_of(
-    sizing: Sizing, flight: Flight | None = None, lives: Durability | None = None, *, life: float | None = None
-) -> Review:
+    sizing: Sizing, flight: Flight | None = None, lives: Durability | None = None, *, life: float | None = None,
+    speeds: Sequence[SpeedCase] | None = None,
+) -> Review:  # fmt: skip
     """Return the review of what is sized already, and perhaps flown.
 
     Args:
@@ -109,13 +110,15 @@ def review_of(
         flight: Of it.
         lives: Of the flight.
         life: Of gears, where another one is asked than the design's [s].
+        speeds: Its `critical_speeds`, where they are known already.
 
     Raises:
         DesignError: If a waiver names no check.
     """
     design = sizing.design
     checks = [*sizing.checks, *retention_checks(sizing), *holding_checks(sizing), *groove_checks(sizing)]
-    checks += [*pressure_centre_checks(sizing), *making_checks(sizing), *sharing_checks(sizing), *motion_checks(sizing)]
+    checks += [*pressure_centre_checks(sizing), *making_checks(sizing), *sharing_checks(sizing)]
+    checks += motion_checks(sizing, speeds)
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)

@@ -22,7 +22,8 @@ UNUSED = {
     "size off-set": STATICS,  # parallel paths, whose elastic shares need statics
     "size face-gear-split-torque": STATICS,
     "check off-set": STATICS,
-    "modes off-set": HEAVY | COMPILED,
+    "modes off-set": STATICS,
+    "review in-line-h2": STATICS,
     "schema": MOTION,
 }
 """Command -> what it must not load."""

@@ -162,15 +162,15 @@ def report(
     sizing = sized(design)
     stored = _run_of(sizing, results) if results is not None else None
     case = stored.case if stored else default_case(sizing)
-    system = _assemble(sizing, case)
+    system, campbell = _assemble(sizing, case), critical_speeds(sizing)
     page = make_report(
         sizing,
         modes=find_modes(system),
         trace=stored.trace if stored else None,
         case=case,
         system=system,
-        campbell=critical_speeds(sizing),
-        review=reviewed(sizing, design),
+        campbell=campbell,
+        review=reviewed(sizing, design, campbell),
         stamp=stamped(design, date),
     )
     if pdf is not None:

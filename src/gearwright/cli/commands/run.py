@@ -51,7 +51,7 @@ def run(
     system = assemble(sizing, case, stiffness=stiffness)
     solved, trace = find_modes(system), simulated(system, duration)
     campbell = () if trace.interrupted else critical_speeds(sizing)
-    review = None if trace.interrupted else reviewed(sizing, design)
+    review = None if trace.interrupted else reviewed(sizing, design, campbell)
     if json:
         from gearwright.render.answers.motion import run_answer
 

@@ -136,13 +136,11 @@ def _lowest(system: System, count: int) -> Modes:
 
 
 def _modes(system: System, count: int | None) -> Modes:
-    from scipy import linalg  # statics, which need only `split_rigid`, do without it
-
     arrays = system.arrays
     rigid, elastic = split_rigid(arrays)
     matrix = line_matrix(arrays)
     reduced = elastic.T @ stiffness_matrix(arrays, arrays.stiffness) @ elastic
-    square, vectors = linalg.eigh(0.5 * (reduced + reduced.T))
+    square, vectors = np.linalg.eigh(0.5 * (reduced + reduced.T))
     square, vectors = square[:count], vectors[:, :count]
     shapes = np.hstack([rigid, elastic @ vectors])
     frequency = np.concatenate([np.zeros(rigid.shape[1]), np.sqrt(np.maximum(square, 0.0))]) / (2.0 * np.pi)

@@ -142,9 +142,6 @@ def _whirl(system: System, modes: DampedModes, factor: float) -> Floats:
 
 def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]:
     """Return which mode after belongs to each one before."""
-    # Loaded here: it takes longer to load than the rest of this layer together.
-    from scipy.optimize import linear_sum_assignment
-
     if len(before.rate) != len(after.rate):
         raise DesignError(
             [Problem("factors", "a mode stops oscillating in this range of speeds; choose a smaller one")]
@@ -153,7 +150,13 @@ def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]
     # Of repeated modes any pairing of shapes is as good: the nearest frequency decides.
     first = before.rate[:, None]
     apart = np.abs(first - after.rate) / np.maximum(np.abs(first), np.abs(after.rate))
-    return [int(place) for place in linear_sum_assignment(assurance - apart, maximize=True)[1]]
+    likeness = assurance - apart
+    best = np.argmax(likeness, axis=1)
+    if len(set(best.tolist())) < len(best):  # two modes want the same one
+        from scipy.optimize import linear_sum_assignment  # takes longer to load than this layer, and is seldom needed
+
+        best = linear_sum_assignment(likeness, maximize=True)[1]
+    return [int(place) for place in best]
 
 
 def _orders(system: System) -> Iterator[Order]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import assemble
@@ -26,14 +26,15 @@ START = 0.25
 """Share of it that is left to the start [-]."""
 
 
-def motion_checks(sizing: Sizing) -> Iterator[Check]:
+def motion_checks(sizing: Sizing, speeds: Sequence[SpeedCase] | None = None) -> Iterator[Check]:
     """Yield every mesh at the worst peak of all cases, and of every order that excites one the nearest resonance.
 
     Args:
         sizing: As sized.
+        speeds: Its `critical_speeds`; left out: found here.
     """
     yield from peak_checks(sizing)
-    yield from resonance_checks(sizing)
+    yield from resonance_checks(sizing, speeds)
 
 
 def peak_checks(sizing: Sizing) -> Iterator[Check]:
@@ -71,28 +72,29 @@ def _peak(part: PartId, mode: str, load: DynamicLoad, margin: float, power: floa
     return Check(part, mode, clause, load.peak_force, allowed, "force", at_most=True, exponent=power, case=case)
 
 
-def resonance_checks(sizing: Sizing) -> Iterator[Check]:
+def resonance_checks(sizing: Sizing, speeds: Sequence[SpeedCase] | None = None) -> Iterator[Check]:
     """Yield for every excited order its critical speed nearest to the operating speed.
 
     Args:
         sizing: As sized.
+        speeds: Its `critical_speeds`; left out: found here.
     """
     nearest: dict[tuple[str, str], CriticalSpeed] = {}
     try:
-        cases = critical_speeds(sizing)
+        cases = critical_speeds(sizing) if speeds is None else speeds
     except GearwrightError as error:
         yield not_assessed(GEARBOX, "resonances", "ISO 6336-1, clause 6", " ".join(str(error).split()))
         return
-    for speeds in cases:
-        for critical in (*speeds.critical, *speeds.assumed):
+    for case in cases:
+        for critical in (*case.critical, *case.assumed):
             if critical.excited:
-                known = nearest.get((critical.order, speeds.cases))
+                known = nearest.get((critical.order, case.cases))
                 if known is None or abs(_distance(critical)) < abs(_distance(known)):
-                    nearest[critical.order, speeds.cases] = critical
+                    nearest[critical.order, case.cases] = critical
     for (order, names), critical in nearest.items():
         yield _resonance(order, names, critical)
-    for speeds in cases:
-        yield from _far_orders(speeds)
+    for case in cases:
+        yield from _far_orders(case)
 
 
 def _far_orders(speeds: SpeedCase) -> Iterator[Check]:

@@ -8,6 +8,7 @@ from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
 from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix
 from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.load_lives import LoadLife, load_lives
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty, torque_cycles
 from gearwright.mission.lives.mix import MixedLife, mixed_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
@@ -24,6 +25,7 @@ __all__ = [
     "FlownMix",
     "GearDamage",
     "LifeSizing",
+    "LoadLife",
     "MeasuredDuty",
     "MixedLife",
     "PartLife",
@@ -36,6 +38,7 @@ __all__ = [
     "fly_mix",
     "gear_damage",
     "gear_damages",
+    "load_lives",
     "mesh_spectrum",
     "mixed_life",
     "read_duty",

@@ -7,12 +7,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.spectrum import CLASSES, classed
+from gearwright.mission.lives.spectrum import CLASSES, Classed, classed
 from gearwright.ranking import largest_first
+from gearwright.sizing import Sizing
 from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, reverse_parts, row_ask
 from gearwright.spec import Design
 from gearwright.spec.missions import GearLifeRules
@@ -155,33 +158,67 @@ def _mesh_damages(
     rolling = [flight.speed(mesh.nodes[0]) - flight.speed(mesh.nodes[2]) for flight in flights]
     torques = [flight.meshes[mesh.name].torque for flight in flights]
     spectra = classed(torques, rolling, [flight.history.duration for flight in flights], CLASSES)
-    counts = (spectra.load > _LEAST_TORQUE) & (spectra.turns > 0.0)
-    rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
-    gears = [gear for name in mesh.gears for gear in sizing.gears if gear.name == name]
+    counts = damaging(spectra)
     damages: list[tuple[Damage, Damage]] = [(Damage(0.0, 0.0), Damage(0.0, 0.0))] * len(flights)
-    for ask, steel, members in _alike(flights, mesh, loads, [bool(row.any()) for row in counts]):
+    for ask, steel, members in alike(flights, mesh, loads, [bool(row.any()) for row in counts]):
         kept = counts[members]
-        spectrum = MeshSpectrum(
-            rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
-            ask=ask,
-            module=gears[0].module,
-            face_width=min(gear.face_width for gear in gears),
-            torques=(spectra.load[members][kept] * rating.load_factor).tolist(),
-            speeds=spectra.speed[members][kept].tolist(),
-            turns=spectra.turns[members][kept].tolist(),
-            steel=steel,
-        )
-        both = method_for(rating).damage(spectrum)
+        load, speed, turns = (column[members][kept] for column in (spectra.load, spectra.speed, spectra.turns))
+        spectrum = spectrum_of(sizing, mesh, ask, steel, load=load, speed=speed, turns=turns)
+        both = method_for(spectrum.rating).damage(spectrum)
         ends = np.cumsum(kept.sum(axis=1)).tolist()
         for flight, start, end in zip(members, [0, *ends], ends, strict=False):
             damages[flight] = (both[0].within(start, end), both[1].within(start, end))
     return damages
 
 
-def _alike(
+def damaging(spectra: Classed) -> NDArray[np.bool_]:
+    """Return which classes load a tooth at all, shape (flights, classes).
+
+    Args:
+        spectra: Of a mesh.
+    """
+    return np.asarray((spectra.load > _LEAST_TORQUE) & (spectra.turns > 0.0))
+
+
+def spectrum_of(
+    sizing: Sizing, mesh: Mesh, ask: Ask, steel: GearLifeRules, *, load: Floats, speed: Floats, turns: Floats
+) -> MeshSpectrum:
+    """Return what loads ask of a mesh, K_A = 1.
+
+    Args:
+        sizing: As sized.
+        mesh: Row of it.
+        ask: Of its teeth.
+        steel: Of the mission.
+        load: Torques on the first gear, of one mesh [N m].
+        speed: Of the first gear against the carrier at each [rad/s].
+        turns: Of it at each [-].
+    """
+    rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
+    gears = [gear for name in mesh.gears for gear in sizing.gears if gear.name == name]
+    return MeshSpectrum(
+        rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
+        ask=ask,
+        module=gears[0].module,
+        face_width=min(gear.face_width for gear in gears),
+        torques=(load * rating.load_factor).tolist(),
+        speeds=speed.tolist(),
+        turns=turns.tolist(),
+        steel=steel,
+    )
+
+
+def alike(
     flights: Sequence[Flight], mesh: Mesh, loads: Sequence[Mapping[str, tuple[float, float]]], loaded: Sequence[bool]
 ) -> list[tuple[Ask, GearLifeRules, list[int]]]:
-    """Return which flights that load a mesh ask the same of it, of gears of the same steel."""
+    """Return which flights that load a mesh ask the same of it, of gears of the same steel.
+
+    Args:
+        flights: Of one gearbox.
+        mesh: Row of it.
+        loads: `extremes` of each flight.
+        loaded: Which of them load it.
+    """
     groups: list[tuple[Ask, GearLifeRules, list[int]]] = []
     for k, flight in enumerate(flights):
         if not loaded[k]:

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry
 
-_FLATTEST = 1e4
-"""Ratio of the axes of a contact ellipse that no groove reaches [-]."""
 _ROUNDING = 1e-14
-"""Width at which halving ln χ and the means of an elliptic integral end [-]."""
+"""Step at which the search for ln χ and the means of an elliptic integral end [-]."""
+_STEPS = 20
+"""Of that search at most: half a dozen end it, but for nearly round contacts, where rounding is larger."""
 _NEARLY_ROUND = 1e-4
 """F(ρ) below which ln χ = 4/3 F(ρ) holds to rounding, and the equation's difference of integrals is all rounding."""
 
@@ -62,25 +62,31 @@ def ellipse_ratio(difference: float) -> float:
     Args:
         difference: Relative difference of the curvatures F(ρ) [-], 0 for a circle.
 
-    Source: ISO/TS 16281:2008: 1 − 2/(χ²−1) (K(χ)/E(χ) − 1) = F(ρ), after Hertz 1882.
+    Source: ISO/TS 16281:2008: 1 − 2/(χ²−1) (K(χ)/E(χ) − 1) = F(ρ), after Hertz 1882; by secants of ln(1 − F) over
+        ln χ, which is nearly straight: of slope −3/4 at a circle and towards −2 for long ellipses.
 
     >>> round(ellipse_ratio(0.0), 3)
     1.0
     """
     if difference < _NEARLY_ROUND:
         return math.exp(4.0 / 3.0 * difference)
+    wanted = math.log1p(-difference)
+    before, here = -wanted, -4.0 / 3.0 * wanted
+    missed = _log_remainder(before) - wanted
+    for _ in range(_STEPS):
+        last, missed = missed, _log_remainder(here) - wanted
+        if missed == last:
+            break
+        before, here = here, here - missed * (here - before) / (missed - last)
+        if abs(here - before) < _ROUNDING:
+            break
+    return math.exp(here)
 
-    low, high = 1e-6, math.log(_FLATTEST)
-    while high - low > _ROUNDING:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if _difference(middle) < difference else (low, middle)
-    return math.exp(0.5 * (low + high))
 
-
-def _difference(log_ratio: float) -> float:
-    """Return F(ρ) of a contact ellipse of a ratio ln χ; it rises with the ratio."""
+def _log_remainder(log_ratio: float) -> float:
+    """Return ln(1 − F(ρ)) of a contact ellipse of a ratio ln χ."""
     first, second = _integrals(math.exp(log_ratio))
-    return 1.0 - 2.0 / math.expm1(2.0 * log_ratio) * (first / second - 1.0)
+    return math.log(2.0 / math.expm1(2.0 * log_ratio) * (first / second - 1.0))
 
 
 def _integrals(ratio: float) -> tuple[float, float]:

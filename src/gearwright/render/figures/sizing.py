@@ -29,6 +29,8 @@ MOST_MARGINS = 45
 """Checks that are drawn at most, the worst ones; tables have all."""
 STEPS = 12
 """Places between two loads at which a shaft's diagram is drawn."""
+HOUR = 3600.0
+"""[s]"""
 LARGEST_MARGIN = 4.0
 """Margin at which a bar is cut [-]; its number says how large it is."""
 
@@ -83,6 +85,39 @@ def margin_figure(sizing: Sizing) -> Figure:
         axes.set_title(f"{title}, worst first")
     left = f"; {len(every) - len(checks)} more in the tables" if len(checks) < len(every) else ""
     grid[-1, 0].set_xlabel(f"margin [-], the asked factor included; 1 is just enough{left}")
+    return figure
+
+
+def aged_bearings(sizing: Sizing) -> tuple[Check, ...]:
+    """Return the checks of the lives of bearings that are loaded, the shortest first; `bearing_life_figure` draws them.
+
+    Args:
+        sizing: As sized.
+    """
+    lives = [check for check in sizing.checks if check.part.kind is Kind.BEARING and check.dimension == "life"]
+    return tuple(sorted((check for check in lives if math.isfinite(check.value)), key=lambda check: check.value))
+
+
+@theme.drawn
+def bearing_life_figure(lives: Sequence[Check]) -> Figure:
+    """Return the rating life of every bearing beside the one that is asked for.
+
+    Args:
+        lives: From `aged_bearings`.
+    """
+    hours, asked = [check.value / HOUR for check in lives], [check.limit / HOUR for check in lives]
+    figure = theme.sheet(WIDTH, _FRAME + _ROW * len(lives))
+    axes = figure.panel()
+    colours = [theme.ORANGE if check.fails else theme.SKY for check in lives]
+    axes.barh(range(len(lives)), hours, color=colours, height=0.72)
+    for place, (check, life) in enumerate(zip(lives, hours, strict=True)):
+        axes.annotate(f"{life:,.0f} h{_case(check)}", (life, place), (3, 0), fontsize=7.5, va="center")
+        axes.plot([asked[place]] * 2, [place - 0.45, place + 0.45], color=theme.ORANGE, lw=1.6, zorder=3.0)
+    axes.set_yticks(range(len(lives)), [str(check.part) for check in lives])
+    axes.set(xscale="log", xlim=(0.3 * min(*hours, *asked), 10.0 * max(*hours, *asked)))
+    axes.set(xlabel="rating life [h]; upright lines: asked")
+    axes.set_ylim(len(lives) - 0.4, -0.6)
+    axes.only_grid("x")
     return figure
 
 

@@ -117,6 +117,13 @@ const livePanel = (function () {
     ctx.restore();
   }
 
+  /* Stairs have two values at a place: joined with other curves the second one stands a hair beside the first. */
+  const apart = values => {
+    const hair = 1e-7;
+    let last = -Infinity;
+    return values.map(value => (last = value == null || value > last ? value : last + hair * Math.abs(last || 1)));
+  };
+
   /* Curves with a common x, and the groups of them that one name of the legend stands for. */
   function curves(panel, arrays) {
     const tables = new Map(), series = [{}], groups = [];
@@ -134,12 +141,20 @@ const livePanel = (function () {
         points: { show: !!mark.p, size: 2.66 * (mark.r || 2) * (mark.p === "." ? 0.5 : 1), fill: mark.f ? () => colour(mark.f) : undefined }, ...(mark.d === "" ? { paths: () => null } : {}),
       });
     });
-    const data = !tables.size ? [] : uPlot.join([...tables].map(([x, marks]) => [arrays[x], ...marks.map(mark => arrays[mark.y])]));
+    const data = !tables.size ? [] : uPlot.join([...tables].map(([x, marks]) => [apart(arrays[x]), ...marks.map(mark => arrays[mark.y])]));
     return { data: data.length ? data : [[...panel.x.a].sort((a, b) => a - b), [null, null]], series: data.length ? series : [{}, { scale: "y" }], groups };
   }
 
+  /* Whole decades of a logarithmic axis, as many as there is room for; within one of them a few even steps. */
+  function decades(u, side, low, high) {
+    const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9), step = Math.max(1, Math.ceil((last - first) / 6));
+    if (last <= first) return [0, 1, 2, 3].map(k => +(low + (k / 3) * (high - low)).toPrecision(3));
+    return Array.from({ length: Math.floor((last - first) / step) + 1 }, (_, k) => 10 ** (first + k * step));
+  }
+  const power = value => { const high = Math.round(Math.log10(value)); return Math.abs(high) <= 3 || Math.abs(value / 10 ** high - 1) > 1e-6 ? shown(value, 3) : "10" + [...String(high)].map(digit => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(digit)]).join(""); };
+
   function axis(given, more) {
-    const marked = given.v ? { splits: given.v, values: (u, splits) => splits.map(value => given.w[given.v.indexOf(value)] ?? "") } : { values: (u, splits) => splits.map(value => (value == null ? "" : shown(value))) };
+    const marked = given.g && !given.v ? { splits: decades, filter: (u, splits) => splits, values: (u, splits) => splits.map(power) } : given.v ? { splits: given.v, values: (u, splits) => splits.map(value => given.w[given.v.indexOf(value)] ?? "") } : { values: (u, splits) => splits.map(value => (value == null ? "" : shown(value))) };
     return { stroke: () => ink("ink"), grid: { stroke: () => ink("hair"), width: 1 }, ticks: { stroke: () => ink("muted"), width: 1, size: 4 }, font: "12px system-ui, sans-serif",
       labelFont: "12px system-ui, sans-serif", labelSize: 18, label: given.l.replace("\n", " ") || undefined, ...marked, ...more };
   }

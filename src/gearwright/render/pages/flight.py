@@ -6,16 +6,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
+from gearwright.errors import DesignError
 from gearwright.mission import Durability, Flight, LifeSizing
+from gearwright.mission.lives import LoadLife, load_lives
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.flight import heat_figure, power_figure, profile_figure, stores_figure
 from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
+from gearwright.render.figures.load_lives import SHOWN, load_life_figure
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.window import window_figure
 from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.appendices import inputs
 from gearwright.render.pages.page import (
     UNSTAMPED,
+    Figure,
     Number,
     Page,
     Section,
@@ -43,7 +47,7 @@ from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KNOT, KWH
 
-_LITRE_PER_MINUTE, _MILE = 1e-3 / 60.0, 1852.0
+_LITRE_PER_MINUTE, _MILE, HOUR = 1e-3 / 60.0, 1852.0, 3600.0
 BASIS = (
     ("Air", "standard atmosphere with offset; CAS, TAS and Mach by Saint-Venant", "ISO 2533:1975"),
     ("Propeller", "map J × β → C_P, C_T", "NASA CR-114399 (shipped maps), or a file of the user"),
@@ -192,5 +196,22 @@ def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     spectrum = figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
     yield Section("Duty spectrum", figures=(spectrum,))
     lives = (figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
+    lives += tuple(_borne(flight))
     tables = tuple(table for table in (life_table(flight, parts), bearing_table(parts)) if table.rows)
     yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))
+
+
+def _borne(flight: Flight) -> Iterator[Figure]:
+    """Yield S-N curves with the spectrum of the asked life, where the teeth can be rated."""
+    try:
+        rows: tuple[LoadLife, ...] = load_lives(flight)
+    except DesignError:  # the notes of the chapter say why
+        return
+    if not rows:
+        return
+    life = flight.sizing.design.service.life
+    flights = life / flight.duration
+    words = f"Loads that teeth bear, and get in the asked life of {life / HOUR:,.0f} h, {flights:,.0f} flights"
+    left = len(rows) - SHOWN
+    more = f"; {left} less damaged ones are not drawn" if left > 0 else ""
+    yield figure(load_life_figure(rows, flights), "borne", f"{words}; D: Miner's sum{more}.")

@@ -11,7 +11,14 @@ from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
-from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.figures.sizing import (
+    aged_bearings,
+    bearing_life_figure,
+    bent_shafts,
+    margin_figure,
+    mass_figure,
+    shaft_figure,
+)
 from gearwright.render.grid.table import Table
 from gearwright.render.pages.appendices import inputs
 from gearwright.render.pages.dynamics_sections import dynamics_sections
@@ -137,7 +144,10 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
     if sizing.built_shafts:
         built = ("bearing_sizes", "bearing_oil", "joints", "steps", "strength", "stiffness")
-        yield _chapter("Shafts as built, bearings and joints", tables, *built)
+        lives = aged_bearings(sizing)
+        caption = "Rating lives of the bearings, the shortest first."
+        aged = (figure(bearing_life_figure(lives), "bearings", caption),) if lives else ()
+        yield _chapter("Shafts as built, bearings and joints", tables, *built, figures=aged)
     yield _chapter("Losses", tables, "losses", "loss_parts")
     yield _chapter("Materials", tables, "materials")
     yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))

@@ -14,6 +14,7 @@ from gearwright.dynamics.sharing import (
     sharing_problem,
     support_sweep,
 )
+from gearwright.render.figures.around import RING, around_figure
 from gearwright.render.figures.planets import LIMIT, planets_figure, published_notes
 from gearwright.render.figures.sharing import (
     allocation_figure,
@@ -37,6 +38,8 @@ _OF_A_HUNDRED = 95.0
 
 SPREAD = tuple(float(factor) for factor in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""
+AROUND = 3
+"""Paths that are drawn round their shaft, at least."""
 Drawn = tuple[str, Drawing]
 """Caption and figure."""
 
@@ -155,6 +158,12 @@ def _drawn(figures: Sequence[Drawn], prefix: str) -> tuple[Figure, ...]:
 
 def _figures(study: SharingStudy, target: float | None) -> Iterator[Drawn]:
     yield "Sharing with the errors as given", sharing_figure({study.problem.stage: study.sharing})
+    if len(study.problem.lines) >= AROUND:
+        yield (
+            f"Round the shaft: wedges are mean coefficients b, bars go from the least to the greatest; rings stand"
+            f" {RING:g} apart, the dark one is the equal share",
+            around_figure(study.sharing),
+        )
     if study.influences:
         yield "What every error does alone", tornado_figure(study)
         yield "What chance makes of all errors", distribution_figure(study, target)

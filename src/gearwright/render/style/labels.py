@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.render.style import theme
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.marks import Box as Rectangle
@@ -57,7 +58,8 @@ class Board:
         lines = text.split("\n")
         width, height = max(text_width(line, size, math=True) for line in lines), len(lines) * size * SPACING * POINT
         boxes = [(x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0) for x, y in places]
-        box = min(boxes, key=lambda place: sum(overlap(place, taken) for taken in self.taken))
+        taken = np.array(self.taken).reshape(-1, 4)
+        box = min(boxes, key=lambda place: _covered(place, taken))
         for k, line in enumerate(lines):
             y = box[3] - (k + 0.5) * size * SPACING * POINT
             self.axes.text((box[0] + box[2]) / 2.0, y, line, ha="center", va="center_baseline", fontsize=size,
@@ -96,6 +98,12 @@ def spread(places: Sequence[float], gap: float) -> list[float]:
 
 def _middle(group: list[float]) -> float:
     return sum(group) / len(group)
+
+
+def _covered(box: Box, taken: Floats) -> float:
+    """Return the sum of the `overlap` of a box with others [mm²], shape (others, 4)."""
+    size = np.minimum(box[2:], taken[:, 2:]) - np.maximum(box[:2], taken[:, :2]) + MARGIN
+    return float(np.prod(np.maximum(size, 0.0), axis=1).sum())
 
 
 def overlap(box: Box, other: Box) -> float:

@@ -94,6 +94,8 @@ def straightened(grid: Floats) -> Floats:
     Args:
         grid: Shape (points, 2), whole steps.
     """
+    if len(grid) < FEWEST:
+        return grid
     grid = grid[np.concatenate([[True], np.any(np.diff(grid, axis=0) != 0.0, axis=1)])]
     for turn in range(PASSES):
         if len(grid) < FEWEST:
