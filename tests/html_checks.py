@@ -5,7 +5,7 @@ from html.parser import HTMLParser
 
 ENDED_BY = {"td": ("td", "th"), "th": ("td", "th"), "tr": ("td", "th", "tr")}
 """Start -> what it ends where that has no tag of its own: HTML leaves it to the writer."""
-PACKED = re.compile(r'<script type="text/plain" id="live">[A-Za-z0-9+/=]*</script>')
+PACKED = re.compile(r'<script type="text/plain" id="live">[^/\s]*</script>')
 """Numbers and scripts of live figures, which no address can hide in."""
 
 

@@ -17,7 +17,7 @@ from gearwright.render.vector.live import GAP, STEPS, Numbers, live_panels
 
 def unpacked(text):
     """Return the figures of a page's packed part and its arrays, as its script reads them."""
-    whole = zlib.decompress(base64.b64decode(text))
+    whole = zlib.decompress(base64.b85decode(text))
     end = 4 + struct.unpack("<I", whole[:4])[0]
     given, planes = (
         json.loads(whole[4:end]),
@@ -77,7 +77,7 @@ def test_what_no_pointer_can_follow_stays_still():
 
 def test_a_report_carries_the_scripts_once_and_its_live_figures_by_name(in_line_h2, modal, run):
     page = report(in_line_h2, modes=modal, trace=run)
-    given, _ = unpacked(re.search(r'id="live">([^<]*)<', page)[1])
+    given, _ = unpacked(re.search(r'id="live">(.*?)</script>', page)[1])
     assert "spectrum" in given["figures"] and 'id="live-spectrum"' in page
     assert "time" not in given["figures"], "its forces are 10 kN and rounding: an axis as narrow has no marks"
     assert [len(text) > 40_000 for text in given["scripts"]] == [True, False, False]

@@ -65,7 +65,7 @@ def test_no_letter_of_any_equation_is_lost_and_every_tag_closes():
         ("1/√cos β", "<msqrt><mi>cos</mi>"),
         ("R_p0.2", "<mtext>p0.2</mtext>"),
         ("S_F,stat = 1", "<mtext>F,stat</mtext>"),
-        ("(a + b) (c + d)", '<mo stretchy="false">)</mo>'),
+        ("(a + b) (c + d)", "<mo stretchy=false>)</mo>"),
     ],
 )
 def test_fractions_powers_roots_and_indices_stand_as_they_are_read(formula, part):

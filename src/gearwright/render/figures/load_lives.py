@@ -49,7 +49,8 @@ def _draw(axes: Axes, row: LoadLife, flights: float) -> None:
         [min(reached[0], 1.0), *reached], [force[0], *force], where="pre", color=theme.BLUE, label="asked: spectrum"
     )
     if row.total > 0.0:
-        parts = row.damage[order] / row.total
+        broken = np.isinf(row.damage[order])
+        parts = broken.astype(float) if broken.any() else row.damage[order] / row.total
         axes.scatter(reached, force, np.maximum(LARGEST * parts, 1e-3), color=theme.BLUE, alpha=0.5,
                      label="area: its part of the damage")  # fmt: skip
     part, way = str(row.part), {"pitting": "flank", "bending": "root"}[row.mode]

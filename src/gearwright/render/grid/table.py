@@ -118,6 +118,16 @@ class Table:
         """Marks that occur, for the legend."""
         return tuple(mark for mark in MARKS if any(cell.mark == mark for row in self.rows for cell in row))
 
+    @property
+    def number_columns(self) -> tuple[int, ...]:
+        """Places of the columns that hold numbers alone, or nothing, counted from 1."""
+        columns = enumerate(zip(*self.rows, strict=True), start=1)
+        return tuple(
+            place
+            for place, cells in columns
+            if any(cell.is_number for cell in cells) and all(cell.is_number or not cell.text for cell in cells)
+        )
+
 
 Marking = Callable[[object, str], Mark]
 """Record and field -> mark."""

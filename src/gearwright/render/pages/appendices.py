@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from markupsafe import Markup
 
@@ -33,4 +34,17 @@ def inputs(listed: Sequence[Entry], *, of: str, lines: Mapping[str, int]) -> tup
 
 def _table(listed: list[Entry], caption: str, lines: Mapping[str, int]) -> Markup:
     at = {entry.path: line_in(entry.path, lines) for entry in listed}
-    return Markup(environment().get_template(_ENTRIES).render(entries=listed, caption=caption, lines=at))
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for entry in listed:
+        alone = entry.path if at[entry.path] else entry.path.rpartition(".")[2]
+        rows.setdefault((alone, entry.value, entry.meaning), []).append(entry.path)
+    merged = [_Row(tuple(paths), value, meaning) for (_, value, meaning), paths in rows.items()]
+    return Markup(environment().get_template(_ENTRIES).render(entries=merged, caption=caption, lines=at))
+
+
+class _Row(NamedTuple):
+    """Entries of one name, value and meaning, such as those of every stage; one that has a line stands alone."""
+
+    paths: tuple[str, ...]
+    value: str
+    meaning: str

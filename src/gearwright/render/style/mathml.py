@@ -23,7 +23,7 @@ _SIGNS = set("=+−·×≥≤<>±∓Σ∫Π∝→")
 _GREEK = re.compile(r"[α-ωΑ-Ωϑϕ]")
 _MATHEMATICS = re.compile(r"[=√Σ∫Πα-ωΑ-Ωϑ²³⁴^]|_|\d")
 _WORD = re.compile(r"[^\W\d_]{3}")
-_THIN = '<mspace width="0.22em"/>'
+_THIN = "<mspace width=.22em />"
 _ROOT, _OVER, _POWER = "√", "/", "^"
 
 
@@ -150,8 +150,8 @@ class _Reader:
             inside = self.sum_to(closing)
             closed = self.peek().text == closing
             self.at += closed
-            end = f'<mo stretchy="false">{closing}</mo>' if closed else ""
-            return f'<mrow><mo stretchy="false">{token.text}</mo>{inside}{end}</mrow>'
+            end = f"<mo stretchy=false>{closing}</mo>" if closed else ""
+            return f"<mrow><mo stretchy=false>{token.text}</mo>{inside}{end}</mrow>"
         if token.text in ("−", "+"):
             return f"<mrow><mo>{token.text}</mo>{self.factor()}</mrow>"
         return "<mrow></mrow>" if token.kind == "end" else f"<mtext>{escape(token.text)}</mtext>"
@@ -179,7 +179,7 @@ def _named(token: _Token) -> str:
     return f"<msub>{symbol}<mtext>{escape(token.below)}</mtext></msub>" if token.below else symbol
 
 
-_ENCLOSED = re.compile(r'<mrow><mo stretchy="false">[(\[]</mo>(.*)<mo stretchy="false">[)\]]</mo></mrow>')
+_ENCLOSED = re.compile(r"<mrow><mo stretchy=false>[(\[]</mo>(.*)<mo stretchy=false>[)\]]</mo></mrow>")
 
 
 def _bare(made: str) -> str:
@@ -188,7 +188,7 @@ def _bare(made: str) -> str:
     if match is None:
         return made
     inside, depth = match[1], 0
-    for sign in re.findall(r'stretchy="false">([(\[)\]])', inside):
+    for sign in re.findall(r"stretchy=false>([(\[)\]])", inside):
         depth += 1 if sign in "([" else -1
         if depth < 0:
             return made

@@ -17,6 +17,10 @@
   const inUS = (value, unit) => (US[unit] ? [value * US[unit][1] + (US[unit][2] || 0), US[unit][0]] : [value, unit]);
   const valueOf = cell => (cell.dataset.v !== undefined ? Number(cell.dataset.v) : Number.parseFloat(cell.textContent.replace("\u2212", "-").replace("∞", "Infinity")));
   const tables = [...document.querySelectorAll("table:has(thead)")].filter(table => !table.matches(".plain"));
+  for (const table of tables) for (const name of table.classList) {
+    const place = /^n(\d+)$/.exec(name);
+    if (place) for (const row of table.tBodies[0].rows) { const cell = row.cells[place[1] - 1]; if (cell && cell.firstChild) cell.classList.add("n"); }
+  }
   const unitAt = heads => heads.findIndex(head => head.textContent.trim().startsWith("unit"));
   const unitOf = (cell, heads) => {
     const head = heads[cell.cellIndex], beside = unitAt(heads), named = head && /^(value|limit)/.test(head.textContent.trim()) ? cell.parentNode.cells[beside] : null;

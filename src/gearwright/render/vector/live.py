@@ -75,7 +75,7 @@ class Numbers:
         return self.known[key]
 
     def packed(self, figures: Mapping[str, list[Record]], scripts: Sequence[str]) -> str:
-        """Return figures, scripts and all steps, deflated, in base 64: length of what is JSON, JSON, steps.
+        """Return figures, scripts and all steps, deflated, in base 85: length of what is JSON, JSON, steps.
 
         Args:
             figures: Name -> its panels.
@@ -86,7 +86,7 @@ class Numbers:
         # Each step less the one before, all low bytes before all high ones.
         steps = np.frombuffer(b"".join(self.chunks), dtype=np.uint8).reshape(-1, 2)
         whole = struct.pack("<I", len(head)) + head + np.ascontiguousarray(steps.T).tobytes()
-        return base64.b64encode(zlib.compress(whole, 9)).decode("ascii")
+        return base64.b85encode(zlib.compress(whole, 9)).decode("ascii")
 
 
 def live_panels(figure: Figure, numbers: Numbers) -> list[Record]:
