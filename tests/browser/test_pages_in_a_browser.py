@@ -8,7 +8,10 @@ import shutil
 import pytest
 
 from gearwright.cli.terminal.printing import print_pdf
+from gearwright.dynamics import modes
+from gearwright.dynamics.assembly import assemble, default_case
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
+from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.plain import plain
@@ -62,6 +65,14 @@ def page_of_the_flight():
     """Return the page of the shipped flight."""
     flight = flown()
     return flight_page(flight, durability(flight), review_of(flight.sizing, flight))
+
+
+@functools.cache
+def moving_report():
+    """Return the report of a shipped design with its modes and critical speeds."""
+    sizing = sized("in-line-h2")
+    system = assemble(sizing, default_case(sizing))
+    return report(sizing, modes=modes(system), system=system, campbell=critical_speeds(sizing), review=ground_review())
 
 
 PAGES = {
@@ -197,6 +208,41 @@ def test_a_number_of_the_report_opens_with_its_equation_and_what_the_file_says(o
     table.locator(f"tbody td:nth-child({named + 1})").first.click()
     said = page.locator("dialog").inner_text()
     assert "equation" in said and "source" in said and "planetaries.first" in said
+
+
+def test_a_part_of_the_power_flow_opens_with_its_rows_and_checks(opened):
+    page, told = opened(PAGES["report of in-line-h2"]())
+    word = page.locator("figure:not([id^=live-]) text.part", has_text=re.compile("^second$")).first
+    word.focus()
+    page.keyboard.press("Enter")
+    said = page.locator("dialog").inner_text()
+    ring = next(gear for gear in sized("in-line-h2").gears if gear.name == "second.ring")
+    assert f"teeth {ring.teeth}" in said and "second.planet-ring: Checks, worst first" in said
+    assert "planetaries.second.planets = 5" in said
+    assert told == []
+
+
+def test_a_curve_of_the_campbell_diagram_shows_the_shape_of_its_mode(opened):
+    page, told = opened(moving_report(), width=1400)
+    figure = page.locator("#live-campbell-0")
+    figure.scroll_into_view_if_needed()
+    over = figure.locator(".u-over").first
+    over.wait_for()
+    number = int(
+        page.evaluate("""[...document.querySelectorAll("#drawn-modes-title")].map(title =>
+        parseInt(title.textContent, 10))""")[0]
+    )
+    up = page.evaluate(
+        """number => { const plot = livePlots.find(plot => plot.root.closest("figure").id === "live-campbell-0");
+        const place = plot.series.findIndex(row => (row.label || "").startsWith(`mode ${number},`));
+        return plot.valToPos(plot.data[place].find(value => value != null), "y"); }""",
+        number,
+    )
+    over.hover(position={"x": 0.3 * over.bounding_box()["width"], "y": up})
+    shown = figure.locator(".live-shape").first
+    assert "moves most" in shown.inner_text() and shown.locator("svg").count() == 1
+    assert f"{number}:" in shown.locator("svg text").first.text_content()
+    assert told == []
 
 
 def test_a_figure_answers_a_pointer_and_keys_zooms_and_is_still_on_paper(opened):

@@ -109,7 +109,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
     axes.annotate("operating", (frame.speed, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5,
                    va="top")  # fmt: skip
-    named = mode_names(speed_case.campbell)
+    named = mode_names(speed_case.campbell, speed_case.system)
     axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7, names=named)
     axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
     axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")

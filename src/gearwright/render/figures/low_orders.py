@@ -6,6 +6,7 @@ from itertools import cycle
 
 import numpy as np
 
+from gearwright.dynamics import System
 from gearwright.dynamics.vibration import SEPARATION, Campbell, SpeedCase, order_name
 from gearwright.render.style import theme
 from gearwright.render.style.labels import spread
@@ -30,14 +31,16 @@ def has_low_modes(speeds: SpeedCase) -> bool:
     return bool(np.any(speeds.campbell.frequency < LOW))
 
 
-def mode_names(campbell: Campbell) -> list[str]:
+def mode_names(campbell: Campbell, system: System | None = None) -> list[str]:
     """Return what a pointer is told of each natural frequency.
 
     Args:
         campbell: From `campbell`.
+        system: It is of; with it modes are counted as in the table of modes, rigid ones first.
     """
+    rigid = 0 if system is None else len(system.labels.coordinates) - campbell.frequency.shape[1]
     at = int(np.argmin(np.abs(campbell.factor - 1.0)))
-    return [f"mode {k + 1}, {value:.4g} Hz" for k, value in enumerate(campbell.frequency[at].tolist())]
+    return [f"mode {rigid + k + 1}, {value:.4g} Hz" for k, value in enumerate(campbell.frequency[at].tolist())]
 
 
 def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[str, float]) -> None:
@@ -53,7 +56,7 @@ def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[
     rpm = speeds.campbell.factor * speed
     axes.axvspan(SEPARATION[0] * speed, SEPARATION[1] * speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(speed, color=theme.INK, lw=0.9)
-    axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1, names=mode_names(speeds.campbell))
+    axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1, names=mode_names(speeds.campbell, speeds.system))
     axes.set(xlim=(0.0, rpm[-1]), ylim=(0.0, LOW), ylabel="frequency [Hz]", xlabel=f"speed of {shaft} [rpm]")
     axes.set_title(f"Below {LOW:g} Hz; shaded: 10 % of the operating speed")
     _draw_rays(axes, _named(sizing, speeds, rpm[-1] / speed))

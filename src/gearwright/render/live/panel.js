@@ -156,13 +156,13 @@ const livePanel = (function () {
   function axis(given, more) {
     const marked = given.g && !given.v ? { splits: decades, filter: (u, splits) => splits, values: (u, splits) => splits.map(power) } : given.v ? { splits: given.v, values: (u, splits) => splits.map(value => given.w[given.v.indexOf(value)] ?? "") } : { values: (u, splits) => splits.map(value => (value == null ? "" : shown(value))) };
     return { stroke: () => ink("ink"), grid: { stroke: () => ink("hair"), width: 1 }, ticks: { stroke: () => ink("muted"), width: 1, size: 4 }, font: "12px system-ui, sans-serif",
-      labelFont: "12px system-ui, sans-serif", labelSize: 18, label: given.l.replace("\n", " ") || undefined, ...marked, ...more };
+      labelFont: "12px system-ui, sans-serif", labelSize: 18, label: given.l.split("\n")[0] || undefined, ...marked, ...more };
   }
   const wide = values => 12 + 7 * Math.max(1, ...(values || []).map(value => String(value || "").length));
   const upright = { size: (u, values) => Math.max(54, wide(values)), labelFont: "11px system-ui, sans-serif" };
 
   /* The options of uPlot for a panel; limits are those of the still figure until a reader zooms. */
-  function options(panel, series, arrays, tell) {
+  function options(panel, series, arrays, tell, brushed) {
     const scale = given => ({ time: false, auto: false, distr: given.g ? 3 : 1, min: Math.min(...given.a), max: Math.max(...given.a), dir: given.a[0] > given.a[1] ? -1 : 1, range: (u, low, high) => [low, high] });
     const axes = [axis(panel.x, { size: 26 }), axis(panel.y, { scale: "y", ...upright, label: panel.off ? " " : panel.y.l.replace("\n", " ") || " " })], scales = { x: scale(panel.x), y: scale(panel.y) };
     if (panel.z) { scales.z = scale(panel.z); axes.push(axis(panel.z, { scale: "z", side: 1, grid: { show: false }, ...upright })); }
@@ -171,7 +171,7 @@ const livePanel = (function () {
     return {
       width: 320, height: panel.h + 50, series, axes, scales, legend: { show: false }, padding: [10 + panel.o[0], 16 + panel.aside, 0, 0], focus: { alpha: 1 },
       cursor: { drag: { x: true, y: true, uni: 24, setScale: true }, sync: { key: `${panel.x.l}|${panel.x.a}`, setSeries: false, scales: ["x", null] }, points: { size: 7 }, focus: { prox: 16 }, bind: { dblclick: u => () => { whole(u, panel); return null; } } },
-      hooks: { drawAxes: [u => draw(u, panel.m, arrays)], draw: [u => words(u, panel.m)], setCursor: [u => tell(u)], setSeries: [(u, place) => { u.near = place; tell(u); }] },
+      hooks: { drawAxes: [u => draw(u, panel.m, arrays)], draw: [u => words(u, panel.m)], setCursor: [u => tell(u)], setScale: [u => { if (u.status) brushed(u); }], setSeries: [(u, place) => { u.near = place; tell(u); }] },
     };
   }
   const whole = (u, panel) => u.batch(() => { for (const key of ["x", "y", "z"]) if (panel[key]) u.setScale(key, { min: Math.min(...panel[key].a), max: Math.max(...panel[key].a) }); });

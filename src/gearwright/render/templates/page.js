@@ -111,14 +111,56 @@
     const source = heads.findIndex(other => other.innerText.trim().startsWith("source"));
     if (!link && source >= 0) say("source", cell.parentNode.cells[source].textContent);
     if (mark) say("mark", mark.title);
-    const part = row.textContent.trim().split(/[.\s]/)[0];
+    told(row.textContent.trim().split(/[.\s]/)[0], say);
+    dialog.showModal();
+    dialog.scrollTop = 0;
+  }
+  function told(part, say) {
     const said = part ? [...document.querySelectorAll("table.entries td:first-child code")].filter(code => code.textContent.split(".").includes(part)).slice(0, 8) : [];
     for (const code of said) {
       const cells = code.closest("tr").cells;
       say("in the file", code.textContent + " = " + cells[1].textContent + (cells.length > 3 && cells[2].textContent ? ", line " + cells[2].textContent : ""));
     }
-    dialog.showModal();
   }
+
+  /* A part that a figure names, opened: every row of the page that is its own, and what the file says of it. */
+  const namedBy = table => Math.max(0, [...table.tHead.rows[0].cells].findIndex(head => head.textContent.trim().startsWith("part")));
+  const rowsOf = new Map();
+  for (const table of tables) if (!table.matches(".entries, .formulas")) for (const row of table.tBodies[0].rows) {
+    const name = row.cells[namedBy(table)].textContent.trim();
+    if (/^\p{L}/u.test(name)) rowsOf.set(name, [...(rowsOf.get(name) || []), [row, table]]);
+  }
+  function openPart(name) {
+    const list = dialog.querySelector("dl");
+    document.getElementById("opened-name").textContent = name;
+    list.replaceChildren();
+    const say = (term, what) => list.append(Object.assign(document.createElement("dt"), { textContent: term }), Object.assign(document.createElement("dd"), { textContent: what }));
+    const own = [...rowsOf.keys()].filter(key => key === name || key.startsWith(name + ".") || key.startsWith(name + " "));
+    for (const [key, row, table] of own.flatMap(key => rowsOf.get(key).map(([row, table]) => [key, row, table])).sort((a, b) => namedBy(a[2]) - namedBy(b[2]))) {
+      const heads = [...table.tHead.rows[0].cells], caption = table.caption ? table.caption.textContent : "";
+      const cells = [...row.cells].filter((cell, k) => k !== namedBy(table)).map(cell => [heads[cell.cellIndex].innerText.split("\n").filter(Boolean)[0].replace("↕", "").trim(), cell.textContent.trim(), unitOf(cell, heads)]);
+      say((key === name ? "" : key + ": ") + caption, cells.filter(([, text]) => text).map(([head, text, unit]) => `${head} ${text}${unit && !head.startsWith("unit") ? " " + unit : ""}`).join(", "));
+    }
+    told(name, say);
+    dialog.showModal();
+    dialog.scrollTop = 0;
+  }
+  const byPart = text => (document.querySelector("table.entries") && (rowsOf.has(text) || [...rowsOf.keys()].some(key => key.startsWith(text + "."))) ? text : "");
+  for (const drawing of document.querySelectorAll("figure:not([id^=live-]) svg.gw-figure")) {
+    const known = new Set();
+    for (const word of drawing.querySelectorAll("text")) {
+      const name = word.textContent.trim(), part = known.has(name) || name.length < 2 ? "" : byPart(name);
+      if (!part) continue;
+      known.add(part);
+      word.classList.add("part");
+      word.tabIndex = 0;
+      word.setAttribute("role", "button");
+      word.addEventListener("click", () => openPart(part));
+      word.addEventListener("keydown", event => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); openPart(part); } });
+    }
+    if (known.size) drawing.setAttribute("role", "group");
+  }
+
   for (const table of tables) {
     const cells = [...table.querySelectorAll("tbody td.n")];
     if (table.matches(".entries") || !cells.length) continue;

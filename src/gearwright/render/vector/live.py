@@ -206,6 +206,8 @@ def _places_of(faces: Sequence[str]) -> list[int]:
 
 def _curve(mark: m.Curve, places: Any, numbers: Numbers, sides: tuple[Axis, Axis]) -> Iterable[Record]:
     if not len(mark.x):
+        if mark.label:  # a sample for the legend alone
+            yield {"k": "key", **_pen(mark.pen), **_marker(mark)}
         return
     kind = "line" if _is_series(mark) else "path"
     keep = _kept(places(mark.x), mark.y) if kind == "line" else slice(None)

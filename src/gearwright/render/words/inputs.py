@@ -45,7 +45,8 @@ def entries(written: Design | Mission) -> tuple[Entry, ...]:
 def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
     for name, info in type(record).model_fields.items():
         value = getattr(record, name)
-        where = f"{path}.{name}" if path else name
+        key = info.alias if info.alias and quantity_of(info) is None else name
+        where = f"{path}.{key}" if path else key
         if value is None or value in ({}, "", []) or where in _IN_THE_HEAD:
             continue
         if _OF_A_STAGE.match(where) and name not in given:
