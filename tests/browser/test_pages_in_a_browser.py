@@ -6,6 +6,7 @@ import re
 import shutil
 
 import pytest
+from written import COMMANDS, EVERY_DESIGN, written
 
 from gearwright.cli.terminal.printing import print_pdf
 from gearwright.dynamics import modes
@@ -81,7 +82,12 @@ PAGES = {
     **{f"review of {name}": functools.partial(lambda name: review_page(reviewed(name)), name) for name in SHOWN},
     "flight": page_of_the_flight, "sharing": shared, "comparison": compared,
     "colibri": colibri_page, "thesis": thesis_page,
+    **{kind: functools.partial(written, kind) for kind in COMMANDS},
 }  # fmt: skip
+PRINTED = ("run of in-line-h2", "flight", "drawings")
+"""Pages whose contrast on paper is looked at."""
+BY_WIDTH = ["scrollable-region-focusable", "target-size", "nested-interactive", "link-in-text-block"]
+"""Rules of axe that a width may break."""
 
 
 @pytest.fixture(scope="module")
@@ -150,21 +156,32 @@ def test_links_lead_somewhere_and_no_id_stands_twice(kind):
     assert set(re.findall(r'href="#([^"]+)"', text)) <= set(ids)
 
 
-@pytest.mark.parametrize("kind", [kind for kind in PAGES if not kind.endswith("ec120b")])  # the templates of in-line-h2
+@pytest.mark.parametrize(
+    "kind",
+    [kind for kind in PAGES if EVERY_DESIGN or not kind.endswith("ec120b")],  # the templates of in-line-h2
+)
 def test_nothing_serious_keeps_anyone_from_reading_a_page(kind, opened):
     """axe-core: no violation that it calls serious or critical, in light or dark; what is inside figures is theirs."""
-    from axe_playwright_python.sync_playwright import Axe
-
     page, _ = opened(PAGES[kind](), width=820)
     page.evaluate("document.querySelectorAll('figure').forEach(figure => figure.scrollIntoView())")
-    for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]})):
-        page.emulate_media(color_scheme=scheme)
-        answer = Axe().run(
-            page, context={"exclude": [["figure svg"]]}, options={"resultTypes": ["violations"], **rules}
-        )
-        found = answer.response["violations"]
-        worst = [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in ("serious", "critical")]
-        assert worst == [], scheme
+    assert serious(page) == []
+    page.emulate_media(color_scheme="dark")
+    assert serious(page, "color-contrast") == []
+    for width in (1400, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert serious(page, *BY_WIDTH) == [], width
+    if kind in PRINTED:
+        page.emulate_media(media="print", color_scheme="light")
+        assert serious(page, "color-contrast") == [], "print"
+
+
+def serious(page, *rules):
+    """Return what axe-core calls serious or critical: rule and first element."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    options = {"resultTypes": ["violations"], **({"runOnly": list(rules)} if rules else {})}
+    found = Axe().run(page, context={"exclude": [["figure svg"]]}, options=options).response["violations"]
+    return [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in ("serious", "critical")]
 
 
 @pytest.mark.parametrize("kind", PAGES)
@@ -265,6 +282,31 @@ def test_a_figure_answers_a_pointer_and_keys_zooms_and_is_still_on_paper(opened)
     assert scale(page, figure) == pytest.approx(before)
     page.emulate_media(media="print")
     assert figure.locator(".live-grid").is_hidden() and figure.locator("svg.gw-figure").bounding_box()["width"] > 300.0
+    assert told == []
+
+
+def test_zooming_into_a_front_leaves_the_rows_of_its_table_that_are_inside(opened):
+    page, told = opened(written("front"))
+    figure = page.locator("#live-front")
+    figure.scroll_into_view_if_needed()
+    figure.locator(".u-over").wait_for()
+    table = page.locator("table", has=page.locator("caption", has_text=re.compile("^Pareto front$")))
+    heads = [head.split("\n")[0] for head in table.locator("thead th").all_inner_texts()]
+    column = next(k for k, head in enumerate(heads) if head.startswith("gearbox") and "+" not in head)
+    masses = [float(text) for text in table.locator(f"tbody td:nth-child({column + 1})").all_inner_texts()]
+    least = sorted(masses)[len(masses) // 2]
+    page.evaluate(
+        """most => { const plot = livePlots.find(plot => plot.root.closest("figure").id === "live-front");
+        plot.setScale("x", { min: plot.scales.x.min, max: most }); }""",
+        least,
+    )
+    page.wait_for_timeout(100)
+    kept = [float(text) for text in table.locator(f"tbody tr:visible td:nth-child({column + 1})").all_inner_texts()]
+    assert kept == [mass for mass in masses if mass <= least]
+    assert f"{len(kept)} of {len(masses)} rows" in page.locator(".live-brush").inner_text()
+    figure.locator(".live-area").press("Escape")
+    page.wait_for_timeout(100)
+    assert table.locator("tbody tr:visible").count() == len(masses)
     assert told == []
 
 
