@@ -23,7 +23,7 @@ UNUSED = {
     "size face-gear-split-torque": STATICS,
     "check off-set": STATICS,
     "modes off-set": STATICS,
-    "review in-line-h2": STATICS,
+    "campbell in-line-h2 --json": STATICS,
     "schema": MOTION,
 }
 """Command -> what it must not load."""

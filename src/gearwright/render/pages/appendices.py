@@ -36,7 +36,7 @@ def _table(listed: list[Entry], caption: str, lines: Mapping[str, int]) -> Marku
     at = {entry.path: line_in(entry.path, lines) for entry in listed}
     rows: dict[tuple[str, ...], list[str]] = {}
     for entry in listed:
-        alone = entry.path if at[entry.path] else entry.path.rpartition(".")[2]
+        alone = entry.path if at[entry.path] else entry.key
         rows.setdefault((alone, entry.value, entry.meaning), []).append(entry.path)
     merged = [_Row(tuple(paths), value, meaning) for (_, value, meaning), paths in rows.items()]
     return Markup(environment().get_template(_ENTRIES).render(entries=merged, caption=caption, lines=at))

@@ -161,6 +161,16 @@
     if (known.size) drawing.setAttribute("role", "group");
   }
 
+  /* A figure that is wider than its room is scrolled by keys, too. */
+  const scrolled = () => {
+    for (const figure of document.querySelectorAll("figure, .formula")) {
+      const over = figure.scrollWidth > figure.clientWidth;
+      over ? figure.setAttribute("tabindex", "0") : figure.removeAttribute("tabindex");
+    }
+  };
+  scrolled();
+  addEventListener("resize", scrolled);
+
   for (const table of tables) {
     const cells = [...table.querySelectorAll("tbody td.n")];
     if (table.matches(".entries") || !cells.length) continue;

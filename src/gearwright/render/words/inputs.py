@@ -31,6 +31,8 @@ class Entry:
     """True if the file states it, False for a default."""
     meaning: str
     """What it is."""
+    key: str = ""
+    """Last part of the path."""
 
 
 def entries(written: Design | Mission) -> tuple[Entry, ...]:
@@ -56,7 +58,7 @@ def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
         elif isinstance(value, Mapping):
             yield from _table(where, value, info)
         else:
-            yield Entry(where, _words(value, info), name in given, info.description or "")
+            yield Entry(where, _words(value, info), name in given, info.description or "", key)
     for name, table in (record.model_extra or {}).items():  # machines of a case
         yield from _record(f"{path}.{name}", table, table.model_fields_set)
 
@@ -69,7 +71,7 @@ def _table(path: str, table: Mapping[str, object], info: FieldInfo) -> Iterator[
         elif isinstance(value, Mapping):
             yield from _table(where, value, info)
         else:
-            yield Entry(where, str(value), is_given=True, meaning=info.description or "")
+            yield Entry(where, str(value), is_given=True, meaning=info.description or "", key=name)
 
 
 def _long(value: float, dimension: str) -> str:
