@@ -49,7 +49,12 @@ def known(module, node):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_benchmark_is_imported_and_calls_functions_as_they_are(name, alone):
-    module = alone(name)
+    try:
+        module = alone(name)
+    except ModuleNotFoundError as missing:
+        if (missing.name or "").split(".")[0] in {"gearwright", *NAMES}:
+            raise
+        pytest.skip(f"{missing.name} comes with an extra or is a peer")
     assert not list(misfits(module, ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))))
 
 

@@ -52,6 +52,18 @@ def index_of(probability: float) -> float:
     return -NormalDist().inv_cdf(probability)
 
 
+def chance_beyond(index: float) -> float:
+    """Return Φ(−β), the probability beyond a plane at a distance from the origin [-].
+
+    Args:
+        index: The distance β [-].
+
+    >>> round(chance_beyond(4.753424) * 1e6, 4)
+    1.0
+    """
+    return 0.5 * math.erfc(index / math.sqrt(2.0))
+
+
 def interval_of(probability: float, variation: float) -> tuple[float, float]:
     """Return the 95 % interval of an estimate whose logarithm is taken as normal [-].
 

@@ -14,11 +14,10 @@ from collections.abc import Generator
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import ndtr
 
 from gearwright.arrays import Floats
 from gearwright.spec.studies import MOST_STEPS, SCATTERED, TRIED_STEPS
-from gearwright.study.reliability.estimate import Point
+from gearwright.study.reliability.estimate import Point, chance_beyond
 
 DIFFERENCE = 0.01
 """Half the distance of two points of a central difference, in standard deviations [-]."""
@@ -105,7 +104,7 @@ def _search(start: Slope, limit: int, scale: float) -> Generator[Floats, Floats,
         around = (yield _around(tried[chosen]))[:, limit]
         at = Slope(tried[chosen], float(values[chosen]), _difference(around))
     last = _point(at, settled=False)
-    return _never(at.place) if last.probability < ndtr(-FARTHEST) else last
+    return _never(at.place) if last.probability < chance_beyond(FARTHEST) else last
 
 
 def _rests(at: Slope, scale: float, steepness: float) -> bool:
@@ -133,7 +132,7 @@ def _point(at: Slope, *, settled: bool) -> Point:
     if not 0.0 < steepness < math.inf:
         return Point(np.full(len(at.place), np.inf), math.nan, settled=False)
     index = (at.value - float(at.gradient @ at.place)) / steepness
-    return Point(at.place, float(ndtr(-index)), settled)
+    return Point(at.place, chance_beyond(index), settled)
 
 
 def _never(place: Floats) -> Point:

@@ -6,7 +6,6 @@ from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtr, ndtri
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
@@ -18,6 +17,7 @@ from gearwright.study.cases import Case, unit_sample
 from gearwright.study.reliability import (
     Estimate,
     Point,
+    chance_beyond,
     first_order,
     from_samples,
     importance,
@@ -164,9 +164,9 @@ def _case(study: Study, design: str, number: int, place: Floats) -> Case:
 
 def _inputs(study: Study, place: Floats) -> dict[str, Value]:
     """Return the values of all axes at a point of standard normal space."""
-    parts = ndtr(place)
     return {
-        path: value_at(path, axis, float(part)) for (path, axis), part in zip(study.axes.items(), parts, strict=True)
+        path: value_at(path, axis, chance_beyond(-float(own)))
+        for (path, axis), own in zip(study.axes.items(), place, strict=True)
     }
 
 
@@ -181,6 +181,8 @@ def _counted(study: Study, design: str, rows: Sequence[Row]) -> Reliability:
     left = _left(study, rows)
     broken = int((left <= 0.0).any(axis=1).sum())
     probability = broken / len(rows)
+    from scipy.special import ndtri  # a third of a second to load, for workers who never ask
+
     places = ndtri(np.clip(unit_sample(study)[: len(rows)], np.finfo(float).tiny, 1.0 - 2.0**-53))
     points = from_samples(places, left, probability)
     return _said(study, design, Estimate(probability, confidence(broken, len(rows)), points, settled=True), rows)
