@@ -22,7 +22,9 @@ def instants(time: Floats, *, most: int = MOST) -> Floats:
     """
     if len(time) <= most:
         return time
-    stretches = _stretches(time, most)
+    length = _length(len(time), most)
+    missing = np.arange(1.0, -len(time) % length + 1.0)  # of the last stretch, which goes on in equal steps
+    stretches = np.concatenate([time, time[-1] + missing * (time[-1] - time[-2])]).reshape(-1, length)
     return stretches[:, [0, stretches.shape[1] // 2]].ravel()
 
 
@@ -48,5 +50,10 @@ def extremes(values: Floats, *, most: int = MOST) -> Floats:
 
 def _stretches(values: Floats, most: int) -> Floats:
     """Return values in rows of equal length; the last row is filled with the last value."""
-    length = -(-len(values) // (most // 2))
+    length = _length(len(values), most)
     return np.pad(values, (0, -len(values) % length), mode="edge").reshape(-1, length)
+
+
+def _length(count: int, most: int) -> int:
+    """Return how many instants a stretch has, of which two are drawn."""
+    return -(-count // (most // 2))

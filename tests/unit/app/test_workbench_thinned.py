@@ -8,7 +8,7 @@ from gearwright.app.thinned import extremes, instants
 RANDOM = np.random.default_rng(4)
 
 
-@pytest.mark.parametrize("count", [10, 4000, 4001, 9_999, 123_457])
+@pytest.mark.parametrize("count", [10, 4000, 4001, 4003, 9_999, 123_457])
 def test_what_is_drawn_has_the_extremes_at_their_instants_within_a_stretch(count):
     most, time = 4000, np.arange(count) * 1e-4
     values = RANDOM.normal(size=count)

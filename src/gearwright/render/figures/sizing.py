@@ -95,7 +95,8 @@ def aged_bearings(sizing: Sizing) -> tuple[Check, ...]:
         sizing: As sized.
     """
     lives = [check for check in sizing.checks if check.part.kind is Kind.BEARING and check.dimension == "life"]
-    return tuple(sorted((check for check in lives if math.isfinite(check.value)), key=lambda check: check.value))
+    judged = [check for check in lives if check.limit is not None and math.isfinite(check.value or math.inf)]
+    return tuple(sorted(judged, key=lambda check: check.value or math.inf))
 
 
 @theme.drawn
@@ -105,7 +106,7 @@ def bearing_life_figure(lives: Sequence[Check]) -> Figure:
     Args:
         lives: From `aged_bearings`.
     """
-    hours, asked = [check.value / HOUR for check in lives], [check.limit / HOUR for check in lives]
+    hours, asked = [(check.value or 0.0) / HOUR for check in lives], [(check.limit or 0.0) / HOUR for check in lives]
     figure = theme.sheet(WIDTH, _FRAME + _ROW * len(lives))
     axes = figure.panel()
     colours = [theme.ORANGE if check.fails else theme.SKY for check in lives]

@@ -195,10 +195,12 @@ def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     """Yield what the flight did to the parts."""
     spectrum = figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
     yield Section("Duty spectrum", figures=(spectrum,))
-    lives = (figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
-    lives += tuple(_borne(flight))
+    lives = [figure(life_figure(parts), "lives", "Flights that each part lives.")] if parts.failing else []
+    lives += _borne(flight)
     tables = tuple(table for table in (life_table(flight, parts), bearing_table(parts)) if table.rows)
-    yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))
+    yield Section(
+        "Damage and life", tables=tables, figures=tuple(lives), notes=tuple(f"{note}." for note in parts.notes)
+    )
 
 
 def _borne(flight: Flight) -> Iterator[Figure]:
