@@ -167,3 +167,40 @@ def test_a_number_says_why_and_what_would_change_it(opened):
     share = 100.0 * (1.0 - after.mass / sized("in-line-h2").mass)
     assert f"−{share:.1f} %" in words
     assert told == []
+
+
+def test_a_plot_is_read_and_measured_from_the_keyboard(opened):
+    page, told = opened()
+    choose(page, "single-planetary")
+    page.click("nav a >> text=Dynamics")
+    page.wait_for_selector("#forces[data-points]")
+    page.focus("#forces")
+    for key in ("ArrowRight", "Enter", "Shift+ArrowRight"):
+        page.keyboard.press(key)
+    wide, words = page.evaluate("document.querySelector('#forces .u-over').clientWidth"), page.inner_text("#measured")
+    assert wide > 100 and re.fullmatch(r"[\d.]+ ms to [\d.]+ ms: Δt = [\d.]+ ms, 1/Δt = [\d.]+ Hz", words)
+    first, last, apart = (float(number) for number in re.findall(r"([\d.]+) ms", words))
+    assert apart == pytest.approx(last - first, rel=1e-3) == pytest.approx(0.1 * 50.0, rel=0.02)  # a tenth of 50 ms
+    assert told == []
+
+
+def test_what_is_not_assessed_is_listed_and_what_closing_found_is_greyed_by_a_change(opened):
+    page, told = opened()
+    choose(page, "single-planetary")
+    page.click("#review")
+    page.wait_for_selector("#reviewed:has-text('pass')")
+    review = gw.review(gw.read("single-planetary"))
+    reasons = [check.why for check in review.checks if check.status == "not assessed"]
+    assert page.locator("#unassessed li").count() == len(reasons) > 0
+    page.click("#unassessed summary")
+    assert all(why in page.inner_text("#unassessed") for why in reasons)
+    assert page.locator("#margins li").count() == len(review.checks) - len(reasons)
+    assert not [one for one in page.locator("#margins .value").all_inner_texts() if one in ("", "–")]
+    page.click("#close-line button >> nth=0")
+    page.wait_for_selector("body[data-closed]")
+    assert page.locator("#unmet.old").count() == 0
+    page.locator("[id^='entry:'][id$='speed_rpm']").first.press("ArrowUp")
+    page.wait_for_selector("#unmet.old .since")
+    page.click("#undo")
+    page.wait_for_selector("#unmet:not(.old)")
+    assert told == []

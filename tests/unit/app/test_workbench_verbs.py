@@ -4,6 +4,7 @@ import asyncio
 import json
 import struct
 
+import numpy as np
 import pytest
 
 import gearwright as gw
@@ -131,3 +132,28 @@ def test_solids_carry_the_contact_temperature_of_gears_that_a_standard_rates(ask
 
 def test_the_server_is_ended_when_it_is_asked(asked):
     assert asked.post("/api/quit").status_code == 200 and asked.ended
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_changes_of_the_form_have_the_numbers_or_the_problems_of_the_command_line(asked, seed):
+    random = np.random.default_rng(seed)
+    text = gw.shipped_design(str(random.choice(["single-planetary", "in-line-h2", "off-set"]))).read_text("utf-8")
+    for _ in range(6):
+        groups = asked.post("/api/form", text=text).json()
+        fields = [(group, field) for group in groups for field in (*group["written"], *group["possible"][:2])
+                  if field["kind"] in ("number", "integer") and field["key"] != "schema"]  # fmt: skip
+        group, field = fields[random.integers(len(fields))]
+        value = (field["value"] or 1.0) * random.choice([0.0, 0.5, 0.97, 1.03, 2.0, -1.0])
+        value = round(value) if field["kind"] == "integer" else float(value)
+        changed = asked.post("/api/edit", text=text, path=[*group["path"], field["key"]], value=value)
+        if changed.status_code != 200:
+            continue
+        text = changed.json()["text"]
+        answer = asked.post("/api/size", text=text)
+        try:
+            expected = plain(size_answer(gw.size(gw.parse(text))))
+        except gw.DesignError as error:
+            told = [problem["message"] for problem in answer.json()["problems"]]
+            assert answer.status_code == 422 and told == [problem.message for problem in error.problems]
+        else:
+            assert answer.json()["result"] == json.loads(json.dumps(expected))

@@ -19,7 +19,7 @@ function act(event, plot) {
     ArrowLeft: move(-1, 0), ArrowRight: move(1, 0), ArrowUp: move(0, -1), ArrowDown: move(0, 1),
     "+": () => zoom(plot, now.left, ZOOM), "-": () => zoom(plot, now.left, 1 / ZOOM),
     Home: () => plot.setScale("x", ends(plot)),
-    Enter: () => { point(plot, now); plot.over.dispatchEvent(new MouseEvent("click")); },
+    Enter: () => { point(plot, now); plot.mark?.(); },
   }[event.key];
   if (!action) return;
   event.preventDefault();

@@ -60,10 +60,11 @@ export function plot(box, {x, xLabel, yLabel, lines, sync = "", log = false, leg
 export function measure(plots, output, unit, told) {
   let mark = null;
   for (const one of plots) {
-    one.over.addEventListener("click", () => {
+    one.mark = () => {
       mark = one.cursor.left < 0 ? null : one.posToVal(one.cursor.left, "x");
       for (const other of plots) other.redraw(false);
-    });
+    };
+    one.over.addEventListener("click", one.mark);
     (one.hooks.draw ??= []).push(() => mark !== null && upright(one, mark, ink("--accent")));
     (one.hooks.setCursor ??= []).push(() => {
       if (one.cursor.left < 0 || !(one.keys || one.cursor.event?.target === one.over)) return;
