@@ -17,6 +17,7 @@ from gearwright.closure.start import start_of
 from gearwright.closure.wishes import Wishes
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
+from gearwright.sizing.making import built_checks
 from gearwright.spec import Design
 from gearwright.spec.design import given_values
 from gearwright.verbs import verb
@@ -109,7 +110,7 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
 def _closed(design: Design, state: Settled, moved: list[Check]) -> Closed:
     asked = state.task.wishes
     written, sizing, _ = written_out(state.proportioned, asked.left_out)
-    checks = [*sizing.checks, *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
+    checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
     checks = [*wanted(checks, asked.left_out), state.converged]
     judged = accepted(checks, sizing.design.waivers)
     return Closed(

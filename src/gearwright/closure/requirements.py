@@ -85,6 +85,10 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     "room": Requirement(
         ("room", "keep out"), (), "places of axes, by the sizing", "other sides or distances of shafts ([layout])"
     ),
+    "making": Requirement(
+        ("assembly", "axial retention", "access", "running clearance", "wheel that grinds", "order along",
+         "bridges between planets"), (), "nothing", "other places of gears and bearings, thinner shafts, more room",
+    ),
     "life in flight": Requirement(
         ("pitting life", "bending life"), _GEARS, "module and face width of the stage", "a lighter duty, a better steel"
     ),

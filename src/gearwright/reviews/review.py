@@ -12,14 +12,13 @@ from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import SpeedCase, motion_checks
 from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
-from gearwright.reviews.making import making_checks
 from gearwright.reviews.open import open_checks
 from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.losses import loss_balance
+from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, oil_flow, statistics_beside
-from gearwright.sizing.shafts import groove_checks, holding_checks, pressure_centre_checks, retention_checks
 from gearwright.spec import Design, Mission
 from gearwright.verbs import verb
 
@@ -116,9 +115,7 @@ def review_of(
         DesignError: If a waiver names no check.
     """
     design = sizing.design
-    checks = [*sizing.checks, *retention_checks(sizing), *holding_checks(sizing), *groove_checks(sizing)]
-    checks += [*pressure_centre_checks(sizing), *making_checks(sizing), *sharing_checks(sizing)]
-    checks += motion_checks(sizing, speeds)
+    checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *motion_checks(sizing, speeds)]
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)

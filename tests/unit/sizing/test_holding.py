@@ -11,8 +11,8 @@ import gearwright as gw
 from gearwright.checks import Status
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.entities import Words
-from gearwright.reviews.making import spanner_checks
 from gearwright.shape import solid_masses
+from gearwright.sizing.making import spanner_checks
 from gearwright.sizing.shafts import cut_steps, groove_checks, grooves, held_rings, holders_of, holding_checks
 from gearwright.sizing.shafts.grooves import groove_strengths
 from gearwright.sizing.shafts.holders import clamped_plate

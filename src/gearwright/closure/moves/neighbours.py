@@ -15,6 +15,7 @@ from gearwright.dynamics.vibration import resonance_checks
 from gearwright.errors import GearwrightError
 from gearwright.identity import Role
 from gearwright.sizing import size
+from gearwright.sizing.making import built_checks
 from gearwright.spec import edited
 from gearwright.spec.design import Planetary
 from gearwright.spec.edit import Value
@@ -56,12 +57,13 @@ class Candidate(NamedTuple):
 
 
 def judged(state: Settled) -> Candidate:
-    """Return a settled design with what its sizing and its resonances lack.
+    """Return a settled design with what its sizing, its making and its resonances lack.
 
     Args:
         state: From the loop.
     """
-    checks = wanted([*state.sizing.checks, *resonance_checks(state.sizing)], state.task.wishes.left_out)
+    own = state.sizing
+    checks = wanted([*own.checks, *built_checks(own), *resonance_checks(own)], state.task.wishes.left_out)
     lacking = [check for check in checks if check.status is Status.FAILS and not check.waiver]
     near = (check for check in lacking if requirement_of(check) in MOVED)
     return Candidate(state, _sum(lacking), _sum(near))

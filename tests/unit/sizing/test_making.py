@@ -10,7 +10,7 @@ import gearwright as gw
 from gearwright.checks import Status
 from gearwright.identity import Role
 from gearwright.reviews import review_of
-from gearwright.reviews.making import (
+from gearwright.sizing.making import (
     Withdrawn,
     bridge_checks,
     grinding_checks,
@@ -21,7 +21,7 @@ from gearwright.reviews.making import (
     stack_checks,
     withdrawals,
 )
-from gearwright.reviews.making.bridges import bridge_needed, bridge_room
+from gearwright.sizing.making.bridges import bridge_needed, bridge_room
 from shipped_work import sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")

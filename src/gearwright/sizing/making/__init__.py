@@ -3,16 +3,17 @@
 Bodies that stand into each other are `sizing`'s to find; strength of what holds parts is its too.
 """
 
-from gearwright.reviews.making.bridges import bridge_checks
-from gearwright.reviews.making.checks import making_checks
-from gearwright.reviews.making.grinding import grinding_checks, largest_wheel
-from gearwright.reviews.making.order import Withdrawn, order_checks, stack_checks, withdrawals
-from gearwright.reviews.making.running import running_checks
-from gearwright.reviews.making.spanner import spanner_checks
+from gearwright.sizing.making.bridges import bridge_checks
+from gearwright.sizing.making.checks import built_checks, making_checks
+from gearwright.sizing.making.grinding import grinding_checks, largest_wheel
+from gearwright.sizing.making.order import Withdrawn, order_checks, stack_checks, withdrawals
+from gearwright.sizing.making.running import running_checks
+from gearwright.sizing.making.spanner import spanner_checks
 
 __all__ = [
     "Withdrawn",
     "bridge_checks",
+    "built_checks",
     "grinding_checks",
     "largest_wheel",
     "making_checks",

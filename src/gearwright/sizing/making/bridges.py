@@ -12,8 +12,8 @@ from collections.abc import Iterator
 
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import Role
-from gearwright.reviews.making.running import OFF
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
+from gearwright.sizing.making.running import OFF
 from gearwright.sizing.mass import BRIDGE
 
 _CLAUSE = "window between bridges; beam with both ends held"

@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import GEARBOX, Kind, PartId, Role
-from gearwright.reviews.making.running import mates_of
 from gearwright.sizing import BuiltShaft, Sizing
 from gearwright.sizing.arranged import Body, Point, Station
+from gearwright.sizing.making.running import mates_of
 from gearwright.sizing.places import room_between
 
 ENDS = {-1: "first", 1: "second"}

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId
-from gearwright.reviews.making.order import ENDS
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Point, Station
+from gearwright.sizing.making.order import ENDS
 from gearwright.sizing.places import room_between
 from gearwright.sizing.shafts import Retention, retentions
 
