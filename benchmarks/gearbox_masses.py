@@ -95,6 +95,8 @@ def causes() -> None:
         "3, 4 and 5 planets below 1, 2.9 MW and above": _more_planets,
         "two sets and a pair, all": _two_sets,
         "S_H ~ T^-0.15, S_F ~ T^-0.2": _bolder,
+        "ratio 88, all": _one_ratio,
+        "2.5e8 turns of the rotor, all": _one_count,
     }.items():
         told_exponents(name, [Held(box, size(made(box))) for box in wind])
     rows = held(wind)
@@ -127,6 +129,16 @@ def _bolder(box: PublishedGearbox) -> Design:
     torque = box.torque / 1e6
     safeties = {"pitting_safety": max(1.25 * torque**-0.15, 1.0), "bending_safety": max(1.56 * torque**-0.2, 1.0)}
     return edited(design_of(box), {f"gears.iso6336.{name}": value for name, value in safeties.items()})
+
+
+def _one_ratio(box: PublishedGearbox) -> Design:
+    return design_of(replace(box, ratio=88.0))
+
+
+def _one_count(box: PublishedGearbox) -> Design:
+    """As many load cycles for each: a slow rotor has fewer in the same hours."""
+    turns = box.power / box.torque / (2.0 * math.pi) * 3600.0
+    return edited(design_of(box), {"service.life_h": 2.5e8 / turns})
 
 
 def _cast(row: Held) -> Sizing:

@@ -42,6 +42,12 @@ def test_gears_that_are_too_light_for_the_mission_grow_until_they_live():
     assert rounds and all("times its cases" in row.what for row in rounds)
 
 
+def test_gears_do_not_live_through_flights_that_the_closure_does_not_look_at():
+    design = read(shipped_design("mixed-h2"))
+    wishes = Wishes(20000 * HOUR, separate=False, lighten=False, left_out=LIGHT | {FLOWN})
+    assert failing(close(design, wishes=wishes, on_mission=mission())) != set()
+
+
 def test_checks_of_the_flight_stand_with_the_others():
     assert FLOWN in {requirement_of(check) for check in closed().checks}
     assert FLOWN not in {requirement_of(check) for check in closed(on_mission=False).checks}
