@@ -117,7 +117,9 @@ def grid() -> None:
     for mass, width, module, teeth in sorted(rows)[:5]:
         print(f"grid: {mass:.3f} kg, z {teeth}, m_n {module:g} mm, b {width} mm")
     spent = time.process_time() - began
-    print(f"of {len(pairs)} pairs {len(rows)} meet everything and are not ruled out by their mass; {spent:.0f} s in all")
+    print(
+        f"of {len(pairs)} pairs {len(rows)} meet everything and are not ruled out by their mass; {spent:.0f} s in all"
+    )
 
 
 def sizes(design: Design) -> Iterator[tuple[str, float]]:
