@@ -65,7 +65,7 @@ def against_text(found: Sequence[Contradiction]) -> RenderableType:
     grid.add_column("what", no_wrap=True)
     grid.add_column("value")
     for row in found:
-        words = f"{', '.join(row.unmet)}: without it met, {text(row.mass, 'mass')} of solid wheels"
+        words = f"{', '.join(row.unmet)}: without it met, {text(row.mass, 'mass')} of gears, shafts and carriers"
         grid.add_row(f"{row.against} contradicts", words)
     return grid
 
