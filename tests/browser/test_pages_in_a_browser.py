@@ -165,6 +165,8 @@ def test_nothing_serious_keeps_anyone_from_reading_a_page(kind, opened):
     page, _ = opened(PAGES[kind](), width=820)
     page.evaluate("document.querySelectorAll('figure').forEach(figure => figure.scrollIntoView())")
     assert serious(page) == []
+    if kind not in PRINTED and not EVERY_DESIGN:  # the others are of the same parts
+        return
     page.emulate_media(color_scheme="dark")
     assert serious(page, "color-contrast") == []
     for width in (1400, 390):

@@ -218,8 +218,8 @@ def search(
     >>> asked = {"name": "lightest", "designs": ["in-line-h2"], "axes": speed, "objectives": {"total_mass": "minimum"}}
     >>> with gw.search(type(gw.read_study("motor-speed")).model_validate(asked)) as looking:
     ...     looking.tell(looking.evaluate(looking.ask(4)))
-    ...     [f"{row.number('total_mass'):.1f} kg" for row in looking.front]
-    ['137.7 kg']
+    ...     print(*(f"{row.number('total_mass'):.1f} kg" for row in looking.front))
+    137.7 kg
     """
     if study.search is None:
         study = study.model_copy(update={"search": Rules()})
