@@ -9,6 +9,7 @@ from typing import Any
 import gearwright as gw
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import fly
+from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.svg import sheet_svg
 from gearwright.render.figures.dynamics import campbell_figure
@@ -61,8 +62,14 @@ SHEETS: Mapping[str, str] = {
 """Name of the file -> sheet of the EC120B gearbox."""
 
 
+INPUTS: Mapping[str, Callable[[], str]] = {diagram.name: diagram.svg for diagram in DIAGRAMS}
+"""Name of the file -> what draws the diagram of keys of the design file."""
+
+
 def svg(name: str) -> str:
-    """Return one figure or sheet as it is kept."""
+    """Return one figure, sheet or diagram as it is kept."""
+    if name in INPUTS:
+        return INPUTS[name]()
     if name in SHEETS:
         return sheet_svg(*sheets(_sized("ec120b"), [SHEETS[name]]))
     return to_svg(FIGURES[name]()).rstrip("\n") + "\n"
@@ -71,7 +78,7 @@ def svg(name: str) -> str:
 def main() -> None:
     """Write all figures."""
     FOLDER.mkdir(exist_ok=True)
-    for name in (*FIGURES, *SHEETS):
+    for name in (*FIGURES, *SHEETS, *INPUTS):
         (FOLDER / f"{name}.svg").write_text(svg(name), encoding="utf-8")
 
 

@@ -9,9 +9,11 @@ from pathlib import Path
 
 from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
+from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.grid.table import written
 from gearwright.render.tables.sizing.materials import properties
 from gearwright.render.words.design_file import (
+    anchor,
     design_file_markdown,
     mission_file_markdown,
     mix_file_markdown,
@@ -88,6 +90,18 @@ def _origins(material: Material) -> str:
     return f"\n## {material.name}\n\n{material.source}.\n\n| property | source |\n| --- | --- |\n{rows}"
 
 
+def pictures() -> dict[str, str]:
+    """Return table of the design file -> its diagrams, drawn at the first table that they show keys of."""
+    shown: dict[str, list[str]] = {}
+    for diagram in DIAGRAMS:
+        home, *others = diagram.tables
+        shown.setdefault(home, []).append(f"![{diagram.title}](../figures/{diagram.name}.svg)\n\n")
+        for table in others:
+            link = f"[`[{home}]`](#{anchor(home.split('.'))})"
+            shown.setdefault(table, []).append(f"Drawn at {link}: {diagram.title[0].lower()}{diagram.title[1:]}.\n\n")
+    return {table: "".join(sorted(lines)) for table, lines in shown.items()}
+
+
 def beside(name: str) -> Callable[[], str]:
     """Return what makes a page in a module that lies beside this file and is no package.
 
@@ -108,7 +122,7 @@ def beside(name: str) -> Callable[[], str]:
 
 
 PAGES: Mapping[str, Callable[[], str]] = {
-    "reference/design-file.md": design_file_markdown,
+    "reference/design-file.md": lambda: design_file_markdown(pictures()),
     "reference/mission-file.md": mission_file_markdown,
     "reference/mix-file.md": mix_file_markdown,
     "reference/study-file.md": study_file_markdown,

@@ -86,7 +86,9 @@ def test_defaults_and_bounds_are_in_the_unit_of_the_first_key():
     assert "| `shafts` | **required** | list; at least 1 |" in page
 
 
-@pytest.mark.parametrize("name", sorted({**beside("figures").FIGURES, **beside("figures").SHEETS}))
+@pytest.mark.parametrize(
+    "name", sorted({**beside("figures").FIGURES, **beside("figures").SHEETS, **beside("figures").INPUTS})
+)
 def test_a_figure_is_what_the_tool_draws(name):
     """After a change of a figure: python docs/figures.py, and look at it."""
     assert (ROOT / "docs" / "figures" / f"{name}.svg").read_text(encoding="utf-8") == beside("figures").svg(name)

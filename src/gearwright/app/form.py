@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from gearwright.render.diagrams import DIAGRAMS
 from gearwright.spec import key_lines, schema
 from gearwright.spec.read import toml_tables
 
@@ -42,6 +43,8 @@ class Field:
     value: Any
     """As written; None where it is not."""
     line: int | None
+    diagram: str
+    """Name of the diagram that shows what it is measured from, if any."""
 
 
 @dataclass(frozen=True)
@@ -106,14 +109,27 @@ def _group(table: Table, of: Table, path: tuple[str, ...], lines: Mapping[str, i
         there = [key for key in keys if key in table]
         for key in there or keys[:1]:
             line = lines.get(".".join((*path, key)))
-            field = _field(key, name, keys, entry=of["properties"][key], value=table.get(key), line=line)
+            entry, drawn = of["properties"][key], _drawn(path, keys)
+            field = _field(key, name, keys, entry=entry, value=table.get(key), line=line, diagram=drawn)
             (written if there else possible).append(field)
     order = list(table)
     written.sort(key=lambda field: order.index(field.key))
     return Group(path, of.get("description", ""), lines.get(".".join(path)), tuple(written), tuple(possible))
 
 
-def _field(key: str, name: str, keys: list[str], *, entry: Table, value: Any, line: int | None) -> Field:
+def _drawn(path: tuple[str, ...], keys: list[str]) -> str:
+    """Return the name of the diagram that says one of the keys of a quantity of a table; empty where none does."""
+    for diagram in DIAGRAMS:
+        if not diagram.keys.isdisjoint(keys) and any(_is(path, table.split(".")) for table in diagram.tables):
+            return diagram.name
+    return ""
+
+
+def _is(path: tuple[str, ...], table: list[str]) -> bool:
+    return len(path) == len(table) and all(name in ("NAME", at) for at, name in zip(path, table, strict=True))
+
+
+def _field(key: str, name: str, keys: list[str], *, entry: Table, value: Any, line: int | None, diagram: str) -> Field:
     found = _resolved(entry) | {word: part for word, part in entry.items() if word != "$ref"}
     kind = found.get("type", "other")
     unit = _unit(entry)
@@ -126,7 +142,7 @@ def _field(key: str, name: str, keys: list[str], *, entry: Table, value: Any, li
         kind, value = "other", str(value)
     plain = kind if kind in PLAIN else "other"
     return Field(
-        key, name, unit, tuple(keys), plain, words, least, most, found.get("default"), choices, value, line
+        key, name, unit, tuple(keys), plain, words, least, most, found.get("default"), choices, value, line, diagram
     )  # fmt: skip
 
 

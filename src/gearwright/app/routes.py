@@ -65,6 +65,7 @@ def workbench(opened: Opened) -> Starlette:
     routes = [
         Route("/", desk.page),
         Route("/static/{name:path}", desk.file),
+        Route("/diagrams/{name}", desk.diagram),
         Route("/api/start", desk.start),
         Route("/api/designs/{name}", desk.shipped),
         Route("/api/files/{name}", desk.read, methods=["GET"]),
@@ -130,6 +131,17 @@ class Desk:
         if found is None:
             return _error(404, "there is no such file")
         return Response(found.read_bytes(), media_type=found.kind)
+
+    async def diagram(self, request: Request) -> Response:
+        """What an entry of the form is measured from."""
+        from starlette.responses import Response
+
+        from gearwright.render.diagrams import DIAGRAMS
+
+        found = next((known for known in DIAGRAMS if known.name == request.path_params["name"]), None)
+        if found is None:
+            return _error(404, "there is no such diagram")
+        return Response(found.svg(), media_type="image/svg+xml")
 
     async def start(self, _: Request) -> Response:
         """What the page shows first."""

@@ -11,5 +11,6 @@ room           makes
 ``pages``      self-contained HTML pages, from ``templates``
 ``live``       scripts that make figures of pages answer a pointer, with the copy of ``uplot``
 ``drawings``   sheets of gears, shafts and the arrangement to ISO conventions
+``diagrams``   sketches of what the lengths and angles of a design file are measured from
 =============  ==================================================================================
 """

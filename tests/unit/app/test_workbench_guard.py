@@ -6,6 +6,7 @@ import pytest
 from asking import BASE, PORT, TOKEN
 
 import gearwright as gw
+from gearwright.app.form import form
 from gearwright.app.guard import LARGEST_BODY
 
 pytestmark = pytest.mark.extra("starlette", "httpx", "tomlkit", "uvicorn")
@@ -128,6 +129,15 @@ def test_what_says_nothing_is_told_so(asked, body):
 )
 def test_only_listed_files_are_given_out(asked, name):
     assert asked.ask("GET", f"/static/{name}").status_code == 404
+
+
+def test_an_entry_of_the_form_names_its_diagram(asked):
+    groups = {group.path: (*group.written, *group.possible) for group in form("[pairs.one]\nmodule_in = 0.1\n")}
+    named = {field.key: field.diagram for field in groups["pairs", "one"]}
+    assert (named["module_in"], named["centre_distance_mm"], named["pinion"]) == ("input-teeth", "input-pair", "")
+    answer = asked.ask("GET", f"/diagrams/{named['module_in']}")
+    assert answer.headers["content-type"] == "image/svg+xml" and b"module_mm" in answer.content
+    assert asked.ask("GET", "/diagrams/..%2fform.py").status_code == 404
 
 
 @pytest.mark.parametrize("name", ["..%2f..%2f..%2fetc%2fpasswd", "nope", "in-line-h2.toml", "%00", "con"])

@@ -41,6 +41,9 @@ function tell(group, field) {
   const bounds = [field.least === null ? "" : `at least ${number(field.least)}`, field.most === null ? "" : `at most ${number(field.most)}`];
   const parts = [field.help, bounds.filter(Boolean).join(", "), field.default === null ? "" : `left out: ${field.default}`];
   at("help").textContent = `${[...group.path, field.key].join(".")}: ${parts.filter(Boolean).join("; ")}`;
+  const drawn = at("drawn");
+  drawn.hidden = !field.diagram;
+  if (field.diagram) Object.assign(drawn, {src: `/diagrams/${field.diagram}`, alt: `What ${field.key} is measured from`});
 }
 
 function entry(group, field) {

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Iterator, Mapping
-from types import NoneType
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType, NoneType
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
@@ -43,12 +43,18 @@ _MIX_HEAD = """# The mix file
 A mix says which missions a gearbox flies in its life, and how often; `gearwright mix DESIGN MIX` flies it:
 [rate a life as it is lived](../how-to/lives.md). This page is made from the types that read the file.
 """
+NO_PICTURES: Mapping[str, str] = MappingProxyType({})
+"""A file whose tables are not drawn."""
 _COLUMNS = "| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n"
 
 
-def design_file_markdown() -> str:
-    """Return the reference of the design file."""
-    return _HEAD + _tables(Design)
+def design_file_markdown(pictures: Mapping[str, str] = NO_PICTURES) -> str:
+    """Return the reference of the design file.
+
+    Args:
+        pictures: Table, such as ``pairs.NAME`` -> Markdown that shows what its lengths and angles are measured from.
+    """
+    return _HEAD + _tables(Design, pictures)
 
 
 def mission_file_markdown() -> str:
@@ -66,17 +72,22 @@ def study_file_markdown() -> str:
     return _STUDY_HEAD + _tables(Study)
 
 
-def _tables(model: type[Record]) -> str:
+def _tables(model: type[Record], pictures: Mapping[str, str] = NO_PICTURES) -> str:
     """Return one section for each table, each record type once."""
-    sections = _sections(model)
+    sections = sections_of(model)
     return "".join(
-        f"\n## {_title(path) or 'Top of the file'}\n\n{_summary(record)}\n\n{_COLUMNS}{_rows(record, sections)}"
+        f"\n## {_title(path) or 'Top of the file'}\n\n{_summary(record)}\n\n{pictures.get('.'.join(path), '')}"
+        f"{_COLUMNS}{_rows(record, sections)}"
         for record, path in sections.items()
     )
 
 
-def _sections(model: type[Record]) -> dict[type[Record], tuple[str, ...]]:
-    """Return record type -> path of its table, the shortest one, in the order of the file."""
+def sections_of(model: type[Record]) -> dict[type[Record], tuple[str, ...]]:
+    """Return record type -> path of its table, the shortest one, in the order of the file.
+
+    Args:
+        model: The record of a whole file.
+    """
     paths: dict[type[Record], tuple[str, ...]] = {}
     for record, path in _walk(model, ()):
         if record not in paths or len(path) < len(paths[record]):
@@ -122,12 +133,16 @@ def _cells(name: str, info: FieldInfo, sections: Mapping[type[Record], tuple[str
     inner, _ = _record(info.annotation)
     if inner is not None:
         table = _title(sections[inner])
-        return f"`{info.alias or name}`", "–", f"[{table}](#{_anchor(sections[inner])})", meaning
+        return f"`{info.alias or name}`", "–", f"[{table}](#{anchor(sections[inner])})", meaning
     return _key(name, info), _default(info), "; ".join(_allowed(info)), meaning
 
 
-def _anchor(path: tuple[str, ...]) -> str:
-    """Return the anchor that Markdown's table of contents gives the title of a table."""
+def anchor(path: Iterable[str]) -> str:
+    """Return the anchor that Markdown's table of contents gives the title of a table.
+
+    Args:
+        path: Of the table, such as ``("pairs", "NAME")``.
+    """
     return "".join(path).lower()
 
 

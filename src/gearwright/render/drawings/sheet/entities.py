@@ -143,6 +143,8 @@ class Distance:
     text_at: complex | None = None
     """Middle of the text's base line, where it does not stand over the middle of the line."""
     layer: Layer = Layer.DIMENSION
+    named: str | None = None
+    """What it says instead of its value."""
 
     @property
     def measured(self) -> float:
@@ -153,7 +155,7 @@ class Distance:
     @property
     def text(self) -> str:
         """What stands at the dimension line."""
-        return f"{self.prefix}{millimetres(self.measured)}{self.suffix}"
+        return self.named if self.named is not None else f"{self.prefix}{millimetres(self.measured)}{self.suffix}"
 
 
 @dataclass(frozen=True)
