@@ -1,3 +1,5 @@
+import sys
+
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -43,6 +45,15 @@ def test_a_png_has_the_asked_resolution(in_line_h2) -> None:
     image = theme.to_png(margin_figure(in_line_h2), 100.0)
     assert image.startswith(b"\x89PNG")
     assert int.from_bytes(image[16:20], "big") == round(180.0 / 25.4 * 100.0 - 0.5)
+
+
+def test_without_matplotlib_a_png_says_what_to_install(in_line_h2, monkeypatch, tmp_path) -> None:
+    monkeypatch.delitem(sys.modules, "gearwright.render.vector.pixels", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(DesignError, match=r"PNG needs matplotlib.*\[png\].*or end the name with \.svg"):
+        mass_figure(in_line_h2).savefig(tmp_path / "mass.png")
+    mass_figure(in_line_h2).savefig(tmp_path / "mass.svg")
+    assert [path.name for path in tmp_path.iterdir()] == ["mass.svg"]
 
 
 def test_the_bars_of_the_mass_figure_are_the_masses(in_line_h2) -> None:

@@ -98,7 +98,7 @@ def write_figure(drawn: Drawing, path: Path) -> None:
         path: Of the file, ``*.svg`` or ``*.png``.
 
     Raises:
-        DesignError: If the name ends otherwise.
+        DesignError: If the name ends otherwise, or PNG is asked for and matplotlib is not installed.
     """
     from gearwright.errors import DesignError, Problem
     from gearwright.render.style.theme import to_png, to_svg

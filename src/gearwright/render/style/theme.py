@@ -106,7 +106,8 @@ def to_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
     Args:
         figure: As drawn.
         resolution: [dots per inch].
-    """
-    from gearwright.render.vector import pixels
 
-    return pixels.to_png(figure, resolution)
+    Raises:
+        DesignError: If matplotlib is not installed.
+    """
+    return figure.png(resolution)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, install
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.axis import Axis
 from gearwright.writing import write_bytes, write_text
@@ -64,18 +64,32 @@ class Figure:
             path: Of the file, ``*.svg`` or ``*.png``.
 
         Raises:
-            DesignError: If the name ends otherwise.
+            DesignError: If the name ends otherwise, or matplotlib is not installed.
         """
         target = Path(path)
         if target.suffix == ".png":
-            from gearwright.render.vector.pixels import to_png
-
-            write_bytes(target, to_png(self, RESOLUTION))
+            write_bytes(target, self.png())
         elif target.suffix == ".svg":
             write_text(target, self._repr_html_())
         else:
             message = f"{target.suffix!r} is not drawn; end the name with .svg or .png"
             raise DesignError([Problem("path", message)], "figure")
+
+    def png(self, resolution: float = RESOLUTION) -> bytes:
+        """Return it as a PNG image.
+
+        Args:
+            resolution: [dots per inch].
+
+        Raises:
+            DesignError: If matplotlib is not installed; with how to get it.
+        """
+        try:
+            from gearwright.render.vector.pixels import to_png
+        except ModuleNotFoundError:
+            message = f"PNG needs matplotlib, which is not here; {install('png')}, or end the name with .svg"
+            raise DesignError([Problem("path", message)], "figure") from None
+        return to_png(self, resolution)
 
     def _repr_html_(self) -> str:
         """Return the figure as a notebook shows it."""
