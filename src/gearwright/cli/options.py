@@ -29,7 +29,33 @@ CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the d
 DateOption = Annotated[str, typer.Option("--date", help="Date for the head of the page; left out: none")]
 PdfOption = Annotated[Path | None, typer.Option("--pdf", help="Print the page to this PDF file, by a browser")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write one self-contained HTML page")]
-FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
+
+
+def drawable(path: Path | None) -> Path | None:
+    """Return where a figure goes, refused before anything is computed where it could not be drawn.
+
+    Args:
+        path: Of the figure, if one is asked for.
+
+    Raises:
+        DesignError: If the name ends otherwise than with .svg or .png, or PNG has no matplotlib.
+    """
+    if path is None or path.suffix == ".svg":
+        return path
+    from importlib.util import find_spec
+
+    from gearwright.errors import DesignError, Problem, install
+
+    if path.suffix != ".png":
+        message = f"{path.suffix!r} is not drawn; end the name with .svg or .png"
+        raise DesignError([Problem("--figure", message)])
+    if find_spec("matplotlib") is None:
+        message = f"PNG needs matplotlib, which is not here; {install('png')}, or end the name with .svg"
+        raise DesignError([Problem("--figure", message)])
+    return path
+
+
+FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)", callback=drawable)]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object for machines, and write no files")]
 LinesOption = Annotated[
     bool, typer.Option("--jsonl", help="Print JSON Lines: the answer without its rows, then a line for every row")

@@ -80,3 +80,11 @@ def test_validate_fits_a_terminal_of_80_columns_and_breaks_no_number(monkeypatch
 def test_a_call_that_is_wrong_says_so(words, message):
     with pytest.raises(DesignError, match=message):
         CliRunner().invoke(app, list(words), catch_exceptions=False)
+
+
+def test_a_figure_that_cannot_be_drawn_is_refused_before_anything_is_computed(monkeypatch, tmp_path):
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    monkeypatch.setattr("gearwright.sizing.size", lambda *_: pytest.fail("it was computed"))
+    for name, words in (("a.png", r"PNG needs matplotlib.*\[png\]"), ("a.pdf", r"end the name with \.svg or \.png")):
+        with pytest.raises(DesignError, match=words):
+            run("campbell", "star", "--figure", str(tmp_path / name))

@@ -21,6 +21,7 @@ from gearwright.cli.options import (
     JsonOption,
     LinesOption,
     ReportOption,
+    drawable,
 )
 from gearwright.cli.terminal.output import progress, show, tell, write_figure
 from gearwright.writing import write_text
@@ -33,7 +34,9 @@ if TYPE_CHECKING:
 def campbell(
     design: DesignArgument,
     case: CaseOption = None,
-    figure: Annotated[Path | None, typer.Option(help="Figure to write; left out: NAME-campbell.svg here")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Figure to write; left out: NAME-campbell.svg here", callback=drawable)
+    ] = None,
     json: JsonOption = False,
 ) -> None:
     """Show critical speeds with their margins to the operating speed, worst first, and draw the Campbell diagram."""

@@ -12,7 +12,7 @@ import typer
 
 from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import sized
-from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
+from gearwright.cli.options import CaseOption, DesignArgument, JsonOption, drawable
 from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
@@ -33,7 +33,7 @@ def sharing(
     ] = None,
     percent: Annotated[float, typer.Option(help="Gearboxes that must keep the target [%]", min=1.0, max=99.9)] = 95.0,
     seed: Annotated[int, typer.Option(help="Of the random errors", min=0)] = 1,
-    figure: Annotated[Path | None, typer.Option(help="Write the main figure (.svg or .png)")] = None,
+    figure: Annotated[Path | None, typer.Option(help="Write the main figure (.svg or .png)", callback=drawable)] = None,
     report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
     json: JsonOption = False,
 ) -> None:
