@@ -48,8 +48,9 @@ from gearwright.cli.terminal.sections import Sections
 from gearwright.cli.terminal.streams import flushed, steady_streams
 from gearwright.version import __version__
 
-YOUNG = 100_000
-"""Objects after which Python looks for cycles among them: modules that load make few, and each look takes a while."""
+YOUNG = 250_000
+"""Objects after which Python looks for cycles among them: modules that load make few, and a look takes a while:
+`run` ends without one."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
