@@ -5,11 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-import numpy as np
-
-from gearwright.arrays import Floats
-from gearwright.dynamics.equations.reference import line_contact, speed_factor
-from gearwright.dynamics.model import Arrays
 from gearwright.units import Energy, Origin, Quantity
 
 WORKS = 6
@@ -48,17 +43,3 @@ class Work:
         moved = sum(abs(work) for work in (self.driven, self.braked, self.dissipated, self.stored))
         missing = abs(gain - self.stored)
         return missing / moved if missing > ROUNDING * self.held else 0.0
-
-
-def stored_energy(arrays: Arrays, time: float, position: Floats, velocity: Floats) -> float:
-    """Return kinetic energy at absolute speed plus elastic energy [J].
-
-    Args:
-        arrays: The system's numbers.
-        time: [s].
-        position: q [rad or m], shape (coordinates,).
-        velocity: q̇ [rad/s or m/s], shape (coordinates,).
-    """
-    total = arrays.speed * speed_factor(arrays.profile, time)[0] + velocity
-    stiffness, contact = line_contact(arrays, time, position)
-    return 0.5 * float(np.add.reduce(arrays.mass * total**2) + np.add.reduce(stiffness * contact**2))

@@ -78,29 +78,6 @@ def line_state(arrays: Arrays, time: float, position: Floats, velocity: Floats) 
     return LineState(deflection, deflection_rate, contact, stiffness, stiffness_rate, error_rate, force)
 
 
-def line_contact(arrays: Arrays, time: float, position: Floats) -> tuple[Floats, Floats]:
-    """Return stiffness of all lines, and their deflection in contact.
-
-    Args:
-        arrays: The system's numbers.
-        time: [s].
-        position: q [rad or m], shape (coordinates,).
-    """
-    angle = arrays.tone_rate * speed_factor(arrays.profile, time)[2]
-    waves = np.cos(angle), np.sin(angle)
-    error, variation = (_sum(series, waves) for series in (arrays.error, arrays.variation))
-    return arrays.stiffness * (1.0 + variation), dead_zone(along_lines(arrays, position) - error, arrays.backlash)
-
-
-def _sum(series: Series, waves: tuple[Floats, Floats]) -> Floats | float:
-    """Return each line's Fourier sum."""
-    if not len(series.tone):
-        return 0.0
-    lines, tone = len(series.start) - 1, series.tone
-    row = np.arange(lines).repeat(series.start[1:] - series.start[:-1])
-    return np.asarray(np.bincount(row, series.cosine * waves[0][tone] + series.sine * waves[1][tone], lines), float)
-
-
 def dead_zone(deflection: Floats, backlash: Floats) -> Floats:
     """Return the deflection in contact: δ over zero, nothing in the gap, δ + B on the back flank.
 

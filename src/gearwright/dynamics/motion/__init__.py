@@ -13,6 +13,7 @@ from gearwright.dynamics.motion.accuracy import (
     shortfall,
 )
 from gearwright.dynamics.motion.ensemble import Ensemble, ends_of, simulate_many
+from gearwright.dynamics.motion.held_energy import stored_energy
 from gearwright.dynamics.motion.record import (
     BLOCK,
     CHECKPOINTS,
@@ -78,6 +79,7 @@ __all__ = [
     "simulate_many",
     "slack_lines",
     "stepper",
+    "stored_energy",
     "summary_of",
     "with_profile",
 ]

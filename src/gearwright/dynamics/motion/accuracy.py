@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.codegen import address
+from gearwright.dynamics.codegen.loops import Library, at, library, packed
 from gearwright.dynamics.motion.record import Apart
 from gearwright.dynamics.motion.steps import MARGIN, RMS_SHARE, Accuracy
 
@@ -98,6 +100,61 @@ EXACT = Error(0.0, 0.0)
 """None."""
 
 
+class Compared(NamedTuple):
+    """What runs promise beside what others do, for translated Python; forces are the parts of `Forces` in one array."""
+
+    runs: int
+    lines: int
+    kinds: int
+    kind: Ints
+    """Of each line: forces are compared with those of their kind."""
+    forces: Floats
+    """Shape (4, runs, lines)."""
+    other: Floats
+    scale: Floats
+    """What the parts of errors are taken of, shape (2, runs, lines)."""
+    largest: Floats
+    """Room for the largest of each kind, shape (kinds,)."""
+    errors: Floats
+    """Largest of all lines, of peaks and of root mean squares, shape (2, runs)."""
+
+
+def measure(c: Compared) -> None:
+    """Fill in what errors are taken of: peaks, root mean squares, or a share of the largest of their kind."""
+    for row in range(2 * c.runs):
+        force, scale = at(c.forces, row * c.lines), at(c.scale, row * c.lines)
+        for kind in range(c.kinds):
+            c.largest[kind] = 0.0
+        for j in range(c.lines):
+            c.largest[c.kind[j]] = max(c.largest[c.kind[j]], force[j])
+        for j in range(c.lines):
+            scale[j] = max(force[j], NEGLIGIBLE * c.largest[c.kind[j]])
+
+
+def over(part: float, whole: float) -> float:
+    """Return a ratio, zero where there is nothing."""
+    if whole > 0.0:
+        return part / whole
+    return 0.0
+
+
+def compare(c: Compared, share: float) -> None:
+    """Fill in the largest errors of all lines."""
+    measure(c)
+    room = c.runs * c.lines
+    for run in range(c.runs):
+        mine, its, scale = at(c.forces, run * c.lines), at(c.other, run * c.lines), at(c.scale, run * c.lines)
+        worst, swollen = 0.0, 0.0
+        for j in range(c.lines):
+            moved, swell = abs(mine[j] - its[j]), abs(mine[room + j] - its[room + j])
+            alike = min(moved, over(swell * mine[j], mine[room + j]))
+            peak = share * alike + max(share, 1.0) * (moved - alike) + mine[2 * room + j]
+            worst = max(worst, over(peak, scale[j]))
+            swollen = max(swollen, over(share * swell + mine[3 * room + j], scale[room + j]))
+        c.errors[run] = worst
+        c.errors[c.runs + run] = swollen
+
+
 def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: float, order: int) -> list[Error]:
     """Return the errors of runs, one for each row of their forces.
 
@@ -111,40 +168,40 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         ratio: The other pace's step over that of the run [-].
         order: Power of the step that the error follows.
     """
-    share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
-    moved, swell = np.abs(forces.peak - other.peak), np.abs(forces.rms - other.rms)
-    alike = np.minimum(moved, _over(swell * forces.peak, forces.rms))
-    peak = share * alike + max(share, 1.0) * (moved - alike) + forces.between
-    rms = share * swell + forces.ends
-    parts = np.maximum.reduce(_relative(np.array([peak, rms]), forces, units), axis=-1, initial=0.0)
+    compared, code = _compared(forces, other, units)
+    code.function("compare")(address(packed(compared)), CAUTION / abs(ratio**order - 1.0) if order else CAUTION)
     chance = CHANCE if order else UNRELATED
-    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*parts.tolist(), strict=True)]
+    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in compared.errors.T.tolist()]
 
 
 def apart(forces: Forces, other: Forces, units: Sequence[str]) -> Floats:
-    """Return what peaks and root mean squares of runs differ by from those of others over them, shape (2, …, lines).
+    """Return what peaks and root mean squares of runs differ by from those of others over them, shape (2, runs, lines).
 
     Args:
-        forces: Of runs, shape (…, lines).
+        forces: Of runs, shape (runs, lines).
         other: Of other runs of the same.
         units: Of the deflection of each line.
     """
-    return _relative(np.abs([forces.peak - other.peak, forces.rms - other.rms]), forces, units)
+    compared, code = _compared(forces, other, units)
+    code.function("measure")(address(packed(compared)))
+    moved, scale = np.abs(compared.forces[:2] - compared.other[:2]), compared.scale
+    return np.divide(moved, scale, out=np.zeros_like(scale), where=scale > 0.0)
 
 
-def _relative(parts: Floats, forces: Forces, units: Sequence[str]) -> Floats:
-    """Return parts of peaks and root mean squares over them; those that carry next to nothing beside their kind."""
-    mine = np.array([forces.peak, forces.rms])
-    largest = np.zeros_like(mine)
-    for kind in _kinds(tuple(units)):
-        largest[..., kind] = np.maximum.reduce(mine[..., kind], axis=-1, keepdims=True)
-    return _over(parts, np.maximum(mine, NEGLIGIBLE * largest))
+def _compared(forces: Forces, other: Forces, units: Sequence[str]) -> tuple[Compared, Library]:
+    """Return runs beside others, and the code that reads them."""
+    kind, kinds = _kinds(tuple(units))
+    mine, its = np.array(forces), np.array(other)
+    _, runs, lines = mine.shape
+    scale, largest, errors = np.empty((2, runs, lines)), np.empty(kinds), np.empty((2, runs))
+    return Compared(runs, lines, kinds, kind, mine, its, scale, largest, errors), library(measure, over, compare)
 
 
 @lru_cache
-def _kinds(units: tuple[str, ...]) -> tuple[Ints, ...]:
-    """Return the places of the lines of each unit."""
-    return tuple(np.flatnonzero(np.array(units) == unit) for unit in dict.fromkeys(units))
+def _kinds(units: tuple[str, ...]) -> tuple[Ints, int]:
+    """Return the number of each line's kind, lines of one unit, and how many there are."""
+    kinds = list(dict.fromkeys(units))
+    return np.array([kinds.index(unit) for unit in units], dtype=np.int64), len(kinds)
 
 
 def parted(apart: Apart) -> str:
@@ -158,11 +215,6 @@ def parted(apart: Apart) -> str:
         "deflection covers; means, root mean squares and distributions of a long run hold, the waveform and single "
         "peaks are those of one motion among many"
     )
-
-
-def _over(part: Floats, whole: Floats) -> Floats:
-    """Return a ratio, zero where there is nothing."""
-    return np.divide(part, whole, out=np.zeros_like(whole), where=whole > 0.0)
 
 
 def finer(over: float, order: int) -> float:

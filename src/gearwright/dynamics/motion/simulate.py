@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations import WORKS, Work, stored_energy, unbalanced
+from gearwright.dynamics.equations import WORKS, Work, unbalanced
 from gearwright.dynamics.model import Arrays, System, check_finite, kept, plan_of, refuse_not_finite
 from gearwright.dynamics.motion.accuracy import (
     CHAOTIC,
@@ -32,6 +32,7 @@ from gearwright.dynamics.motion.accuracy import (
     parted,
     shortfall,
 )
+from gearwright.dynamics.motion.held_energy import stored_energy
 from gearwright.dynamics.motion.marching import Pass, blocks, marched
 from gearwright.dynamics.motion.record import TOGETHER, Apart, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
@@ -337,10 +338,7 @@ def _trace(run: Pass, ran: Ran) -> Trace:
 
 def _work(run: Pass) -> Work:
     arrays, size = run.recorder.system.arrays, run.recorder.size
-    places, rates = slice(size), slice(size, 2 * size)
-    begin, end, time = run.start, run.end, run.done * run.pace.step
-    key = (stored_energy, begin[: 2 * size].tobytes())
-    before = kept(arrays, key, lambda: stored_energy(arrays, 0.0, begin[places], begin[rates]))
-    after = stored_energy(arrays, time, end[places], end[rates])
-    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in run.end[2 * size :][:WORKS])
+    before = stored_energy(arrays, 0.0, run.start)
+    after = stored_energy(arrays, run.done * run.pace.step, run.end)
+    driven, braked, dissipated, stiffness, error, frame = run.end[2 * size : 2 * size + WORKS].tolist()
     return Work(driven, braked, dissipated, stiffness, error, frame, after - before, after)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -212,12 +212,18 @@ class Recorder:
             first: Column of the first; extremes of line forces, the first after q̇, are those between steps too.
             what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
-        columns, bins, taking = slice(first, first + len(names)), len(self.edges) - 1, self.taking
-        mean, square = taking.sums[:, :bins, columns] / (self.edges[1:] - self.edges[:-1])[:, None]
-        least, most = taking.minimum[:bins, columns], taking.maximum[:bins, columns]
+        columns = slice(first, first + len(names))
+        mean, least, most, rms = (part[:, columns] for part in self._told)
         if first == self.size:
             least, most, _ = self.line_extremes()
-        return Statistics(names, what, self.edges * np.float64(self.step), mean, least, most, np.sqrt(square))
+        return Statistics(names, what, self.edges * np.float64(self.step), mean, least, most, rms)
+
+    @cached_property
+    def _told(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """Mean, least, most and root mean square of the columns after q, shape (bins, columns)."""
+        bins, taking = len(self.edges) - 1, self.taking
+        mean, square = taking.sums[:, :bins] / (self.edges[1:] - self.edges[:-1])[:, None]
+        return mean, taking.minimum[:bins], taking.maximum[:bins], np.sqrt(square)
 
     def line_extremes(self) -> tuple[Floats, Floats, Floats]:
         """Return least, most and sums of squares of line forces, extremes between steps too, shape (bins, lines)."""

@@ -42,6 +42,8 @@ RMS_SHARE = 0.1
 LARGEST_RUN = 1e10
 """Steps that one run may take: about an hour for a small train."""
 
+_top_rate = planned(top_rate)
+
 
 class Pace(NamedTuple):
     """How finely a run goes."""
@@ -147,7 +149,7 @@ def default_step(arrays: Arrays, asked: Accuracy = Accuracy()) -> float:
         arrays: The system's numbers.
         asked: Accuracy of the forces.
     """
-    fastest, excited = fastest_rate(arrays), top_rate(arrays)
+    fastest, excited = fastest_rate(arrays), _top_rate(arrays)
     stable = COMFORTABLE / fastest if fastest else np.inf
     return float(min(stable, 2.0 * np.pi / (STEPS_PER_CYCLE * excited), _ringing_step(arrays, excited, asked))
                  if excited else stable)  # fmt: skip
@@ -184,7 +186,7 @@ def excited_step(arrays: Arrays) -> float:
     Raises:
         DesignError: If nothing excites: then the step must be given.
     """
-    excited = top_rate(arrays) / (2.0 * np.pi)
+    excited = _top_rate(arrays) / (2.0 * np.pi)
     if not excited:
         raise DesignError([Problem("step", "nothing in the system sets a time scale for implicit steps; give one")])
     return 1.0 / (IMPLICIT_STEPS_PER_CYCLE * excited)
@@ -229,7 +231,7 @@ def may_take(arrays: Arrays, method: str, pace: Pace) -> bool:
         method: One of `METHODS`.
         pace: How finely.
     """
-    met = top_rate(arrays) * pace.step < SEEN
+    met = _top_rate(arrays) * pace.step < SEEN
     return met and ("runge-kutta" not in method or pace.step * fastest_rate(arrays) <= MARGIN * STABLE)
 
 
