@@ -53,6 +53,13 @@ def test_every_number_of_every_part_is_that_of_the_design_alone():
     assert_alone(design, axes, results=names, every=4)
 
 
+@pytest.mark.parametrize("name", ["in-line-h2", "off-set"])
+def test_complete_masses_with_their_bands_are_found_together(name):
+    names = ["complete_mass", "complete_mass.low", "complete_mass.high"]
+    sizings = assert_alone(read(name), {"gears.face_width_ratio": drawn(6, 16, 24)}, results=names, every=3)
+    assert sizings.together.sum() > 12
+
+
 def test_refused_rows_among_others_have_the_words_of_their_designs():
     speeds = [*drawn(3500, 5500, 20), 19900.0, math.nan, 1213.0, *drawn(4000, 5000, 20)]
     sizings = assert_alone(parse(HYBRID), {"motors.electric.speed_rpm": speeds}, every=5)

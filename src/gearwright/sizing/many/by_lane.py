@@ -297,6 +297,11 @@ def _whole(module: ModuleType) -> None:
     module._room = module._gap  # type: ignore[attr-defined]
 
 
+def _unordered(module: ModuleType) -> None:
+    """Leave parts as they came: their order differs from lane to lane, their sums are rounded once."""
+    module.ordered = tuple  # type: ignore[attr-defined]
+
+
 CHANGES.update({
     "gearwright.sizing.rating.context": _alone_known,
     "gearwright.sizing.stages.stage_sizes": _whole,
@@ -310,5 +315,7 @@ CHANGES.update({
     "gearwright.sizing.planets.choice": of_catalogue,
     "gearwright.catalogue.bearing_oil": friction,
     "gearwright.parts.bearings.modified_life": lives,
+    "gearwright.sizing.mass.record": _unordered,
+    "gearwright.sizing.mass.shell": _in_each_lane("_around"),
     "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
 })  # fmt: skip

@@ -78,12 +78,12 @@ class CompleteMass(Shown):
     @cached_property
     def total(self) -> Mass:
         """Sum of all parts [kg]."""
-        return sum(item.total for item in self.parts)
+        return math.fsum(item.total for item in self.parts)
 
     @cached_property
     def deviation(self) -> Annotated[float, Quantity("mass"), Origin("√Σ (Σ s)²", "groups apart, parts of one alike")]:
         """One standard deviation by the parts' own uncertainties [kg]: a group errs as one, groups apart."""
-        return math.sqrt(sum(group.deviation**2 for group in self.groups))
+        return math.sqrt(math.fsum(group.deviation**2 for group in self.groups))
 
     @property
     def factor(self) -> Annotated[float, Quantity("ratio"), Origin("max(1 + s/m, scatter)", "parts; held against")]:
@@ -106,12 +106,12 @@ class CompleteMass(Shown):
         Args:
             group: One of `GROUPS`.
         """
-        return sum(item.total for item in self.parts if item.group == group)
+        return math.fsum(item.total for item in self.parts if item.group == group)
 
     def _group(self, name: str) -> MassGroup:
         own = [item for item in self.parts if item.group == name]
-        total = sum(item.total for item in own)
-        return MassGroup(name, total, total / self.total, sum(item.uncertainty * item.total for item in own))
+        total = math.fsum(item.total for item in own)
+        return MassGroup(name, total, total / self.total, math.fsum(item.uncertainty * item.total for item in own))
 
 
 def ordered(items: Iterable[MassItem]) -> tuple[MassItem, ...]:

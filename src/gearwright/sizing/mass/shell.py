@@ -64,7 +64,11 @@ def shell_around(bodies: Iterable[Body]) -> Shell:
     Source: support functions of convex sets (Cauchy's formula). No housing follows a neck between two stages: a slice
         is as wide as the narrower of the widest before and the widest behind it, so that its walls across are two.
     """
-    slices = list(_slices([_Round.of(body) for body in bodies]))
+    return _around([_Round.of(body) for body in bodies])
+
+
+def _around(rounds: list[_Round]) -> Shell:
+    slices = list(_slices(rounds))
     lengths, girths, areas = (np.array(column) for column in zip(*slices, strict=True))
     girths, areas = _filled(girths), _filled(areas)
     return Shell(
@@ -124,9 +128,9 @@ def _polygon(reach: Floats) -> tuple[float, float]:
     return float(sides.sum()), float(reach @ sides / 2.0)
 
 
-def _around() -> Floats:
+def _directions() -> Floats:
     angles = 2.0 * np.pi * np.arange(_SIDES) / _SIDES
     return np.stack([np.zeros(_SIDES), np.cos(angles), np.sin(angles)], axis=1)
 
 
-_DIRECTIONS = _around()
+_DIRECTIONS = _directions()
