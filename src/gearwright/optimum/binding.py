@@ -9,7 +9,7 @@ from gearwright.checks import Check
 from gearwright.errors import GearwrightError
 from gearwright.optimum.freedoms import is_continuous, place_of
 from gearwright.optimum.optimum import Best, Binding
-from gearwright.optimum.polishing import sizing_of
+from gearwright.optimum.keeping import sizing_of
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 

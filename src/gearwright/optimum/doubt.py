@@ -9,11 +9,10 @@ import numpy as np
 from gearwright.arrays import Bools, Floats
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.judging import judged_rows
+from gearwright.optimum.keeping import Fixed, sizes_of, sizing_of, teeth_of
 from gearwright.optimum.optimum import Influence, Optimum, Regret
-from gearwright.optimum.polishing import Fixed, sizing_of, teeth_of
 from gearwright.sizing import Sizing
 from gearwright.spec import Study, value_at
-from gearwright.spec.design import Pair, Planetary
 from gearwright.spec.studies import Value
 from gearwright.study.cases import Case, unit_sample
 
@@ -22,7 +21,6 @@ COMPARED = 24
 LOW, HIGH = 0.16, 0.84
 """Between which 68 % of all that may come lies [-]."""
 BAND = (0.05, 0.95)
-_MM = 1e-3
 
 
 def regrets_of(bench: Bench, answer: Optimum, values: Floats) -> tuple[Regret, ...]:
@@ -106,22 +104,6 @@ def _keeps(bench: Bench, answer: Optimum, place: int, sizing: Sizing, samples: S
     own = judged_rows(answer.study, bench.tried([_case(k, fixed, sample) for k, sample in enumerate(samples)]))
     good: Bools = own.good
     return float(good.mean())
-
-
-def sizes_of(sizing: Sizing) -> dict[str, Value]:
-    """Return path -> module and face width of every pair and planetary set [mm].
-
-    Args:
-        sizing: As sized.
-    """
-    found: dict[str, Value] = {}
-    for gear in sizing.gears:
-        stage = sizing.design.stages[gear.stage]
-        table = "pairs" if isinstance(stage, Pair) else "planetaries" if isinstance(stage, Planetary) else ""
-        if table:
-            found.setdefault(f"{table}.{gear.stage}.module_mm", gear.module / _MM)
-            found.setdefault(f"{table}.{gear.stage}.face_width_mm", gear.face_width / _MM)
-    return found
 
 
 def influences_of(bench: Bench, answer: Optimum, values: Floats) -> tuple[Influence, ...]:

@@ -16,7 +16,8 @@ from gearwright.optimum.course import Archive, Course, Tell, followed
 from gearwright.optimum.doubt import influences_of, regrets_of
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.optimum import Counts, Optimum
-from gearwright.optimum.polishing import Compass, Fixed, rounds, with_teeth
+from gearwright.optimum.keeping import Fixed, with_teeth
+from gearwright.optimum.polishing import Compass, rounds
 from gearwright.optimum.prices import prices_of
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, read

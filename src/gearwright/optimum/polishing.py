@@ -9,21 +9,16 @@ Multiobjective Optimization, section 3.4 (augmented Chebyshev).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.errors import GearwrightError
-from gearwright.identity import Role
 from gearwright.optimum.freedoms import is_continuous, place_of
 from gearwright.optimum.judging import Judged
-from gearwright.sizing import Sizing, size
-from gearwright.spec import Design, Study, edited, value_at
-from gearwright.spec.design import Pair, Planetary
+from gearwright.optimum.keeping import Fixed
+from gearwright.spec import value_at
 from gearwright.spec.studies import Axis, Value
 from gearwright.study.answers import Row
-from gearwright.study.cases import split
 
 FIRST, LAST = 0.05, 1e-3
 """First and last step of the compass, over each range [-]."""
@@ -31,62 +26,6 @@ DIRECTIONS = 14
 """Ways that are tried from each design, so that all can be sized together [-]."""
 AUGMENTED = 1e-3
 """Weight of the sum of objectives beside the largest [-]."""
-_TEETH = {
-    Role.PINION: "pinion_teeth", Role.WHEEL: "wheel_teeth",
-    Role.SUN: "sun_teeth", Role.PLANET: "planet_teeth", Role.RING: "ring_teeth",
-}  # fmt: skip
-
-
-class Fixed(NamedTuple):
-    """A design whose teeth are kept."""
-
-    design: str
-    inputs: Mapping[str, Value]
-    """Freedoms, and paths of teeth."""
-
-
-def sizing_of(study: Study, designs: Mapping[str, Design], row: Row) -> Sizing:
-    """Return the sizing of a row.
-
-    Args:
-        study: With its changes.
-        designs: Name -> design.
-        row: That could be sized.
-    """
-    changes, _ = split({**study.changes, **row.inputs})
-    return size(edited(designs[row.design], changes))
-
-
-def with_teeth(study: Study, designs: Mapping[str, Design], row: Row) -> Fixed | None:
-    """Return a row with the teeth and numbers of planets that were chosen; nothing where they cannot be kept.
-
-    Args:
-        study: With its changes.
-        designs: Name -> design.
-        row: That could be sized.
-    """
-    try:
-        sizing = sizing_of(study, designs, row)
-        return Fixed(row.design, {**row.inputs, **teeth_of(sizing)})
-    except GearwrightError:
-        return None
-
-
-def teeth_of(sizing: Sizing) -> dict[str, Value]:
-    """Return path -> teeth and planets of every pair and planetary set.
-
-    Args:
-        sizing: As sized.
-    """
-    found: dict[str, Value] = {}
-    for gear in sizing.gears:
-        stage = sizing.design.stages[gear.stage]
-        table = "pairs" if isinstance(stage, Pair) else "planetaries" if isinstance(stage, Planetary) else ""
-        if table and gear.role in _TEETH:
-            found[f"{table}.{gear.stage}.{_TEETH[gear.role]}"] = gear.teeth
-        if table == "planetaries" and gear.role is Role.PLANET:
-            found[f"{table}.{gear.stage}.planets"] = gear.bodies
-    return found
 
 
 class Compass:
