@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from gearwright.checks import Check
 from gearwright.errors import GearwrightError
 from gearwright.optimum.freedoms import is_continuous, place_of
-from gearwright.optimum.optimum import Best, Binding
 from gearwright.optimum.keeping import sizing_of
+from gearwright.optimum.optimum import Best, Binding
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 

@@ -15,8 +15,8 @@ from gearwright.optimum.binding import best_of
 from gearwright.optimum.course import Archive, Course, Tell, followed
 from gearwright.optimum.doubt import influences_of, regrets_of
 from gearwright.optimum.judging import Judged, judged_rows
-from gearwright.optimum.optimum import Counts, Optimum
 from gearwright.optimum.keeping import Fixed, with_teeth
+from gearwright.optimum.optimum import Counts, Optimum
 from gearwright.optimum.polishing import Compass, rounds
 from gearwright.optimum.prices import prices_of
 from gearwright.shipped import find_design

@@ -11,8 +11,8 @@ from gearwright.arrays import Floats
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.freedoms import is_continuous
 from gearwright.optimum.judging import judged_rows
-from gearwright.optimum.optimum import Optimum, Price
 from gearwright.optimum.keeping import Fixed, with_teeth
+from gearwright.optimum.optimum import Optimum, Price
 from gearwright.optimum.polishing import Compass, rounds
 from gearwright.spec import Study, path_problem
 from gearwright.spec.edit import standing_at
