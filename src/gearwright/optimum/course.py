@@ -15,7 +15,7 @@ from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.screening import parts_of, screening, starts
 from gearwright.spec.studies import Search
-from gearwright.study.answers import Blocks, Row, blocks_of
+from gearwright.study.answers import FAILED, Blocks, Row, blocks_of
 from gearwright.study.cases import goes_together
 from gearwright.study.running import computed
 
@@ -30,8 +30,13 @@ class Archive:
     def __init__(self, objectives: int, constraints: int) -> None:
         self.rows: list[Row] = []
         self.judged = Judged(np.zeros((0, objectives)), np.zeros((0, constraints)))
-        self.sized, self.refusal = False, ""
-        """Whether any design could be sized, and why the first that could not be is refused."""
+        self.refusal = ""
+        """Why the first design that could not be sized is refused."""
+        self.nearest: Row | None = None
+        """Of all that could be sized, the one that breaks the constraints least, for as long as none keeps them."""
+        self.least_broken = np.full(constraints, np.inf)
+        """By how much each constraint is broken at least, over its bound [-]."""
+        self._least = np.inf
 
     def add(self, rows: Sequence[Row], own: Judged) -> None:
         """Take in designs, and keep those that no other one dominates.
@@ -40,7 +45,7 @@ class Archive:
             rows: Designs with their results.
             own: What is known of them.
         """
-        self.sized = self.sized or bool((~own.failed).any())
+        self._miss(rows, own)
         self.refusal = self.refusal or next((row.problem for row in rows if row.problem), "")
         rows, judged = [*self.rows, *rows], self.judged.joined(own)
         good = np.flatnonzero(judged.good)
@@ -48,6 +53,13 @@ class Archive:
         _, first = np.unique(judged.values[best], axis=0, return_index=True)
         best = best[np.sort(first)]
         self.rows, self.judged = [rows[k] for k in best.tolist()], judged.take(best)
+
+    def _miss(self, rows: Sequence[Row], own: Judged) -> None:
+        """Take in by how much designs miss what is asked."""
+        if len(rows) and own.violation.min() < min(self._least, FAILED):
+            place = int(own.violation.argmin())
+            self.nearest, self._least = rows[place], float(own.violation[place])
+        self.least_broken = np.minimum(self.least_broken, own.broken[~own.failed].min(axis=0, initial=np.inf))
 
 
 class Course(NamedTuple):

@@ -19,6 +19,7 @@ from gearwright.optimum.keeping import Fixed, with_teeth
 from gearwright.optimum.optimum import Counts, Optimum
 from gearwright.optimum.polishing import Compass, rounds
 from gearwright.optimum.prices import prices_of
+from gearwright.optimum.shortfall import shortfall
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, read
 from gearwright.spec.studies import Search, study_problems
@@ -66,19 +67,12 @@ def optimise(
     with closing(Bench(study, known, journal=journal, workers=workers, anyway=anyway)) as bench:
         course = followed(bench, rules, workers=workers, tell=say)
         if not course.archive.rows:
-            raise DesignError([_nothing(course.archive)], study.name)
+            raise DesignError(shortfall(study, known, course.archive), study.name)
         return _answered(bench, rules, course, say)
 
 
 def _problems(workers: int) -> Sequence[Problem]:
     return [] if workers >= 0 else [Problem("workers", f"{workers} are asked; 0 computes in this process")]
-
-
-def _nothing(archive: Archive) -> Problem:
-    """Return why a search has found nothing."""
-    if not archive.sized and archive.refusal:
-        return Problem("axes", f"every design is refused, the first with {archive.refusal}")
-    return Problem("constraints", "no design of the search keeps all of them; relax one, or widen the axes")
 
 
 def _quiet(_: str) -> None:

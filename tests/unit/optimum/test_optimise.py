@@ -1,5 +1,7 @@
 """A search finds what is best, says why, and gives the same answer however it is computed."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -135,8 +137,25 @@ def test_constraints_bind_and_impossible_ones_are_refused():
                   objectives={"total_mass": "minimum"})  # fmt: skip
     optimum = gw.optimise(tight)
     assert optimum.best.row.shown("loss") <= 12.2 * (1 + 1e-9)
-    with pytest.raises(DesignError, match="no design of the search keeps all of them"):
-        gw.optimise(study(constraints={"total_mass": {"maximum": 10.0}}, search=SMALL | {"evaluations": 24}))
+
+
+def test_where_no_design_is_good_the_nearest_says_what_it_misses_and_which_checks_fail():
+    small = SMALL | {"screened": 0, "evaluations": 12, "polished": 0}
+    with pytest.raises(DesignError) as refused:
+        gw.optimise(study(constraints={"total_mass": {"maximum": 10.0}, "loss": {"maximum": 1e6}}, search=small))
+    mass, where = refused.value.problems
+    assert mass.path == "constraints.total_mass"
+    reached, share = re.search(
+        r"at most 10 is asked, and the nearest design has (\S+), (\S+) % off", mass.message
+    ).groups()
+    assert float(share) == pytest.approx(10.0 * (float(reached) - 10.0), abs=1.0)
+    assert mass.message.endswith("none comes nearer: relax it")
+    assert re.search(rf"in-line-h2: {SPEED} = 4[0-9.]+, .*: free what these depend on", where.message)
+    narrow = {"gears.bending_safety": 3.0, "planetaries.first.module_mm": 1.0}
+    with pytest.raises(
+        DesignError, match=r"(?s)worst_margin: at least 1 is asked.*its sizing fails first\.\S+ .*of what is asked"
+    ):
+        gw.optimise(study(changes=narrow, search=small))
 
 
 @pytest.mark.parametrize(
