@@ -11,11 +11,13 @@ import os
 import resource
 import sys
 import time
+from contextlib import closing
+from itertools import islice
 
 import numpy as np
 
 import gearwright as gw
-from gearwright.optimum import Search, hypervolume
+from gearwright.optimum import hypervolume
 from gearwright.spec import Study
 
 SPEED, WIDTH = "motors.electric.speed_rpm", "gears.face_width_ratio"
@@ -32,7 +34,7 @@ PROBLEMS = {
     "mass and noise": ({**H2}, {"total_mass": "minimum", "excitation": "minimum"}),
     "mass, loss and room": ({**H2}, {"total_mass": "minimum", "loss": "minimum", "envelope.volume": "minimum"}),
 }
-EVALUATIONS, POPULATION, SEEDS = 1200, 100, 5
+EVALUATIONS, POPULATION, SCREENED, SEEDS = 1200, 100, 256, 5
 
 
 def study(axes: dict, objectives: dict, **search: int) -> Study:
@@ -95,72 +97,108 @@ def planted() -> None:
 
 
 def peers() -> None:
-    from pymoo.algorithms.moo.nsga2 import NSGA2
-    from pymoo.optimize import minimize
-
-    from gearwright.exchange.optimisers import pymoo_problem
-
+    """Generations and pymoo side by side: what all of them ask for at once is sized together, by one `size_many`."""
     for name, (axes, objectives) in PROBLEMS.items():
-        fronts, costs = {}, {}
-        for seed in range(1, SEEDS + 1):
-            # The search alone, without its first layer and its polish: generations against generations.
-            asked = study(axes, objectives, screened=0, evaluations=EVALUATIONS, population=POPULATION, seed=seed)
-            with gw.search(asked) as search:
-                inside = _timed(search)
-                used = time.process_time()
-                while len(search.rows) < EVALUATIONS:
-                    search.tell(search.evaluate(search.ask(POPULATION)))
-                costs["generations", seed] = (time.process_time() - used - inside[0]) / EVALUATIONS
-                fronts["generations", seed] = _front(search)
-            with gw.search(asked) as search:
-                inside = _timed(search)
-                used = time.process_time()
-                minimize(pymoo_problem(search), NSGA2(pop_size=POPULATION), ("n_eval", EVALUATIONS), seed=seed)
-                costs["pymoo", seed] = (time.process_time() - used - inside[0]) / EVALUATIONS
-                fronts["pymoo", seed] = _front(search)
-            # The whole search, its screening counted: as many designs in all.
-            whole = study(axes, objectives, screened=EVALUATIONS // 2, evaluations=EVALUATIONS // 2,
-                          population=POPULATION, polished=16, seed=seed)  # fmt: skip
-            used = time.process_time()
-            optimum = gw.optimise(whole)
-            costs["search", seed] = (time.process_time() - used) / EVALUATIONS
-            signs = [1.0 if sense == "minimum" else -1.0 for sense in objectives.values()]
-            fronts["search", seed] = np.array(
-                [
-                    [sign * best.row.number(key) for sign, key in zip(signs, objectives, strict=True)]
-                    for best in optimum.front
-                ]
-            )
-        every = np.vstack(list(fronts.values()))
-        low, high = every.min(axis=0), every.max(axis=0)
-        print(f"{name}: hypervolume over the box of all fronts, 10 % beyond its worst; {EVALUATIONS} designs each")
-        for who in ("generations", "search", "pymoo"):
-            volumes = [
-                hypervolume((fronts[who, seed] - low) / (high - low), np.full(len(low), 1.1))
-                for seed in range(1, SEEDS + 1)
-            ]
-            spent = np.mean([costs[who, seed] for seed in range(1, SEEDS + 1)])
-            kind = "all" if who == "search" else "overhead"
-            each = ", ".join(f"{own:.4f}" for own in volumes)
-            print(f"  {who:12s} {np.mean(volumes):.4f}  ({each})  {1e6 * spent:.0f} µs a design ({kind})", flush=True)
+        asked = {
+            seed: study(axes, objectives, screened=0, evaluations=EVALUATIONS, population=POPULATION, seed=seed)
+            for seed in range(1, SEEDS + 1)
+        }
+        drivers: dict[tuple[str, int], Generations | Pymoo] = {}
+        for seed, own in asked.items():
+            drivers["generations", seed], drivers["pymoo", seed] = Generations(own), Pymoo(own, seed)
+        costs = dict.fromkeys(drivers, 0.0)
+        with gw.search(study(axes, objectives, evaluations=1_000_000)) as bench:
+            for _ in range(EVALUATIONS // POPULATION):
+                rows: list[dict] = []
+                for key, driver in drivers.items():
+                    begun = time.process_time()
+                    rows += driver.ask()
+                    costs[key] += (time.process_time() - begun) / EVALUATIONS
+                found = iter(bench.evaluate(rows))
+                for key, driver in drivers.items():
+                    own_rows, begun = list(islice(found, POPULATION)), time.process_time()
+                    driver.tell(own_rows)
+                    costs[key] += (time.process_time() - begun) / EVALUATIONS
+        fronts = {key: driver.search.judged(driver.search.front).values for key, driver in drivers.items()}
+        for seed in asked:
+            fronts["search", seed], costs["search", seed] = _whole(axes, objectives, seed)
+        _compared(name, fronts, costs)
 
 
-def _timed(search: Search) -> list[float]:
-    """Count the processor time of what both are given: the evaluation of rows, with its journal."""
-    inside, rows = [0.0], search._bench.rows
+class Generations:
+    """The search alone, without its first layer and its polish."""
 
-    def timed(cases: list) -> list:
-        begun = time.process_time()
-        found = rows(cases)
-        inside[0] += time.process_time() - begun
-        return found
+    def __init__(self, own: Study) -> None:
+        self.search = gw.search(own)
 
-    search._bench.rows = timed
-    return inside
+    def ask(self) -> list[dict]:
+        """Return the next designs."""
+        return self.search.ask(POPULATION)
+
+    def tell(self, rows: list) -> None:
+        """Take in what came of them."""
+        self.search.tell(rows)
 
 
-def _front(search: Search) -> np.ndarray:
-    return search.judged(search.front).values
+class Pymoo:
+    """NSGA-II of pymoo by its own ask and tell, with all else as it comes."""
+
+    def __init__(self, own: Study, seed: int) -> None:
+        from pymoo.algorithms.moo.nsga2 import NSGA2
+        from pymoo.core.evaluator import Evaluator
+        from pymoo.problems.static import StaticProblem
+
+        from gearwright.exchange.optimisers import pymoo_problem
+
+        self.known = lambda problem, values, broken, asked: Evaluator().eval(
+            StaticProblem(problem, F=values, G=broken), asked
+        )
+        self.search = gw.search(own)
+        self.problem, self.algorithm = pymoo_problem(self.search), NSGA2(pop_size=POPULATION)
+        self.algorithm.setup(self.problem, termination=("n_eval", EVALUATIONS), seed=seed, verbose=False)
+
+    def ask(self) -> list[dict]:
+        """Return the next designs."""
+        self.asked = self.algorithm.ask()
+        return self.search.at(self.asked.get("X"))
+
+    def tell(self, rows: list) -> None:
+        """Take in what came of them."""
+        self.search.rows += rows
+        judged = self.search.judged(rows)
+        broken = judged.broken + np.where(judged.failed, 1.0, 0.0)[:, None]
+        self.known(self.problem, judged.values, broken, self.asked)
+        self.algorithm.tell(infills=self.asked)
+
+
+def _whole(axes: dict, objectives: dict, seed: int) -> tuple[np.ndarray, float]:
+    """Return the front of all layers with as many designs in all, and the processor time of each, prices left out."""
+    from gearwright.optimum.bench import Bench
+    from gearwright.optimum.course import followed
+    from gearwright.optimum.optimise import _polished
+
+    own = study(axes, objectives, screened=SCREENED, evaluations=EVALUATIONS - SCREENED, population=POPULATION,
+                polished=16, still=EVALUATIONS, seed=seed)  # fmt: skip
+    begun = time.process_time()
+    with closing(Bench(own, {"in-line-h2": gw.read("in-line-h2")}, journal=None, workers=0)) as bench:
+        course = followed(bench, own.search, workers=0, tell=lambda _: None)
+        _polished(bench, own.search, course.archive, course.number)
+    return course.archive.judged.values, (time.process_time() - begun) / EVALUATIONS
+
+
+def _compared(name: str, fronts: dict, costs: dict) -> None:
+    every = np.vstack(list(fronts.values()))
+    low, high = every.min(axis=0), every.max(axis=0)
+    print(f"{name}: hypervolume over the box of all fronts, 10 % beyond its worst; {EVALUATIONS} designs each")
+    for who in ("generations", "search", "pymoo"):
+        volumes = [
+            hypervolume((fronts[who, seed] - low) / (high - low), np.full(len(low), 1.1))
+            for seed in range(1, SEEDS + 1)
+        ]
+        spent = np.mean([costs[who, seed] for seed in range(1, SEEDS + 1)])
+        kind = "all" if who == "search" else "overhead"
+        each = ", ".join(f"{own:.4f}" for own in volumes)
+        print(f"  {who:12s} {np.mean(volumes):.4f}  ({each})  {1e6 * spent:.0f} µs a design ({kind})", flush=True)
 
 
 if __name__ == "__main__":

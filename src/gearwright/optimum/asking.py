@@ -47,9 +47,7 @@ class Search(Shown):
         self.rows: list[Row] = []
         """Everything that was told."""
         self._bench, self._rules = bench, _rules(study)
-        self._parents = Parents(
-            self._rules.population, len(self.freedoms.names), len(study.objectives), len(study.constraints)
-        )
+        self._parents = Parents(study, self._rules.population)
         self._generator = np.random.default_rng(self._rules.seed)
         self._first = first_places(study, self._rules.population, self._rules.seed)
         self._asked = self._number = 0

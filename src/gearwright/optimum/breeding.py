@@ -1,5 +1,8 @@
 """Generations: the best designs so far as parents, and children of them by NSGA-II over continuous and listed freedoms.
 
+Two things are not as in NSGA-II: half a population are parents, which leaves more generations for as many designs, and
+no child repeats a design that was looked at.
+
 Source: Deb, Pratap, Agarwal, Meyarivan 2002, IEEE Trans. Evol. Comput. 6 (2), 182-197.
 """
 
@@ -8,21 +11,31 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
+from gearwright.optimum.freedoms import freedoms_of
 from gearwright.optimum.judging import Judged
+from gearwright.spec import Study
 from gearwright.study.answers import crowding
 from gearwright.study.running import children
 
 ALIKE = 1e-12
 """Places of the unit cube that are nearer are one [-]."""
+KEPT = 0.5
+"""Of a population that become parents [-]."""
+LEAST = 8
+"""Parents at least [-]."""
+TRIES = 10
+"""Times that children are made anew where all are known, before some may be [-]: a few lists have few designs."""
 
 
 class Parents:
-    """The best designs that are known, a population of them."""
+    """The best designs that are known, half a population of them."""
 
-    def __init__(self, size: int, freedoms: int, objectives: int, constraints: int) -> None:
-        self.size = size
-        self.places = np.zeros((0, freedoms))
-        self.judged = Judged(np.zeros((0, objectives)), np.zeros((0, constraints)))
+    def __init__(self, study: Study, population: int) -> None:
+        self.size = max(round(KEPT * population), LEAST)
+        self.freedoms = freedoms_of(study)
+        self.places = np.zeros((0, len(self.freedoms.names)))
+        self.judged = Judged(np.zeros((0, len(study.objectives))), np.zeros((0, len(study.constraints))))
+        self._known = set[bytes]()
 
     def add(self, places: Floats, own: Judged) -> None:
         """Take in designs, and keep the best.
@@ -31,6 +44,8 @@ class Parents:
             places: In the unit cube, shape (designs, freedoms).
             own: What is known of them.
         """
+        places = self.freedoms.meant(places)
+        self._known.update(map(_key, places))
         places, judged = np.vstack([self.places, places]), self.judged.joined(own)
         _, first = np.unique(np.round(places / ALIKE).astype(np.int64), axis=0, return_index=True)
         first.sort()
@@ -54,6 +69,16 @@ class Parents:
         rank = self.judged.ranks
         crowd = crowding(self.judged.values, rank)
         made: list[Floats] = []
-        while len(made) * len(self.places) < count:
-            made.append(children(self.places.copy(), rank, crowd, generator))
-        return np.vstack(made)[:count]
+        tries = 0
+        while len(made) < count:
+            for child in self.freedoms.meant(children(self.places.copy(), rank, crowd, generator)):
+                if len(made) < count and (tries >= TRIES or _key(child) not in self._known):
+                    self._known.add(_key(child))
+                    made.append(child)
+            tries += 1
+        return np.array(made)
+
+
+def _key(place: Floats) -> bytes:
+    """Return what stands for a place among those that are known."""
+    return np.round(place / ALIKE).astype(np.int64).tobytes()

@@ -13,6 +13,7 @@ from gearwright.optimum.breeding import Parents
 from gearwright.optimum.freedoms import freedoms_of
 from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.judging import Judged, judged_rows
+from gearwright.optimum.polishing import ENOUGH
 from gearwright.optimum.screening import parts_of, screening, starts
 from gearwright.spec.studies import Search
 from gearwright.study.answers import FAILED, Blocks, Row, blocks_of
@@ -84,7 +85,7 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     study = bench.study
     first = len(study.designs) * rules.screened
     archive = Archive(len(study.objectives), len(study.constraints))
-    parents = Parents(rules.population, len(freedoms_of(study).names), len(study.objectives), len(study.constraints))
+    parents = Parents(study, rules.population)
     if rules.screened and goes_together(study):
         blocks = _screened(bench, rules, workers, tell)
         if len(blocks):
@@ -155,8 +156,19 @@ def _bred(bench: Bench, rules: Search, parents: Parents, archive: Archive, first
 
 
 def _for_generations(rules: Search) -> int:
-    """Return the evaluations of generations: three quarters, where there is a polish."""
-    return rules.evaluations if not rules.polished else max(rules.evaluations * 3 // 4, 1)
+    """Return the evaluations of generations: three quarters, where the rest suffices for a polish."""
+    kept = rules.evaluations // 4
+    return rules.evaluations - (kept if polishable(rules, kept) else 0)
+
+
+def polishable(rules: Search, evaluations: int) -> int:
+    """Return how many designs so many evaluations polish [-]: few that are polished are worth more than many begun.
+
+    Args:
+        rules: Of the search.
+        evaluations: That are left.
+    """
+    return min(rules.polished, evaluations // ENOUGH)
 
 
 def _box(values: Floats) -> tuple[Floats, Floats] | None:

@@ -12,7 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.spec import Study, value_at
-from gearwright.spec.studies import Axis, Value, axis_values
+from gearwright.spec.studies import Axis, Value, axis_length, axis_values
 from gearwright.study.cases import Case
 
 DESIGN = "design"
@@ -55,6 +55,18 @@ class Freedoms(NamedTuple):
         return np.array([[self._place(name, row[name]) for name in self.names] for row in rows]).reshape(
             len(rows), len(self.names)
         )
+
+    def meant(self, places: Floats) -> Floats:
+        """Return places of which those that mean one row are one: lists at the middle of their values' parts.
+
+        Args:
+            places: Of the unit cube, shape (rows, freedoms).
+        """
+        counts = [len(self.designs)] * (len(self.names) - len(self.axes))
+        counts += [0 if is_continuous(axis) else axis_length(path, axis) for path, axis in self.axes.items()]
+        count = np.array(counts)
+        listed = np.minimum(np.floor(places * count), count - 1)
+        return np.where(count > 0, (listed + 0.5) / np.maximum(count, 1), places)
 
     def _place(self, name: str, value: Value) -> float:
         if name == DESIGN:

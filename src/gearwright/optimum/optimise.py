@@ -12,7 +12,7 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.binding import best_of
-from gearwright.optimum.course import Archive, Course, Tell, followed
+from gearwright.optimum.course import Archive, Course, Tell, followed, polishable
 from gearwright.optimum.doubt import influences_of, regrets_of
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.keeping import Fixed, with_teeth
@@ -83,7 +83,7 @@ def _answered(bench: Bench, rules: Search, course: Course, tell: Tell) -> Optimu
     """Return the answer to which a search has come, polished and judged."""
     study, archive = bench.study, course.archive
     first = len(study.designs) * rules.screened
-    tell(f"polishing {min(rules.polished, len(archive.rows))} of {len(archive.rows)} designs with their teeth kept")
+    tell(f"{len(archive.rows)} designs on the front; polishing with their teeth kept")
     fixed, end = _polished(bench, rules, archive, course.number)
     chosen = nearest(archive.judged.values)
     counts = Counts(first, course.number - first, end - course.number, len(course.growth))
@@ -114,14 +114,11 @@ def nearest(values: Floats) -> int:
 
 def _polished(bench: Bench, rules: Search, archive: Archive, number: int) -> tuple[list[Row], int]:
     """Polish designs that are spread over the front; return the rows that came of it, and the next number."""
-    if not rules.polished:
-        return [], number
     most = len(bench.study.designs) * rules.screened + rules.evaluations
-    starts = [
-        with_teeth(bench.study, bench.designs, archive.rows[k]) for k in _spread(archive.judged.values, rules.polished)
-    ]
+    count = polishable(rules, most - number)
+    starts = [with_teeth(bench.study, bench.designs, archive.rows[k]) for k in _spread(archive.judged.values, count)]
     kept = [start for start in starts if start is not None]
-    if not kept or number + len(kept) > most:
+    if not kept:
         return [], number
     rows = bench.rows([_case(number + k, start) for k, start in enumerate(kept)])
     number += len(kept)

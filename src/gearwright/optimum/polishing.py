@@ -24,6 +24,8 @@ FIRST, LAST = 0.05, 1e-3
 """First and last step of the compass, over each range [-]."""
 DIRECTIONS = 14
 """Ways that are tried from each design, so that all can be sized together [-]."""
+ENOUGH = 1 + 8 * DIRECTIONS
+"""Evaluations of a compass: its start, the steps that become small, and as many that go somewhere [-]."""
 AUGMENTED = 1e-3
 """Weight of the sum of objectives beside the largest [-]."""
 

@@ -3,7 +3,7 @@
 What is computed of them is in `study` and `mission/lives`.
 """
 
-from gearwright.spec.studies.axis import MOST_VALUES, Axis, Value, axis_values, value_at
+from gearwright.spec.studies.axis import MOST_VALUES, Axis, Value, axis_length, axis_values, value_at
 from gearwright.spec.studies.mix import Mix, MixFile, parse_mix, read_mix
 from gearwright.spec.studies.search import Search
 from gearwright.spec.studies.study import (
@@ -39,6 +39,7 @@ __all__ = [
     "Simulated",
     "Study",
     "Value",
+    "axis_length",
     "axis_values",
     "case_count",
     "mission_changed",
