@@ -3,7 +3,7 @@
 Flying itself is in `mission`.
 """
 
-from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
+from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
 from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix

@@ -12,8 +12,8 @@ import numpy as np
 
 from gearwright.arrays import Ints
 from gearwright.dynamics.codegen.assembler import address, machine_code
-from gearwright.dynamics.codegen.loops.expressions import ADDRESS, NUMBER
 from gearwright.dynamics.codegen.loops.statements import assembly, kinds_of
+from gearwright.dynamics.codegen.loops.words import ADDRESS, NUMBER
 
 
 class Library:

@@ -8,7 +8,8 @@ import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from gearwright.dynamics.codegen.loops.expressions import ADDRESS, DECLARATIONS, KINDS, Expressions, Kind
+from gearwright.dynamics.codegen.loops.expressions import DECLARATIONS, Expressions
+from gearwright.dynamics.codegen.loops.words import ADDRESS, KINDS, Kind
 
 Known = Mapping[str, tuple[Kind, ...]]
 """Kinds of the arguments of a function and of its result, by its name."""
