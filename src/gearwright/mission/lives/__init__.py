@@ -6,6 +6,7 @@ Flying itself is in `mission`.
 from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
+from gearwright.mission.lives.duties import seat_duties
 from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.load_lives import LoadLife, load_lives

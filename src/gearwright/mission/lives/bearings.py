@@ -19,7 +19,7 @@ from gearwright.catalogue import (
 )
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.seat_duties import SeatDuty, seat_duties
+from gearwright.mission.lives.duties import SeatDuty, seat_duties
 from gearwright.parts.bearings import (
     BearingKind,
     life_exponent,

@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import by_name
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.seat_duties import seat_duties
+from gearwright.mission.lives.duties import seat_duties
 from gearwright.verbs import verb
 
 CLASSES = 40
