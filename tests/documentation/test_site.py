@@ -1,9 +1,14 @@
 """The documentation as a site: formulas, made pages, figures, numbers, and nothing from elsewhere."""
 
+import functools
 import importlib.util
+import os
 import re
+import shutil
 import sys
+import threading
 from html.parser import HTMLParser
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -135,19 +140,49 @@ class Requests(HTMLParser):
             self.found.append(given.get("href") or "")
 
 
-@SITE
-def test_the_site_builds_without_warnings_and_asks_for_nothing_from_elsewhere(tmp_path, hooks, monkeypatch):
-    """As in continuous integration; mkdocs counts every warning."""
-    monkeypatch.setenv("NO_MKDOCS_2_WARNING", "1")
-    from mkdocs.commands.build import build
-    from mkdocs.config import load_config
+@pytest.fixture(scope="module")
+def site(tmp_path_factory, hooks):
+    """Return the folder of the site, built as in continuous integration; mkdocs counts every warning."""
+    folder = tmp_path_factory.mktemp("site")
+    with pytest.MonkeyPatch.context() as given:
+        given.setenv("NO_MKDOCS_2_WARNING", "1")
+        given.chdir(ROOT)
+        from mkdocs.commands.build import build
+        from mkdocs.config import load_config
 
-    monkeypatch.chdir(ROOT)
-    build(load_config(str(ROOT / "mkdocs.yml"), site_dir=str(tmp_path), strict=True))
-    pages = list(tmp_path.rglob("*.html"))
+        build(load_config(str(ROOT / "mkdocs.yml"), site_dir=str(folder), strict=True))
+    return folder
+
+
+@SITE
+def test_the_site_builds_without_warnings_and_asks_for_nothing_from_elsewhere(site):
+    pages = list(site.rglob("*.html"))
     assert len(pages) > 20
     for page in pages:
         requests = Requests()
         requests.feed(page.read_text(encoding="utf-8"))
         assert not [each for each in requests.found if re.match(r"(https?:)?//", each)], page
         assert "FORMULA0HERE" not in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.extra("mkdocs", "material", "mkdocstrings", "latex2mathml", "playwright")
+def test_the_search_finds_options_of_commands_and_abbreviations(site):
+    """Typed into the site in a browser; a leading hyphen would say "without"."""
+    from playwright.sync_api import sync_playwright
+
+    path = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    if path is None and os.environ.get("GEARWRIGHT_BROWSER") != "1":
+        pytest.skip("no browser is here")
+    handler = functools.partial(SimpleHTTPRequestHandler, directory=str(site))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server, sync_playwright() as playwright:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        page = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"]).new_page()
+        page.goto(f"http://127.0.0.1:{server.server_port}/404.html")
+        for words, wanted in (
+            ("--json", "how-to/scripts/"),
+            ("FFT", "reference/figures/"),
+            ("backlash_mm", "design-file/"),
+        ):
+            page.goto(f"http://127.0.0.1:{server.server_port}/404.html?q={words}")
+            page.locator(f".md-search-result__link[href*='{wanted}']").first.wait_for(state="attached")
+        server.shutdown()

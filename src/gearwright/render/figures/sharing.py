@@ -30,6 +30,8 @@ MICROMETRE = 1e-6
 ROW = 5.0
 """Height of one bar [mm of paper]."""
 PERCENTILES = (50.0, 95.0, 99.0)
+LEAST_SPAN = 0.01
+"""Of coefficients b, below which a panel would show rounding alone [-]."""
 POINTS = 1200
 """Points of a curve: closer than a printer can tell apart."""
 
@@ -63,6 +65,9 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
         axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
     axes.axhline(1.0, color=theme.MUTED, lw=0.6)
     axes.margins(x=0.0)
+    low, high = min(instants.min(), 1.0), max(instants.max(), 1.0)
+    if high - low < LEAST_SPAN:
+        axes.set_ylim(low - LEAST_SPAN, high + LEAST_SPAN)
 
 
 @theme.drawn

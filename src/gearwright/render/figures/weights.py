@@ -154,7 +154,7 @@ def _draw_weights(axes: Axes) -> None:
         limits = np.array([line.band(beta, level) for beta in reach]) * POUND
         label = f"{level:.0%} of new gearboxes"
         axes.fill_between(reach, limits[:, 0], limits[:, 1], color=theme.BLUE, alpha=alpha, lw=0.0, label=label)
-    law = f"refit: W[lb] = 10^{line.intercept:.4f} β^{line.slope:.4f}, R² = {line.r_squared:.3f}"
+    law = f"refit, R² = {line.r_squared:.3f}"
     axes.plot(reach, [line.at(beta) * POUND for beta in reach], color=theme.BLUE, lw=1.5, label=law)
     axes.scatter(
         [point.beta for point in points],
@@ -190,7 +190,7 @@ def _draw_scores(axes: Axes, methods: list[Score]) -> None:
     axes.set_xticks([0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0])
     axes.set_yticks(range(len(methods)), [f"{score.method.name} ({score.count})" for score in methods], fontsize=7.5)
     axes.set_ylim(len(methods) - 0.5, -0.5)
-    axes.set_title("Bias, one standard deviation (line),\nreach of the assumed speeds (bar)")
+    axes.set_title("Bias; one standard deviation (line);\nassumed speeds (bar)")
 
 
 def _log_axes(axes: Axes, x: str, y: str) -> None:

@@ -83,7 +83,11 @@ def _figures(comparison: Comparison) -> dict[str, tuple[Figure, ...]]:
 def _verdict(comparison: Comparison) -> Judged:
     """Return how far the methods lie apart: an estimate never is more than open."""
     low, high = comparison.spread
-    said = f"{weights.taken_text(comparison)}. The methods that apply span {low:.3g} to {high:.3g} kg."
+    taken = weights.taken_text(comparison)
+    if comparison.taken is not None:
+        whose = "as given" if comparison.stated is not None else "the median of the refit of 61 real weights"
+        taken = f"Taken from here on: {comparison.taken.mass:.1f} kg, {whose}."
+    said = f"{taken} The methods that apply span {low:.3g} to {high:.3g} kg."
     return Judged(Tone.OPEN, f"An estimate: the methods differ by a factor of {high / low:.1f}", said)
 
 

@@ -38,7 +38,7 @@ def summary(study: SharingStudy) -> list[str]:
         f"{name} {value / count:.2%}" for name, value in zip(problem.lines, problem.perfect, strict=True)
     )
     cycled = ", ".join(
-        f"{name} {low / count:.2%} to {high / count:.2%}"
+        f"{name} {_range(low / count, high / count)}"
         for name, low, high in zip(problem.lines, cycle.min(axis=0), cycle.max(axis=0), strict=True)
     )
     lines = [
@@ -63,6 +63,12 @@ def summary(study: SharingStudy) -> list[str]:
         window, target = 1e3 * study.clocking.window, study.clocking.target
         lines.append(f"equal without errors with clocking: {angles}; {target:.0%} within ±{window:.2f} mrad of it")
     return lines
+
+
+def _range(low: float, high: float) -> str:
+    """Return a share that changes, or stays, in per cent."""
+    ends = (f"{low:.2%}", f"{high:.2%}")
+    return " to ".join(dict.fromkeys(ends))
 
 
 def _influences(study: SharingStudy) -> Grid:
