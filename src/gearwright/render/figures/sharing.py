@@ -65,7 +65,7 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
         axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
     axes.axhline(1.0, color=theme.MUTED, lw=0.6)
     axes.margins(x=0.0)
-    low, high = min(instants.min(), 1.0), max(instants.max(), 1.0)
+    low, high = min(float(instants.min()), 1.0), max(float(instants.max()), 1.0)
     if high - low < LEAST_SPAN:
         axes.set_ylim(low - LEAST_SPAN, high + LEAST_SPAN)
 

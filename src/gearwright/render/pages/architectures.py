@@ -44,10 +44,14 @@ def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
     sized = {row.title: size(parse(row.file)) for row in ranking.closed if row.file}
     said = tuple(ranking_sentences(ranking))
     life = text(ranking.life, "life", 3)
+    masses = {name: complete_mass(one) for name, one in sized.items()}
+    looks = (
+        Section("What they look like", figures=tuple(_drawn(ranking, sized))),
+        Section("Where the mass is", tables=(group_table(masses),)),
+    )
     sections = (
         Section("At equal life", tables=(equal_life_table(ranking.closed, f"Closed for {life}"),), listed=said),
-        Section("What they look like", figures=tuple(_drawn(ranking, sized))),
-        Section("Where the mass is", tables=(group_table({name: complete_mass(one) for name, one in sized.items()}),)),
+        *(looks if sized else ()),
         Section(
             f"The {min(SHOWN, len(ranking.candidates))} most promising of {len(ranking.candidates)}",
             tables=(architectures_table(ranking.candidates[:SHOWN], ""),),
@@ -63,6 +67,8 @@ def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
 def _verdict(ranking: Ranking, said: tuple[str, ...]) -> Verdict:
     """Return whether any meets everything; that others do not is told beside."""
     passing, closed = len(ranking.passing), len(ranking.closed)
+    if not closed:
+        return Verdict(Tone.OPEN, "None is closed yet", said[-1])
     if not passing:
         return Verdict(Tone.BAD, "None meets everything", said[-1])
     return Verdict(Tone.OPEN, f"{passing} of {closed} closed designs pass as far as assessed", said[1])
