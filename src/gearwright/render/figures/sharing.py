@@ -65,9 +65,9 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
         axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
     axes.axhline(1.0, color=theme.MUTED, lw=0.6)
     axes.margins(x=0.0)
-    low, high = min(float(instants.min()), 1.0), max(float(instants.max()), 1.0)
-    if high - low < LEAST_SPAN:
-        axes.set_ylim(low - LEAST_SPAN, high + LEAST_SPAN)
+    least, most = min(float(instants.min()), 1.0), max(float(instants.max()), 1.0)
+    if most - least < LEAST_SPAN:
+        axes.set_ylim(least - LEAST_SPAN, most + LEAST_SPAN)
 
 
 @theme.drawn
