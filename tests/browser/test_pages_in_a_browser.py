@@ -36,6 +36,17 @@ SHOWN = ("in-line-h2", "ec120b")
 KEY_NUMBERS = """[...document.querySelectorAll("dl.key > div")].map(box =>
   [box.querySelector("dt").textContent, (box.querySelector(".q") || {dataset: {}}).dataset.v])"""
 """Name and value of every key number."""
+LEAVE_OUT_ROWS_THAT_ARE_ALIKE = r"""() => {
+  const seen = {}, given = / (href|id|title|data-\w+)=("[^"]*"|[^\s>]*)/g;
+  const bare = cell => cell.outerHTML.replace(given, " $1").replace(/>[^<]*/g, ">");
+  for (const body of document.querySelectorAll("tbody")) for (const row of [...body.rows]) {
+    const shapes = [row.className, ...[...row.cells].map((cell, place) => place + bare(cell))];
+    if (row === body.rows[0] || shapes.some(shape => !(seen[shape] > 1)))
+      shapes.forEach(shape => seen[shape] = (seen[shape] || 0) + 1);
+    else row.remove();
+  }
+}"""
+"""Of rows whose cells have the same elements, classes and attributes as two before, axe would say the same again."""
 TOLERANCE = 5e-4
 """Half a unit of the fourth digit that a table shows."""
 
@@ -164,6 +175,8 @@ def test_nothing_serious_keeps_anyone_from_reading_a_page(kind, opened):
     """axe-core: no violation that it calls serious or critical, in light or dark; what is inside figures is theirs."""
     page, _ = opened(PAGES[kind](), width=820)
     page.evaluate("document.querySelectorAll('figure').forEach(figure => figure.scrollIntoView())")
+    if not EVERY_DESIGN:
+        page.evaluate(LEAVE_OUT_ROWS_THAT_ARE_ALIKE)
     assert serious(page) == []
     if kind not in PRINTED and not EVERY_DESIGN:  # the others are of the same parts
         return
