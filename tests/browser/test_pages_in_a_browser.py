@@ -325,6 +325,35 @@ def test_zooming_into_a_front_leaves_the_rows_of_its_table_that_are_inside(opene
     assert told == []
 
 
+def test_a_stretch_of_a_parallel_axis_leaves_the_rows_lines_and_points_that_lie_in_it(opened):
+    page, told = opened(written("front"))
+    figure = page.locator("#live-lines")
+    figure.scroll_into_view_if_needed()
+    figure.locator("svg.live-parallel").wait_for()
+    table = page.locator("table", has=page.locator("caption", has_text=re.compile("^Pareto front$")))
+    speeds = [float(text) for text in table.locator("tbody td:nth-child(3)").all_inner_texts()]
+    most = sorted(speeds)[len(speeds) // 2] + 0.1
+    box = figure.locator("svg.live-parallel").bounding_box()
+    page.mouse.move(box["x"] + 0.06 * box["width"], box["y"] + 0.3 * box["height"])
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.06 * box["width"], box["y"] + 0.6 * box["height"], steps=3)
+    page.mouse.up()
+    least, greatest = (float(figure.locator("input").nth(k).input_value()) for k in (0, 1))
+    assert 3500.0 < least < greatest < 5500.0
+    figure.locator("input").nth(0).fill("3000")
+    figure.locator("input").nth(1).fill(f"{most}")
+    figure.locator("input").nth(1).press("Enter")
+    kept = [float(text) for text in table.locator("tbody tr:visible td:nth-child(3)").all_inner_texts()]
+    assert kept == [speed for speed in speeds if speed <= most] and len(kept) < len(speeds)
+    assert " lie in the stretches" in figure.locator(".live-stretch").inner_text()
+    dim = page.evaluate("""() => { const plot = livePlots.find(plot => plot.root.closest("figure").id === "live-front");
+        return [typeof plot.kept, document.querySelectorAll(".live-parallel .out").length]; }""")
+    assert dim[0] == "function" and dim[1] > 10
+    page.mouse.click(box["x"] + 0.06 * box["width"], box["y"] + 0.9 * box["height"])
+    assert table.locator("tbody tr:visible").count() == len(speeds)
+    assert told == []
+
+
 def scale(page, figure):
     """Return the length of the first panel's x axis, in its unit."""
     plot = page.evaluate_handle(

@@ -5,7 +5,7 @@ How one given design is sized, closed or judged is for the layers below; pages a
 
 from gearwright.enumeration.kinds import KINDS, Kind
 from gearwright.enumeration.ranked import CLOSED, STAGES, Ranking, architectures, lighter
-from gearwright.enumeration.ranking import Candidate, candidate
+from gearwright.enumeration.ranking import Candidate
 from gearwright.enumeration.requirement import Requirement, requirement_of
 from gearwright.enumeration.trains import Architecture, Place, Seat, trains
 
@@ -21,7 +21,6 @@ __all__ = [
     "Requirement",
     "Seat",
     "architectures",
-    "candidate",
     "lighter",
     "requirement_of",
     "trains",

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from gearwright.enumeration.kinds import HELIX, Link, Tables, branches, halved
 from gearwright.enumeration.requirement import Requirement
-from gearwright.enumeration.trains import Architecture, Seat
+from gearwright.enumeration.trains import Architecture, Seat, held
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role, gear_part
-from gearwright.spec import Design, as_concept, edited
+from gearwright.spec import GROUND, Design, as_concept, edited
 from gearwright.units import RPM
 
 _ORDINALS: tuple[str, ...] = ("first", "second", "third", "fourth")
@@ -23,6 +23,11 @@ SLOWER, FASTER = 0.7, 6.0
 _PLACED = ("layout", "keep_out", "supports", "errors", "bearings", "joints", "waivers", "overrides", "origins")
 _STAGES = ("pairs", "planetaries", "epicyclics", "clutches", "dampers")
 _STANDS = (Seat.SHAFT, Seat.BRANCH)
+_RING = "ring"
+_SPARE = 1.03
+"""Rating of a motor that balances over what is asked of it: teeth give the ratio of torques only nearly [-]."""
+_SLOWEST = 0.1
+"""That a design may give a motor, where it gives nothing in a case and only holds [rad/s]."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +47,7 @@ def freedoms(architecture: Architecture) -> int:
     Args:
         architecture: Of any kinds.
     """
-    return architecture.stages - 1 + (architecture.motor.seat in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS))
+    return architecture.stages - 1 + (architecture.motor.seat in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS, Seat.RIM))
 
 
 def built(requirement: Requirement, architecture: Architecture, places: Sequence[float]) -> Built:
@@ -56,17 +61,21 @@ def built(requirement: Requirement, architecture: Architecture, places: Sequence
     Raises:
         DesignError: Where no motor's speed is within reach, or the design cannot be.
     """
-    ratios = _ratios(architecture, requirement.ratio, places)
+    ratios = _ratios(architecture, held(architecture.members, requirement.ratio, requirement.added), places)
     shafts, links = _links(requirement, architecture, ratios)
     motor = _motor_speed(requirement, architecture, ratios, places)
     if architecture.motor.seat in _STANDS:
         links = _left_open(architecture, links)
     tables = _together([kind.tables(link) for kind, link in zip(architecture.members, links, strict=True)])
     stage = _motor_stage(architecture, links, shafts)
+    if architecture.motor.seat is Seat.RIM and motor is not None:
+        stage["pairs"][_MOTOR_STAGE]["ratio"] = motor / _turned(requirement, architecture, ratios)
     tables = _together([tables, stage])
-    if stage:
-        shafts = [*shafts, _MOTOR]
-    named = [*shafts, *(name for link in links if len(link.names) > 1 for name in branches(link))]
+    balanced = architecture.motor.seat in (Seat.RING, Seat.RIM)
+    shafts = [*shafts, *([_RING] if architecture.motor.seat is Seat.RIM else []),
+              *([_MOTOR] if stage or balanced else [])]  # fmt: skip
+    split = [link for kind, link in zip(architecture.members, links, strict=True) if kind.branched]
+    named = [*shafts, *(name for link in split for name in branches(link))]
     changes: dict[str, Any] = {name: {} for name in (*_PLACED, *_STAGES)} | dict(tables)
     changes |= as_concept(requirement.design)
     changes |= {"shafts": named, "name": f"{requirement.design.name}: {architecture.name}"}
@@ -76,7 +85,27 @@ def built(requirement: Requirement, architecture: Architecture, places: Sequence
     if requirement.motor is not None and motor is not None:
         changes[f"motors.{requirement.motor}.shaft"] = _motor_shaft(architecture, links, shafts)
         changes[f"motors.{requirement.motor}.speed_rpm"] = motor / RPM
+        if balanced:
+            changes |= dict(_balanced(requirement, architecture, motor))
     return Built(edited(requirement.design, changes), ratios, motor)
+
+
+def _balanced(requirement: Requirement, architecture: Architecture, motor: float) -> Iterator[tuple[str, Any]]:
+    """Yield what makes a motor balance a differential: in every case the speed at which it gives its power.
+
+    The set fixes the ratio of the torques, so that a motor that gives less turns slower, and the propeller with it.
+    """
+    path = f"motors.{requirement.motor}"
+    yield f"{path}.balances", True
+    yield f"{path}.power_w", _SPARE * requirement.added * requirement.design.turbines[requirement.engine].power
+    before = math.prod(kind.senses for kind in architecture.members[: architecture.motor.at])
+    yield f"{path}.reverse", before == (1 if architecture.motor.seat is Seat.RIM else -1)
+    for case, added in requirement.added_in.items():
+        speed = max(motor * added / requirement.added, _SLOWEST)
+        drive = f"cases.{case}.{requirement.motor}"
+        yield from ((f"{drive}.{given}", None) for given in ("power_w", "torque_nm", "rating"))
+        yield from ((f"{drive}.balances", True), (f"{drive}.speed_rpm", speed / RPM))
+        yield f"cases.{case}.{requirement.engine}.speed_rpm", requirement.engine_speed / RPM
 
 
 def _ratios(architecture: Architecture, ratio: float, places: Sequence[float]) -> tuple[float, ...]:
@@ -111,6 +140,7 @@ def _links(
                 tuple(ratios[own]),
                 tuple(asked[own]),
                 requirement.helix or HELIX,
+                {Seat.RING: _MOTOR, Seat.RIM: _RING}.get(architecture.motor.seat, GROUND),
             )
         )
         first += kind.stages
@@ -121,7 +151,8 @@ def _speeds(requirement: Requirement, architecture: Architecture, ratios: Sequen
     """Return the speed of every shaft from engine to propeller, in size [rad/s]."""
     speeds, first = [requirement.engine_speed], 0
     for kind in architecture.members:
-        speeds.append(speeds[-1] / math.prod(ratios[first : first + kind.stages]))
+        faster = 1.0 + requirement.added if kind.balanced else 1.0
+        speeds.append(speeds[-1] * faster / math.prod(ratios[first : first + kind.stages]))
         first += kind.stages
     return speeds
 
@@ -136,23 +167,29 @@ def _motor_speed(
     requirement: Requirement, architecture: Architecture, ratios: Sequence[float], places: Sequence[float]
 ) -> float | None:
     """Return the speed of the motor [rad/s]: its shaft's, or within what a pair can reduce."""
-    seat, at = architecture.motor.seat, architecture.motor.at
+    seat = architecture.motor.seat
     if seat is Seat.NONE:
         return None
-    speeds = _speeds(requirement, architecture, ratios)
-    if seat is Seat.SHAFT:
-        turned = speeds[at]
-    elif seat in (Seat.BRANCH, Seat.PINIONS) or (seat is Seat.WHEEL and architecture.members[at].stages > 1):
-        turned = _branch_speed(architecture, speeds, ratios)
-    else:
-        turned = speeds[at + (seat is Seat.WHEEL)]
-    if seat in _STANDS:
+    turned = _turned(requirement, architecture, ratios)
+    if seat in (*_STANDS, Seat.RING):
         return _within(turned, requirement.fastest)
     least, most = SLOWER * turned, min(FASTER * turned, requirement.fastest)
     if least > most:
         raise DesignError([Problem("motors", f"no pair brings at most {requirement.fastest / RPM:.0f} rpm there")])
     place: float = places[-1]
     return least * math.pow(most / least, place)
+
+
+def _turned(requirement: Requirement, architecture: Architecture, ratios: Sequence[float]) -> float:
+    """Return the speed of what the motor turns [rad/s]."""
+    seat, at = architecture.motor.seat, architecture.motor.at
+    speeds = _speeds(requirement, architecture, ratios)
+    if seat in (Seat.RING, Seat.RIM):
+        basic = ratios[sum(kind.stages for kind in architecture.members[:at])]
+        return speeds[at] * requirement.added / (basic - 1.0)
+    if seat in (Seat.BRANCH, Seat.PINIONS) or (seat is Seat.WHEEL and architecture.members[at].stages > 1):
+        return _branch_speed(architecture, speeds, ratios)
+    return speeds[at + (seat is Seat.WHEEL)]
 
 
 def _within(speed: float, fastest: float) -> float:
@@ -177,15 +214,14 @@ def _left_open(architecture: Architecture, links: list[Link]) -> list[Link]:
 def _motor_stage(architecture: Architecture, links: Sequence[Link], shafts: Sequence[str]) -> Tables:
     """Return the motor's own pair; nothing where it sits on a shaft that is there."""
     seat, at = architecture.motor.seat, architecture.motor.at
-    if seat not in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS):
+    if seat not in (Seat.PAIR, Seat.WHEEL, Seat.PINIONS, Seat.RIM):
         return {}
     wheel = {
-        Seat.PAIR: lambda: shafts[at], Seat.WHEEL: lambda: str(gear_part(links[at].names[0], Role.WHEEL)),
+        Seat.RIM: lambda: _RING, Seat.PAIR: lambda: shafts[at],
+        Seat.WHEEL: lambda: str(gear_part(links[at].names[0], Role.WHEEL)),
         Seat.PINIONS: lambda: str(gear_part(links[at].names[1], Role.PINION)),
     }[seat]()  # fmt: skip
     stated: dict[str, Any] = {"pinion": _MOTOR, "wheel": wheel, **halved(links[0].helix)}
-    if seat is Seat.PINIONS:
-        del stated["halves"]
     return {"pairs": {_MOTOR_STAGE: stated}}
 
 

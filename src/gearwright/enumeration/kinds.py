@@ -35,6 +35,10 @@ class Kind:
     """What it is between two shafts."""
     toothed: bool = False
     """Whether a motor's pinion may mesh with its wheel."""
+    branched: bool = False
+    """Whether two shafts side by side carry its power."""
+    balanced: bool = False
+    """Whether the motor turns its ring, so that two speeds and both torques meet in it."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +57,8 @@ class Link:
     """Whether each is asked for; else the speeds beside it give it."""
     helix: float
     """Helix angle of pairs [rad]."""
+    ring: str = GROUND
+    """Shaft of the motor that turns a differential's ring."""
 
 
 def halved(helix: float) -> dict[str, Any]:
@@ -134,11 +140,78 @@ BASIC: Mapping[tuple[str, str], Callable[[float], float]] = {
 }
 """(carrier, sun) -> 1 + z_r/z_s, which a design asks of a planetary set, from the ratio of its speeds [-] (Willis)."""
 
+
+def _stepped(carrier: str, ring: str) -> Callable[[Link], Tables]:
+    """Return how a set with stepped planets is written, sun first.
+
+    Args:
+        carrier: ``driven`` or ``ground``.
+        ring: The other one.
+    """
+
+    def tables(link: Link) -> Tables:
+        shafts = {"driven": link.driven, GROUND: GROUND}
+        wide, narrow = link.ratios[0], link.ratios[1]
+        if carrier == "driven":
+            narrow -= 1.0 / wide  # 1 + (z_1/z_s)(z_r/z_2) is the ratio of the whole
+        sun, first, second, ring_teeth = stepped_teeth(wide, narrow)
+        return {
+            "epicyclics": {
+                link.names[0]: {
+                    "carrier": shafts[carrier], "sets": STEPPED_SETS,
+                    "suns": {"sun": {"shaft": link.driving, "teeth": sun}},
+                    "rings": {"ring": {"shaft": shafts[ring], "teeth": ring_teeth}},
+                    "planets": {"wide": {"teeth": first, "meshes": ["sun"]},
+                                "narrow": {"teeth": second, "meshes": ["ring"], "in_one_piece_with": "wide"}},
+                }
+            }
+        }  # fmt: skip
+
+    return tables
+
+
+STEPPED_SETS = 3
+"""Planets of a stepped set: the wide step leaves room for no more from a ratio of 2.1 on [-]."""
+_SUNS = (21, 24, 27)
+_SECONDS = range(20, 31)
+
+
+def stepped_teeth(wide: float, narrow: float) -> tuple[int, int, int, int]:
+    """Return teeth of sun, first step, second step and ring that come nearest to two ratios.
+
+    Sun and ring have multiples of the number of planets, so that equally spaced planets of one timing mesh everywhere.
+
+    Args:
+        wide: First step over sun [-].
+        narrow: Ring over second step [-].
+    """
+
+    def off(teeth: tuple[int, int, int, int]) -> tuple[float, int]:
+        sun, first, second, ring = teeth
+        return abs(first / sun * ring / second / (wide * narrow) - 1.0), sum(teeth)
+
+    every = (
+        (sun, round(wide * sun), second, STEPPED_SETS * round(narrow * second / STEPPED_SETS))
+        for sun in _SUNS for second in _SECONDS
+    )  # fmt: skip
+    return min(every, key=off)
+
+
+def _differential(link: Link) -> Tables:
+    """Return a set of which engine and motor turn sun and ring, and the carrier turns what follows."""
+    stated = {"sun": link.driving, "ring": link.ring, "carrier": link.driven, "ratio": link.ratios[0]}
+    return {"planetaries": {link.names[0]: {**stated, "planets": planets_beside(link.ratios[0])}}}
+
+
 PAIR = Kind("pair", "pair", 1, 1.3, 7.0, -1, _pair, toothed=True)
-SPLIT = Kind("split path", "split", 2, 1.3, 7.0, 1, _split, toothed=True)
+SPLIT = Kind("split path", "split", 2, 1.3, 7.0, 1, _split, toothed=True, branched=True)
 PLANETARY = Kind("planetary set", "planetary", 1, 2.9, 11.0, 1, _set("driving", GROUND, "driven"))
 STAR = Kind("star", "star", 1, 1.9, 10.0, -1, _set("driving", "driven", GROUND))
 SOLAR = Kind("solar set", "solar", 1, 1.12, 1.52, 1, _set(GROUND, "driving", "driven"))
-KINDS = {kind.name: kind for kind in (PAIR, SPLIT, PLANETARY, STAR, SOLAR)}
+STEPPED = Kind("stepped set", "stepped", 2, 2.8, 5.5, 1, _stepped("driven", GROUND))
+STEPPED_STAR = Kind("stepped star", "stepped-star", 2, 2.8, 5.5, -1, _stepped(GROUND, "driven"))
+DIFFERENTIAL = Kind("differential", "differential", 1, 2.9, 11.0, 1, _differential, balanced=True)
+KINDS = {kind.name: kind for kind in (PAIR, SPLIT, PLANETARY, STAR, SOLAR, STEPPED, STEPPED_STAR, DIFFERENTIAL)}
 """By name. Ratios: 1 + z_r/z_s of planetary sets lies between 2.9 and 11, where three planets stand beside each other
-(z_p < 6.4 z_s) and are not smaller than the sun's own teeth allow."""
+(z_p < 6.4 z_s) and are not smaller than the sun's own teeth allow; a differential's is that of its ring held. A stepped
+set has two: of its first step over the sun, and what is left, both where three planets have room."""

@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
+from typing import TypeVar
 
 from gearwright.closure import Wishes
-from gearwright.enumeration.ranking import Candidate, candidate
+from gearwright.enumeration.ranking import Candidate, proportioned, rated, sketched
 from gearwright.enumeration.requirement import Requirement, requirement_of
 from gearwright.enumeration.trains import Architecture, trains
 from gearwright.errors import Problem, refuse
@@ -27,12 +28,19 @@ from gearwright.units import Ratio
 from gearwright.verbs import verb
 from gearwright.version import __version__
 
+T = TypeVar("T")
 STAGES = (2, 3)
 """How many stages a train may have, where nothing else is asked."""
 CLOSED = 12
 """Architectures that are closed, where nothing else is asked [-]."""
 _KEEP = 25
 """Finished architectures after which what is known is written."""
+_FAR = 1.75
+"""First sizing, complete and with its motor, over the lightest one, up to which it is sized against fatigue [-]."""
+_HOPELESS = 2.5
+"""The same of the middle of its ranges, over the lightest of the fewest stages, above which it is left at that [-]."""
+_ANEW = 3
+"""Times as many as are closed get numbers anew, by what they lack [-]."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,6 +65,17 @@ class Ranking(Shown):
     def passing(self) -> tuple[EqualLife, ...]:
         """Those that pass the review of their written design, the lightest first."""
         return tuple(row for row in self.closed if not row.fails and row.with_machines is not None)
+
+    @property
+    def beside(self) -> tuple[EqualLife, ...]:
+        """Those that pass of what the architectures are compared with, the lightest first."""
+        own = {row.architecture.slug for row in self.candidates}
+        return tuple(row for row in self.passing if row.design not in own)
+
+    @property
+    def unborne(self) -> int:
+        """How many of those sized against fatigue have planets in which no bearing lives as long as asked [-]."""
+        return sum(any(name.endswith(" life") for name, _ in row.lacks) for row in self.candidates)
 
     @property
     def confidence(self) -> Ratio | None:
@@ -89,9 +108,10 @@ def architectures(
 ) -> Ranking:
     """Return every train of a few stages that can take the place of a design's own, ranked at equal life.
 
-    Each architecture gets the ratios and the motor's speed with which it weighs least as a first sizing; it is then
-    sized against fatigue, with everything in its mass. The most promising are closed: every free size is chosen so that
-    an independent review of the written design passes. The answer does not depend on how many workers there are.
+    Each architecture gets the ratios and the motor's speed with which it weighs least as a first sizing. Those that are
+    not far from the lightest are sized against fatigue, with everything in their mass; the lightest of those that lack
+    something there get other numbers by it. The most promising are closed: every free size is chosen so that an
+    independent review of the written design passes. The answer does not depend on how many workers there are.
 
     Args:
         design: Whose turbine, motor, propeller, cases and rules count; its stages do not.
@@ -109,7 +129,8 @@ def architectures(
     """
     refuse(_problems(life, stages, closed, workers))
     asked = requirement_of(design, fastest=fastest)
-    every = list(trains(asked.ratio, stages=tuple(sorted(set(stages))), motor=asked.motor is not None))
+    counts, motor = tuple(sorted(set(stages))), asked.motor is not None
+    every = list(trains(asked.ratio, stages=counts, motor=motor, added=asked.added))
     if not every:
         message = (
             f"no train of {' or '.join(map(str, stages))} stages gives a ratio of {asked.ratio:.4g}; ask for others"
@@ -118,14 +139,8 @@ def architectures(
     kept = _begun(journal, _digest(asked, life, beside or {}))
     say = tell or _quiet
     with _keeping(journal, kept) as book:
-        missing = [one for one in every if one.slug not in book.candidates]
-        say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}, {len(missing)} of them to be sized")
-        found = partial(candidate, asked, life=life)
-        for count, (one, row) in enumerate(computed(found, missing, workers), start=1):
-            book.sized(one, row)
-            if count % _KEEP == 0 or count == len(missing):
-                say(f"{count} of {len(missing)} sized")
-        rows = sorted((book.candidates[one.slug] for one in every), key=_promise)
+        say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}")
+        rows = _ranked(_Task(asked, life, workers, say, book), every, closed * _ANEW)
         best = [row for row in rows if row.design is not None][:closed]
         wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | dict(beside or {})
         open_ones = {name: one for name, one in wanted.items() if name not in book.closed}
@@ -152,8 +167,53 @@ def _quiet(_: str) -> None:
     """Say nothing."""
 
 
-def _promise(row: Candidate) -> tuple[float, str]:
-    return row.promise, row.architecture.slug
+@dataclass(frozen=True)
+class _Task:
+    """What architectures are sized for, and by what."""
+
+    asked: Requirement
+    life: float
+    workers: int
+    say: Callable[[str], None]
+    book: _Book
+
+    def run(self, function: Callable[[T], Candidate], things: Sequence[T], how: str) -> None:
+        """Take in what a function makes of architectures, as they come."""
+        for number, (_, row) in enumerate(computed(function, things, self.workers), start=1):
+            self.book.sized(row)
+            if number % _KEEP == 0 or number == len(things):
+                self.say(f"{number} of {len(things)} sized {how}")
+
+
+def _ranked(task: _Task, every: Sequence[Architecture], anew: int) -> list[Candidate]:
+    """Return all architectures, the most promising first: sketched, those near the lightest rated, the best anew."""
+    known = task.book.candidates
+    fewest = min(one.stages for one in every)
+    simple = [one for one in every if one.stages == fewest]
+    how = "as first sizings"
+    task.run(partial(sketched, task.asked), [one for one in simple if one.slug not in known], how)
+    most = _HOPELESS * min((known[one.slug].first_complete or math.inf for one in simple), default=math.inf)
+    longer = [one for one in every if one.stages > fewest and one.slug not in known]
+    task.run(partial(sketched, task.asked, most=most), longer, how)
+    near = [row for row in _near([known[one.slug] for one in every]) if row.design is None]
+    task.run(partial(rated, task.asked, life=task.life), near, "against fatigue")
+    short = [row for row in _short([known[one.slug] for one in every], anew) if not row.proportioned]
+    task.run(partial(proportioned, task.asked, life=task.life), short, "anew by what they lack")
+    return sorted((known[one.slug] for one in every), key=lambda row: row.order)
+
+
+def _near(rows: Sequence[Candidate]) -> list[Candidate]:
+    """Return the architectures whose first sizing is not far heavier than the lightest."""
+    masses = {row.architecture.slug: row.first_complete for row in rows if row.first_complete and not row.refused}
+    most = _FAR * min(masses.values(), default=0.0)
+    return [row for row in rows if masses.get(row.architecture.slug, math.inf) <= most]
+
+
+def _short(rows: Sequence[Candidate], count: int) -> list[Candidate]:
+    """Return the lightest of the architectures that were sized against fatigue, those of them that lack something."""
+    known = [row for row in rows if row.rated_mass is not None]
+    lightest = sorted(known, key=lambda row: (row.rated_mass or 0.0, row.architecture.slug))[:count]
+    return [row for row in lightest if row.lacks]
 
 
 def _weight(row: EqualLife) -> tuple[bool, float]:
@@ -171,7 +231,7 @@ def _said(rows: Sequence[EqualLife]) -> str:
     return f"{mass}, {best.verdict}{f' ({best.variant})' if best.variant else ''}"
 
 
-def lighter(first: EqualLife, second: EqualLife) -> float:
+def lighter(first: EqualLife, second: EqualLife, *, apart: bool = False) -> float:
     """Return the probability that one closed gearbox is lighter than another [-].
 
     What rules of mass do not know they do not know of both alike: a group of parts (gears, carriers, housing …) errs by
@@ -180,10 +240,15 @@ def lighter(first: EqualLife, second: EqualLife) -> float:
     Args:
         first: Expected to be the lighter.
         second: The other.
+        apart: Whether the rules err of both independently instead, the least that can be said.
     """
     masses = [complete_mass(size(parse(row.file))) for row in (first, second)]
     errors = [{group.group: group.deviation for group in mass.groups} for mass in masses]
-    variance = sum((errors[0].get(name, 0.0) - errors[1].get(name, 0.0)) ** 2 for name in {**errors[0], **errors[1]})
+    if apart:
+        deviations = [deviation for error in errors for deviation in error.values()]
+    else:
+        deviations = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
+    variance = sum(deviation * deviation for deviation in deviations)
     ahead = (second.with_machines or math.inf) - (first.with_machines or math.inf)
     if variance == 0.0:
         return 0.5 if ahead == 0.0 else float(ahead > 0.0)
@@ -216,9 +281,9 @@ class _Book:
         self.candidates, self.closed = dict(kept.candidates), dict(kept.closed)
         self.unwritten = 0
 
-    def sized(self, one: Architecture, row: Candidate) -> None:
+    def sized(self, row: Candidate) -> None:
         """Take in an architecture."""
-        self.candidates[one.slug] = row
+        self.candidates[row.architecture.slug] = row
         self.unwritten += 1
         if self.unwritten >= _KEEP:
             self.write()

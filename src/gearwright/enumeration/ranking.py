@@ -1,16 +1,18 @@
-"""Every architecture with its best numbers: quickly as a first sizing, then against fatigue with its complete mass."""
+"""Every architecture with its best numbers: as a first sizing, then against fatigue, then by what it lacks there."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.checks import Check
 from gearwright.enumeration.building import Built, built, freedoms
 from gearwright.enumeration.requirement import Requirement
+from gearwright.enumeration.stepped import borne
 from gearwright.enumeration.trains import Architecture
 from gearwright.errors import DesignError, GearwrightError, Problem
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, at_level, edited
 
@@ -28,16 +30,24 @@ class Candidate:
     """Of its stages [-]."""
     motor_speed: float | None = None
     """[rad/s]"""
-    design: Design | None = None
-    """At level preliminary; None where it is refused."""
+    places: tuple[float, ...] = ()
+    """Of its numbers within their ranges, from 0 to 1 [-]."""
     first_mass: float | None = None
     """Of gears, shafts and carriers as a first sizing, with its motor [kg]."""
+    first_complete: float | None = None
+    """Of the whole gearbox of that first sizing, with its motor [kg]."""
+    design: Design | None = None
+    """At level preliminary; None where it is refused, or far from the lightest as a first sizing."""
     complete_mass: float | None = None
     """Of the whole gearbox against fatigue [kg]."""
     motor_mass: float | None = None
     """[kg]"""
     lacks: tuple[tuple[str, float], ...] = ()
     """Checks that fail, with their margins, the worst first."""
+    rated_mass: float | None = None
+    """Complete, with its motor, before its numbers were chosen anew [kg]."""
+    proportioned: bool = False
+    """Whether its numbers were chosen anew, by what it lacks against fatigue."""
     refused: str = ""
     """Why it cannot be sized."""
 
@@ -60,24 +70,88 @@ class Candidate:
         mass = self.with_machines
         return float("inf") if mass is None else mass / max(self.worst, 0.01) ** 0.5
 
+    @property
+    def order(self) -> tuple[float, float, str]:
+        """By what it promises; those that are known as first sizings alone follow, by their mass, then refused ones."""
+        return self.promise, self.first_complete or float("inf"), self.architecture.slug
 
-def candidate(requirement: Requirement, architecture: Architecture, *, life: float) -> Candidate:
-    """Return an architecture with the numbers that weigh least as a first sizing, sized against fatigue.
+
+def sketched(requirement: Requirement, architecture: Architecture, *, most: float = math.inf) -> Candidate:
+    """Return an architecture with the numbers that weigh least as a first sizing.
 
     Args:
         requirement: Machines, cases and rules.
         architecture: That is to serve it.
+        most: Complete mass with its motor in the middle of its ranges, above which no other numbers are looked at [kg].
+    """
+    middle = _middle(requirement, architecture) if most < math.inf else None
+    if middle is not None and (middle.first_complete or 0.0) > most:
+        return middle
+    try:
+        first, best, places = _lightest(requirement, architecture)
+        sizing = size_unturned(best.design)
+        whole = complete_mass(sizing).total + sizing.motor_mass
+    except GearwrightError as error:
+        return Candidate(architecture, refused=_words(error))
+    return Candidate(architecture, best.ratios, best.motor_speed, places, first, whole)
+
+
+def _middle(requirement: Requirement, architecture: Architecture) -> Candidate | None:
+    """Return an architecture with the middle of its ranges as a first sizing; None where that cannot be sized."""
+    places = (0.5,) * freedoms(architecture)
+    try:
+        made = built(requirement, architecture, places)
+        sizing = size_unturned(made.design)
+        whole = complete_mass(sizing).total + sizing.motor_mass
+    except GearwrightError:
+        return None
+    return Candidate(architecture, made.ratios, made.motor_speed, places, _first_mass(sizing), whole)
+
+
+def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
+    """Return a sketched architecture sized against fatigue, with everything in its mass.
+
+    Args:
+        requirement: Machines, cases and rules.
+        row: As sketched.
         life: Of gears and bearings alike [s].
     """
     try:
-        first, best = _lightest(requirement, architecture)
-        design = for_life(at_level(best.design, PRELIMINARY), life)
-        sizing = size(design)
+        found = _rated(requirement, row, row.places, life)
+        return replace(found, rated_mass=found.with_machines)
     except GearwrightError as error:
-        return Candidate(architecture, refused=_words(error))
-    return Candidate(
-        architecture, best.ratios, best.motor_speed, design, first, complete_mass(sizing).total, sizing.motor_mass,
-        tuple(_lacks(sizing.checks)),
+        return replace(row, refused=_words(error))
+
+
+def proportioned(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
+    """Return an architecture whose numbers promise most against fatigue, of a star of points about those it has.
+
+    A first sizing knows no bearing: numbers that are lightest without may leave planets no bearing that lives.
+
+    Args:
+        requirement: Machines, cases and rules.
+        row: As rated.
+        life: Of gears and bearings alike [s].
+    """
+    best = replace(row, proportioned=True)
+    for step in _STEPS:
+        for around in list(_star(best.places, step))[1:]:
+            try:
+                tried = _rated(requirement, best, around, life)
+            except GearwrightError:
+                continue
+            best = min(best, tried, key=lambda one: one.promise)
+    return best
+
+
+def _rated(requirement: Requirement, row: Candidate, places: Sequence[float], life: float) -> Candidate:
+    """Return an architecture at a place in the range of its numbers, sized against fatigue."""
+    made = built(requirement, row.architecture, places)
+    design = borne(for_life(at_level(made.design, PRELIMINARY), life))
+    sizing = size(design)
+    return replace(
+        row, ratios=made.ratios, motor_speed=made.motor_speed, places=tuple(places), design=design,
+        complete_mass=complete_mass(sizing).total, motor_mass=sizing.motor_mass, lacks=tuple(_lacks(sizing.checks)),
     )  # fmt: skip
 
 
@@ -91,8 +165,8 @@ def for_life(design: Design, life: float) -> Design:
     return edited(design, {"service.life_s": life, "service.bearing_life_s": life})
 
 
-def _lightest(requirement: Requirement, architecture: Architecture) -> tuple[float, Built]:
-    """Return the lightest of a star of points in the range of the numbers, and of a smaller star about it."""
+def _lightest(requirement: Requirement, architecture: Architecture) -> tuple[float, Built, tuple[float, ...]]:
+    """Return the lightest, and its place, of a star of points, and of a smaller star about it; its place."""
     places = [0.5] * freedoms(architecture)
     tried: dict[tuple[float, ...], tuple[float, Built]] = {}
     problems: list[Problem] = []
@@ -101,14 +175,14 @@ def _lightest(requirement: Requirement, architecture: Architecture) -> tuple[flo
             if around not in tried:
                 try:
                     made = built(requirement, architecture, around)
-                    tried[around] = (_first_mass(size(made.design)), made)
+                    tried[around] = (_first_mass(size_unturned(made.design)), made)
                 except GearwrightError as error:
                     problems = problems or [Problem(architecture.name, _words(error))]
         if not tried:
             raise DesignError(problems)
         best = min(tried, key=lambda point: tried[point][0])
         places = list(best)
-    return tried[best]
+    return (*tried[best], best)
 
 
 def _star(places: Sequence[float], step: float) -> Iterator[tuple[float, ...]]:

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gearwright.errors import Problem, refuse
-from gearwright.spec import Design
+from gearwright.spec import Design, drives_of
+from gearwright.spec.design import Drive, Motor, Turbine
 
 _SLOWEST_RATIO = 1.5
 """Least ratio that two stages are looked for [-]."""
@@ -44,9 +45,38 @@ class Requirement:
         return self.engine_speed / self.propeller_speed
 
     @property
+    def added(self) -> float:
+        """Rated power of the motor over that of the engine; 0 without one [-]."""
+        if self.motor is None:
+            return 0.0
+        return self.design.motors[self.motor].power / self.design.turbines[self.engine].power
+
+    @property
+    def added_in(self) -> dict[str, float]:
+        """Case -> power of the motor over that of the engine [-]."""
+        if self.motor is None:
+            return {}
+        found = dict[str, float]()
+        for case in self.design.cases:
+            drives = drives_of(self.design, case)
+            engine = _power(self.design.turbines[self.engine], drives[self.engine])
+            motor = _power(self.design.motors[self.motor], drives[self.motor])
+            found[case] = motor / engine if engine > 0.0 else math.inf
+        return found
+
+    @property
     def helix(self) -> float | None:
         """Helix angle of its gears [rad]; None where the design states none."""
         return self.design.gears.helix_angle or None
+
+
+def _power(machine: Turbine | Motor, drive: Drive) -> float:
+    """Return what a machine gives in a case [W]."""
+    if drive.power is not None:
+        return drive.power
+    if drive.torque is not None:
+        return drive.torque * (drive.speed or machine.speed)
+    return (drive.rating or 0.0) * machine.power
 
 
 def requirement_of(design: Design, *, fastest: float | None = None) -> Requirement:

@@ -26,7 +26,7 @@ from gearwright.sizing.many import Sizings, Structure, in_lanes, size_many, stru
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
-from gearwright.sizing.size import size
+from gearwright.sizing.size import size, size_unturned
 from gearwright.sizing.summaries import (
     BevelPairData,
     CylindricalPairData,
@@ -94,6 +94,7 @@ __all__ = [
     "remarks",
     "size",
     "size_many",
+    "size_unturned",
     "stage_summaries",
     "stated_pitch",
     "structure_of",

@@ -17,6 +17,7 @@ from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.mass import as_made
 from gearwright.sizing.places import (
+    ROUNDS,
     beside_checks,
     coaxial_checks,
     hollow_checks,
@@ -60,14 +61,29 @@ def size(design: Design) -> Sizing:
     return _lightest(design, train, given.values)
 
 
-def _lightest(design: Design, train: Train, given: Mapping[str, Given]) -> Sizing:
+@np.errstate(all="ignore")
+def size_unturned(design: Design) -> Sizing:
+    """Return a first sizing whose open axes stand where they stand first: masses to compare, no room to rely on.
+
+    Args:
+        design: At level concept.
+
+    Raises:
+        DesignError: As `size`.
+    """
+    given = given_values(design)
+    refuse(given.problems)
+    return _lightest(design, build_train(design), given.values, rounds=0)
+
+
+def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, rounds: int = ROUNDS) -> Sizing:
     """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
     best = dict[bool, Sizing]()
     masses: Mapping[bool, list[float]] = {True: [], False: []}
     refused, known = list[DesignError](), Known()
     for choice in choose_teeth(design, train):
         try:
-            sizing = sized_with(design, train, choice, given=given, known=known)
+            sizing = completed(geared(design, train, choice, given=given, known=known), given, rounds=rounds)
         except DesignError as error:
             refused.append(error)
             continue
@@ -147,17 +163,18 @@ def sized_with(
     return completed(geared(design, train, choice, given=given, known=known), given)
 
 
-def completed(found: Geared, given: Mapping[str, Given]) -> Sizing:
+def completed(found: Geared, given: Mapping[str, Given], *, rounds: int = ROUNDS) -> Sizing:
     """Return the transmission of sized gears: what planets turn on, what carries gears, and where all stands.
 
     Args:
         found: Gears and meshes.
         given: Path -> value that the user gives instead of the computed one.
+        rounds: How often axes are turned at most to make room [-].
     """
     context, meshes = found.context, found.meshes
     design, train, flows = context.design, context.train, context.flows
     gears = fit_planets(context, found.gears)
-    settled = settle(context, gears)
+    settled = settle(context, gears, rounds=rounds)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [
         *found.checks,

@@ -9,7 +9,7 @@ import gearwright as gw
 from gearwright.enumeration import Architecture, Place, Seat, lighter, requirement_of
 from gearwright.enumeration import ranked as module
 from gearwright.enumeration.building import built
-from gearwright.enumeration.ranking import _lightest
+from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
 from gearwright.errors import DesignError
 
 LIFE = 20000.0 * 3600.0
@@ -25,7 +25,7 @@ def test_the_ratio_that_is_found_weighs_nearly_as_little_as_the_best_of_a_grid()
     """Steps of teeth make the mass jump, so that a search of eight points may miss the best of forty by 3 %."""
     asked = requirement_of(gw.read("in-line"))
     one = Architecture(("pair", "planetary set"), Place(Seat.NONE))
-    mass, _ = _lightest(asked, one)
+    mass, *_ = _lightest(asked, one)
     grid = [gw.size(built(asked, one, [place]).design).mass for place in np.linspace(0.0, 1.0, 40)]
     assert mass <= 1.03 * min(grid)
 
@@ -34,15 +34,15 @@ def test_a_journal_is_gone_on_with_and_gives_the_same(tmp_path, monkeypatch):
     design, journal = small(), tmp_path / "kept.json"
     whole = gw.architectures(design, life=LIFE, stages=(1,), closed=1)
     calls = []
-    original = module.candidate
+    original = module.sketched
 
-    def stopping(asked, one, *, life):
+    def stopping(asked, one):
         calls.append(one.slug)
         if len(calls) == 2:
             raise KeyboardInterrupt
-        return original(asked, one, life=life)
+        return original(asked, one)
 
-    monkeypatch.setattr(module, "candidate", stopping)
+    monkeypatch.setattr(module, "sketched", stopping)
     with pytest.raises(KeyboardInterrupt):
         gw.architectures(design, life=LIFE, stages=(1,), closed=1, journal=journal)
     first = calls[0]
@@ -53,6 +53,15 @@ def test_a_journal_is_gone_on_with_and_gives_the_same(tmp_path, monkeypatch):
     assert len(whole.candidates) == 3
     with pytest.raises(DesignError, match="was begun with another design, life"):
         gw.architectures(design, life=2 * LIFE, stages=(1,), journal=journal)
+
+
+def test_numbers_that_are_chosen_anew_lack_no_more_than_before():
+    asked = requirement_of(gw.read("in-line-h2"))
+    one = Architecture(("star", "planetary set"), Place(Seat.SHAFT, 0))
+    row = rated(asked, sketched(asked, one), life=LIFE)
+    better = proportioned(asked, row, life=LIFE)
+    assert row.lacks and better.proportioned
+    assert better.promise < 0.999 * row.promise
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import pytest
 import gearwright as gw
 from gearwright.enumeration import Architecture, Place, Seat, requirement_of, trains
 from gearwright.enumeration.building import built, freedoms
+from gearwright.enumeration.kinds import stepped_teeth
 from gearwright.errors import DesignError
 from gearwright.spec import GROUND
 
@@ -24,6 +25,10 @@ def colours(design):
             for other in told if isinstance(told, list) else [told]:
                 if other is not None:
                     joined.append((f"stage {name}", role, f"stage {other.split('.')[0]}" if "." in other else other))
+    for name, stage in design.epicyclics.items():
+        members = {**{gear.shaft: role for role in ("suns", "rings") for gear in getattr(stage, role).values()},
+                   stage.carrier: "carrier"}  # fmt: skip
+        joined += [(f"stage {name}", f"stepped {role}", shaft) for shaft, role in members.items()]
     joined += [(f"machine {name}", "on", machine.shaft) for name, machine in design.machines.items()]
     nodes = {node for first, _, second in joined for node in (first, second)}
     colour = {node: str(machines.get(node.removeprefix("machine "), node == GROUND)) for node in nodes}
@@ -40,12 +45,12 @@ def colours(design):
 def test_no_two_architectures_are_one_graph():
     asked = requirement_of(gw.read(HYBRID))
     seen = Counter()
-    for one in trains(asked.ratio, stages=(2,)):
+    for one in trains(asked.ratio, stages=(2,), added=asked.added):
         try:
             seen[colours(built(asked, one, [0.5] * freedoms(one)).design)] += 1
         except DesignError:
             continue
-    assert len(seen) > 60
+    assert len(seen) > 75
     assert max(seen.values()) == 1
 
 
@@ -85,13 +90,50 @@ def test_a_motor_on_a_shaft_turns_as_engine_or_propeller_do(kinds, place, speed)
     assert made.motor_speed == pytest.approx(speed * math.pi / 30.0, rel=1e-9)
 
 
-@pytest.mark.parametrize("kinds", [("solar set", "star", "planetary set"), ("pair", "planetary set"), ("split path",)])
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("solar set", "star", "planetary set"),
+        ("pair", "planetary set"),
+        ("split path",),
+        ("stepped set",),
+        ("pair", "stepped star"),
+    ],
+)
 def test_a_sized_train_gives_the_propeller_its_speed(kinds):
     asked = requirement_of(gw.read(HYBRID))
     one = Architecture(kinds, Place(Seat.SHAFT, 0))
     design = built(asked, one, [0.4] * freedoms(one)).design
     sizing = gw.size(design)
     assert abs(sizing.reference.speeds["output"]) == pytest.approx(asked.propeller_speed, rel=0.05)
+
+
+@pytest.mark.parametrize(("wide", "narrow"), [(2.2, 2.2), (3.5, 4.7), (5.5, 5.5)])
+def test_teeth_of_a_stepped_set_give_its_ratio_and_take_planets_at_equal_places(wide, narrow):
+    sun, first, second, ring = stepped_teeth(wide, narrow)
+    assert first / sun * ring / second == pytest.approx(wide * narrow, rel=2e-3)
+    assert sun % 3 == ring % 3 == 0
+
+
+@pytest.mark.parametrize(
+    ("kinds", "place"),
+    [
+        (("differential", "planetary set"), Place(Seat.RING, 0)),
+        (("differential", "pair"), Place(Seat.RIM, 0)),
+        (("star", "differential"), Place(Seat.RING, 1)),
+        (("pair", "differential"), Place(Seat.RIM, 1)),
+    ],
+)
+def test_the_motor_of_a_differential_gives_its_power_in_every_case_whatever_turns_before(kinds, place):
+    """The set fixes the ratio of the torques, so that the motor's speed, and the propeller's, follow its power."""
+    asked = requirement_of(gw.read(HYBRID))
+    one = Architecture(kinds, place)
+    sizing = gw.size(built(asked, one, [0.5] * freedoms(one)).design)
+    for case, added in asked.added_in.items():
+        flow = sizing.flows[case]
+        assert flow.machine_powers["electric"] == pytest.approx(added * 1046e3, rel=0.05)
+        slower = (1.0 + added) / (1.0 + asked.added)
+        assert abs(flow.speeds["output"]) == pytest.approx(slower * asked.propeller_speed, rel=0.05)
 
 
 def test_what_no_train_serves_is_told_at_once():

@@ -95,13 +95,26 @@ def _show(ranking: Ranking) -> None:
 
 def _write(ranking: Ranking, out: Path | None, csv: Path | None, report: Path | None) -> None:
     """Write what is asked for."""
-    from gearwright.render.pages.architectures import architectures_page
     from gearwright.render.tables.study.architectures import architectures_csv
     from gearwright.writing import write_text
 
     files = {} if out is None else {out / f"{row.title}.toml": row.file for row in ranking.closed if row.file}
     files |= {} if csv is None else {csv: architectures_csv(ranking.candidates)}
-    files |= {} if report is None else {report: architectures_page(ranking)}
+    files |= {} if report is None else _pages(ranking, report)
     for path, content in files.items():
         write_text(path, content)
         tell(f"wrote {path}")
+
+
+def _pages(ranking: Ranking, report: Path) -> dict[Path, str]:
+    """Return the page of the ranking, and beside it the one on which the lightest turns."""
+    from gearwright.render.pages.architectures import architectures_page
+    from gearwright.render.pages.turning import turning
+    from gearwright.sizing import size
+    from gearwright.spec import parse
+
+    if not ranking.passing:
+        return {report: architectures_page(ranking)}
+    beside = report.with_name(f"{report.stem}-turning.html")
+    lightest = size(parse(ranking.passing[0].file))
+    return {report: architectures_page(ranking, turning=beside.name), beside: turning(lightest, detail="coarse")}

@@ -7,6 +7,8 @@ from importlib.resources import files
 
 OWN = ("panel.js", "live.js")
 """Scripts, in the order in which they build on each other."""
+PARALLEL = "parallel.js"
+"""What pages with parallel axes need beside them."""
 
 
 @cache

@@ -120,6 +120,7 @@ function liveFigures(given, bytes) {
   }
 
   function show(figure, panels, arrays) {
+    if (panels[0].k === "parallel") { liveParallel(figure, panels[0], arrays); return; }
     const grid = make("div", "live-grid"), narrow = () => figure.clientWidth < 620, columns = Math.max(...panels.map(panel => panel.c)) + 1;
     grid.style.setProperty("--columns", columns);
     figure.prepend(grid);
@@ -137,6 +138,7 @@ function liveFigures(given, bytes) {
       area.setAttribute("aria-label", `${panel.t || panel.y.l || "panel"}: arrow keys move the pointer, plus and minus zoom, Escape shows all`);
       const u = new uPlot(livePanel.options(panel, series, arrays, key.tell, brush(figure, panel)), data, area);
       key.plot = u;
+      u.labels = [panel.x.l, panel.y.l];
       keys(area, u, panel);
       const fit = () => u.setSize({ width: Math.max(200, Math.floor(area.clientWidth)), height: (panel.off ? panel.h + 8 : Math.max(120, Math.round(panel.h * (narrow() ? 0.9 : 1.1))) + 56) + panel.o[0] });
       fit();

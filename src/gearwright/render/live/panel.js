@@ -63,7 +63,11 @@ const livePanel = (function () {
         arrays[mark.x].forEach((value, k) => {
           const up = arrays[mark.y][k];
           if (value == null || up == null) { broken = true; return; }
-          if (mark.p) spot(x(value), y(up, mark), mark);
+          if (mark.p) {
+            ctx.globalAlpha = (mark.a ?? 1) * (u.kept && !u.kept(value, up) ? 0.12 : 1);
+            spot(x(value), y(up, mark), mark);
+            ctx.globalAlpha = mark.a ?? 1;
+          }
           if (mark.d !== "" || !mark.p) ctx[broken ? "moveTo" : "lineTo"](x(value), y(up, mark));
           broken = false;
         });

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from markupsafe import Markup
+
 from gearwright.enumeration import Ranking
 from gearwright.render.pages.page import (
     UNSTAMPED,
@@ -34,11 +36,12 @@ _HEAD = 5
 """Designs in the head [-]."""
 
 
-def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
+def architectures_page(ranking: Ranking, *, turning: str = "", stamp: Stamp = UNSTAMPED) -> str:
     """Return the ranking as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         ranking: From `architectures`.
+        turning: Name of the page beside it on which the lightest turns; empty where there is none.
         stamp: Date of the page.
     """
     sized = {row.title: size(parse(row.file)) for row in ranking.closed if row.file}
@@ -46,7 +49,7 @@ def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
     life = text(ranking.life, "life", 3)
     masses = {name: complete_mass(one) for name, one in sized.items()}
     looks = (
-        Section("What they look like", figures=tuple(_drawn(ranking, sized))),
+        Section("What they look like", figures=tuple(_drawn(ranking, sized)), content=_link(ranking, turning)),
         Section("Where the mass is", tables=(group_table(masses),)),
     )
     sections = (
@@ -57,7 +60,7 @@ def architectures_page(ranking: Ranking, *, stamp: Stamp = UNSTAMPED) -> str:
             tables=(architectures_table(ranking.candidates[:SHOWN], ""),),
         ),
     )
-    description = "Every train of pairs and planetary sets that can give the ratio, with every place for the motor."
+    description = "Every train of a few stages that can give the ratio, with every place for the motor."
     return set_page(
         Page("Architectures", ranking.requirement, description, _verdict(ranking, said), tuple(_numbers(ranking)),
              sections, stamp=stamp)
@@ -71,7 +74,11 @@ def _verdict(ranking: Ranking, said: tuple[str, ...]) -> Verdict:
         return Verdict(Tone.OPEN, "None is closed yet", said[-1])
     if not passing:
         return Verdict(Tone.BAD, "None meets everything", said[-1])
-    return Verdict(Tone.OPEN, f"{passing} of {closed} closed designs pass as far as assessed", said[1])
+    return Verdict(
+        Tone.OPEN,
+        f"{passing} of {closed} closed designs pass as far as assessed",
+        next(one for one in said if one.startswith("The lightest that")),
+    )
 
 
 def _numbers(ranking: Ranking) -> Iterator[Number]:
@@ -85,6 +92,14 @@ def _drawn(ranking: Ranking, sized: dict[str, Sizing]) -> Iterator[Figure]:
     for row in [row for row in ranking.closed if row.title in sized][:DRAWN]:
         svg = theme.to_svg(schematic_figure(sized[row.title]), row.title)
         yield Figure(svg, f"{row.title}: {_weight(row)}, {row.verdict}.")
+
+
+def _link(ranking: Ranking, turning: str) -> Markup:
+    """Return where the lightest turns."""
+    if not turning or not ranking.passing:
+        return Markup()
+    words = f"{ranking.passing[0].title} as solids that turn"
+    return Markup('<p><a href="{}">{}</a></p>').format(turning, words)
 
 
 def _weight(row: EqualLife) -> str:

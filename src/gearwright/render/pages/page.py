@@ -275,12 +275,14 @@ def _live(drawn: Iterable[Figure]) -> dict[str, Any]:
     panels = {name: records for name, records in panels.items() if records}
     if not panels:
         return {}
-    return {"names": set(panels), "given": numbers.packed(panels, _scripts())}
+    across = any(record.get("k") == "parallel" for records in panels.values() for record in records)
+    return {"names": set(panels), "given": numbers.packed(panels, _scripts(parallel=across))}
 
 
 @cache
-def _scripts() -> tuple[str, ...]:
-    return (uplot.text("uplot.min.js"), *(live.text(name) for name in live.OWN))
+def _scripts(*, parallel: bool) -> tuple[str, ...]:
+    own = (*live.OWN, *([live.PARALLEL] if parallel else []))
+    return (uplot.text("uplot.min.js"), *(live.text(name) for name in own))
 
 
 def _capital(words: str) -> str:

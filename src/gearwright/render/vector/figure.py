@@ -17,6 +17,20 @@ RESOLUTION = 160.0
 """Of PNG images [dots per inch]."""
 
 
+@dataclass(frozen=True)
+class Parallel:
+    """Cases across parallel axes, which a page lets a reader brush."""
+
+    names: tuple[str, ...]
+    """Of the axes, with units."""
+    values: np.ndarray
+    """Shape (cases, axes)."""
+    drawn: tuple[int, ...]
+    """Places of the cases that are drawn."""
+    chosen: tuple[int, ...]
+    """Places of those that stand out."""
+
+
 @dataclass
 class Slot:
     """A panel and its place."""
@@ -47,6 +61,8 @@ class Figure:
     """One panel that is the whole paper, in mm."""
     title: str = ""
     """For readers of screens; left out: the titles of the panels."""
+    parallel: Parallel | None = None
+    """What stands across parallel axes, where it is that."""
 
     @property
     def axes(self) -> list[Axes]:

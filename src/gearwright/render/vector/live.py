@@ -21,7 +21,7 @@ from gearwright.arrays import Floats
 from gearwright.render.vector import marks as m
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.axis import Axis
-from gearwright.render.vector.figure import Figure, Slot
+from gearwright.render.vector.figure import Figure, Parallel, Slot
 from gearwright.render.vector.ink import Frame
 from gearwright.render.vector.keys import key_rows
 from gearwright.render.vector.layout import laid_out, scales_of, words_overhang
@@ -96,6 +96,8 @@ def live_panels(figure: Figure, numbers: Numbers) -> list[Record]:
         figure: As drawn.
         numbers: Where its arrays are kept.
     """
+    if figure.parallel is not None:
+        return [_parallel(figure.parallel, numbers)]
     panels = [slot.axes for slot in figure.slots if not slot.axes.off]
     marks = [mark for axes in panels for mark in _all_marks(axes)]
     followed = any(isinstance(mark, m.Curve) and _is_series(mark) and len(mark.x) >= LEAST for mark in marks)
@@ -108,6 +110,12 @@ def live_panels(figure: Figure, numbers: Numbers) -> list[Record]:
         for slot, frame in zip(figure.slots, frames, strict=True)
         if slot.axes.marks
     ]
+
+
+def _parallel(lines: Parallel, numbers: Numbers) -> Record:
+    """Return parallel axes: their names, an array of each with all cases, which are drawn and which stand out."""
+    arrays = [numbers.add(column) for column in lines.values.T]
+    return {"k": "parallel", "n": list(lines.names), "v": arrays, "i": list(lines.drawn), "e": list(lines.chosen)}
 
 
 def _place(slot: Slot, frame: Frame) -> Record:

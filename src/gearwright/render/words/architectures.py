@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearwright.enumeration import Ranking
+from gearwright.enumeration import Ranking, lighter
 from gearwright.study import EqualLife
 from gearwright.units import text
 
@@ -17,6 +17,12 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     """
     count, refused = len(ranking.candidates), ranking.refused
     yield f"{count} architectures can give the ratio; {refused} of them cannot be sized, each with its reason."
+    if ranking.unborne:
+        fatigued = sum(row.design is not None for row in ranking.candidates)
+        yield (
+            f"In {ranking.unborne} of the {fatigued} that were sized against fatigue planets have no bearing that lives"
+            " as long, ratios chosen anew or not."
+        )
     passing = ranking.passing
     if not passing:
         looked = f"of {len(ranking.closed)} that were closed" if ranking.closed else "as none was closed"
@@ -24,15 +30,29 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
         return
     best = passing[0]
     yield f"The lightest that passes its review for {text(ranking.life, 'life', 3)}: {best.title}, {_weighs(best)}."
-    if len(passing) > 1 and ranking.confidence is not None:
-        following = passing[1]
-        ahead = (following.with_machines or 0.0) - (best.with_machines or 0.0)
-        yield (
-            f"The next, {following.title}, is {text(ahead, 'mass', 3)} heavier; by what the rules of mass do not know,"
-            f" the first is lighter with a probability of {100.0 * ranking.confidence:.0f} %."
-        )
+    if len(passing) > 1:
+        yield f"The next, {_behind(best, passing[1])}"
+    others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
+    if others:
+        yield f"The lightest of those compared with it, {_behind(best, others[0])}"
+
+
+def _behind(best: EqualLife, other: EqualLife) -> str:
+    """Say by how much another gearbox is heavier, and how sure that is."""
+    ahead = (other.with_machines or 0.0) - (best.with_machines or 0.0)
+    most = (best.heaviest or 0.0) + (best.machines or 0.0)
+    within = "within" if (other.with_machines or 0.0) <= most else "beyond"
+    alike, apart = (f"{min(100.0 * lighter(best, other, apart=one), 99.9):.3g} %" for one in (False, True))
+    return (
+        f"{other.title}, is {text(ahead, 'mass', 3)} heavier, {within} the band of the first; the first is lighter with"
+        f" a probability of {alike} if the rules of mass err of both alike, part by part, and of {apart} if they err of"
+        " each by itself."
+    )
 
 
 def _weighs(row: EqualLife) -> str:
+    band = ""
+    if row.lightest is not None and row.heaviest is not None:
+        band = f" ({text(row.lightest, 'mass', 3)} to {text(row.heaviest, 'mass', 3)})"
     beside = f" and machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
-    return f"{text(row.complete_mass or 0.0, 'mass', 3)}{beside}"
+    return f"{text(row.complete_mass or 0.0, 'mass', 3)}{band}{beside}"

@@ -30,6 +30,10 @@ from gearwright.study.running import reliability
 
 DRAWN = 3
 """Designs of a front that are shown: its ends and the one between them."""
+STILL = 0.5
+"""Gain of the last quarter of a search below which it stands still [%]."""
+LEAST_SURE = 20
+"""Cases that keep the constraints below which nothing is said of how sure a best one is."""
 SAMPLED = ("random", "sobol", "latin-hypercube")
 """Methods whose cases are samples of what is not known, not choices."""
 
@@ -54,6 +58,7 @@ def answer(study: Study, table: Table) -> Iterator[str]:
     if outcome is None or study.sampling.method not in SAMPLED:
         yield from (_best(study, table, name, sense) for name, sense in study.objectives.items())
         yield from _ends(study, table)
+        yield from _sureness(study, table)
     if study.sampling.method not in RELIABILITY:  # their cases are where failures are, not as often as they come
         yield from _constraints(study, table)
     failed = len(table.failed)
@@ -152,6 +157,28 @@ def _best(study: Study, table: Table, name: str, sense: str) -> str:
     if others:
         return f"{text}; next {others[0].design}, {value(table, others[0], name)}{_off(first, others[0], name)}."
     return f"{text}{_flat(study, table, name, first)}."
+
+
+def _sureness(study: Study, table: Table) -> Iterator[str]:
+    """Say how sure it is that nothing better was left out: by how a search still gained, or by how many were drawn."""
+    allowed = [row for row, broken in zip(table.good, violations(study, table.good), strict=True) if not broken]
+    if not study.objectives or len(allowed) < LEAST_SURE:
+        return
+    if study.sampling.method in SAMPLED:
+        better = 100.0 * (1.0 - 0.05 ** (1.0 / len(allowed)))
+        yield f"Of all such cases {better:.2g} % at most beat the best of an objective, with 95 % confidence."
+    elif study.sampling.method == "nsga2":
+        from gearwright.optimum import hypervolume  # only a search needs it
+
+        signs = [1.0 if sense == "minimum" else -1.0 for sense in study.objectives.values()]
+        values = np.array([[row.number(name) for name in study.objectives] for row in allowed]) * signs
+        worst = values.max(axis=0)
+        before, after = (hypervolume(some, worst) for some in (values[: 3 * len(values) // 4], values))
+        gain = 100.0 * (after / before - 1.0) if before else np.inf
+        yield (
+            f"The last quarter of the search made the front better by {gain:.2g} % (hypervolume): "
+            + ("it stands still." if gain <= STILL else "it still gains, and a larger count may find better.")
+        )
 
 
 def _off(first: Row, second: Row, name: str) -> str:

@@ -12,7 +12,7 @@ from gearwright.sizing.places.pins import pin_checks
 from gearwright.sizing.places.plates import along_body, planets_span, plates_of
 from gearwright.sizing.places.reaches import IN_LINE, Run, Tie, runs, ties
 from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
-from gearwright.sizing.places.settle import Settled, settle
+from gearwright.sizing.places.settle import ROUNDS, Settled, settle
 from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "CLAUSE",
     "IN_LINE",
     "PLATE_GAP",
+    "ROUNDS",
     "Meeting",
     "Parts",
     "Room",

@@ -46,18 +46,19 @@ class Settled:
         return tuple(joint for shaft in self.built for joint in shaft.joints)
 
 
-def settle(context: Context, gears: tuple[GearSizing, ...]) -> Settled:
+def settle(context: Context, gears: tuple[GearSizing, ...], *, rounds: int = ROUNDS) -> Settled:
     """Return shafts and carriers with the arrangement in which they have room, as far as open angles give it.
 
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
+        rounds: How often axes are turned at most; 0 leaves them as they are [-].
 
     Raises:
         DesignError: If axes do not close, or what sits on a shaft, its bore or its strength cannot be had.
     """
     turns: tuple[Turn, ...] = ()
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         settled = _settled(context, gears, turns)
         parts = _parts(context, gears, settled)
         found = turns_of(parts, settled.rules, settled.arrangement)

@@ -23,6 +23,7 @@ def epicyclic_problems(design: Design) -> Iterator[Problem]:
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         yield from _shafts(path, epicyclic, design)
+        yield from _bearings(path, epicyclic)
         named = [*_names(path, epicyclic), *_mates(path, epicyclic)]
         yield from named
         whole = named or [*_unmoved(path, epicyclic), *_circles(path, epicyclic)]
@@ -48,6 +49,13 @@ def _shafts(path: str, epicyclic: Epicyclic, design: Design) -> Iterator[Problem
                 " shaft of its own, and join the two by a clutch where a gear wants that"
             )
             yield Problem(where, message)
+
+
+def _bearings(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    for name, planet in epicyclic.planets.items():
+        if planet.bearing is not None and planet.bearing.designation is None:
+            message = "is left out; no bearing is chosen for planets of compound sets: name one, such as NU 2212"
+            yield Problem(f"{path}.planets.{name}.bearing.designation", message)
 
 
 def _names(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:

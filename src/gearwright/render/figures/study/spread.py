@@ -15,7 +15,7 @@ from gearwright.render.style import theme
 from gearwright.render.style.compound import DUSK, colour_bar, shades
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import heading, percent
-from gearwright.render.vector.figure import Figure
+from gearwright.render.vector.figure import Figure, Parallel
 from gearwright.spec import Study
 from gearwright.study import Row, Table
 from gearwright.study.answers import Influence, pareto_front, varies, verdict
@@ -29,6 +29,8 @@ CELLS = 96
 """Of a side of a map."""
 MOST_LINES = 400
 """Cases drawn as parallel coordinates; more would be a wall of ink: evenly spaced ones are taken."""
+MOST_BRUSHED = 2000
+"""Cases that a page carries for a reader who brushes."""
 
 
 def figure_of(study: Study, table: Table) -> Figure:
@@ -92,8 +94,8 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
         chosen: Such as its Pareto front.
     """
     names = [*(path for path in table.free if _numeric(table, path)), *table.numbers]
-    rows = table.good
-    rows = rows[:: max(1, len(rows) // MOST_LINES)]
+    every = table.good
+    rows = every[:: max(1, len(every) // MOST_LINES)]
     names = [name for name in names if varies(np.array([_value(row, name) for row in rows]))]
     values = np.array([[_value(row, name) for name in names] for row in [*rows, *chosen]])
     low, high = values.min(axis=0), values.max(axis=0)
@@ -111,7 +113,20 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
     axes.x.ticks = axes.y.ticks = axes.y.numbers = axes.x.grid = axes.y.grid = False
     axes.left_spine = axes.bottom_spine = False
     axes.set_ylim(-0.08, 1.02)
+    figure.parallel = _brushed(table, names, chosen)
     return figure
+
+
+def _brushed(table: Table, names: Sequence[str], chosen: Sequence[Row]) -> Parallel | None:
+    """Return what a reader of a page may brush: as many cases as it carries, chosen ones among them."""
+    every = [row for row in table.good if row not in chosen]
+    kept = [*chosen, *every[:: max(1, math.ceil(len(every) / MOST_BRUSHED))]]
+    if len(names) < 2:
+        return None
+    drawn = range(len(chosen), len(kept))[:: max(1, (len(kept) - len(chosen)) // MOST_LINES)]
+    values = np.array([[_value(row, name) for name in names] for row in kept])
+    labels = tuple(axis_label(table, name) for name in names)
+    return Parallel(labels, values, (*drawn, *range(len(chosen))), tuple(range(len(chosen))))
 
 
 @theme.drawn

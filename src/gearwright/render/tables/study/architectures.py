@@ -14,9 +14,9 @@ SHOWN = 24
 """Rows on the screen and on the page [-]."""
 _NOTE = (
     "Each with the ratios, and the speed of its motor, with which it weighs least as a first sizing, of as many planets"
-    " as stand beside each other, five at most; then against fatigue for the life, with everything in its mass. In the"
-    " order in which they are looked at further: by mass, and by the load that what fails lacks, which closing may"
-    " bring or not."
+    " as stand beside each other, five at most; those not far from the lightest then against fatigue for the life, with"
+    " everything in their mass, and the lightest of these with numbers chosen anew by what they lack. In the order in"
+    " which they are looked at further: by mass, and by the load that what fails lacks, which closing may bring or not."
 )
 _COLUMNS = (
     "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "with_machines", "lacks",
