@@ -75,7 +75,7 @@ class Ranking(Shown):
     @property
     def unborne(self) -> int:
         """How many of those sized against fatigue have planets in which no bearing lives as long as asked [-]."""
-        return sum(any(name.endswith(" life") for name, _ in row.lacks) for row in self.candidates)
+        return sum(row.unborne for row in self.candidates)
 
     @property
     def confidence(self) -> Ratio | None:

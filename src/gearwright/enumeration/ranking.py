@@ -12,6 +12,7 @@ from gearwright.enumeration.requirement import Requirement
 from gearwright.enumeration.stepped import borne
 from gearwright.enumeration.trains import Architecture
 from gearwright.errors import DesignError, GearwrightError, Problem
+from gearwright.identity import Role, gear_part
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, at_level, edited
@@ -60,6 +61,16 @@ class Candidate:
     def worst(self) -> float:
         """Margin of the check that fails worst, 1 where none does [-]."""
         return min((margin for _, margin in self.lacks), default=1.0)
+
+    @property
+    def unborne(self) -> bool:
+        """Whether it has planets in which no bearing lives as long as asked."""
+        if self.design is None:
+            return False
+        planets = [gear_part(name, Role.PLANET) for name in self.design.planetaries]
+        stepped = self.design.epicyclics.items()
+        planets += [gear_part(name, Role.PLANET, own=own) for name, stage in stepped for own in stage.planets]
+        return not {f"{planet} life" for planet in planets}.isdisjoint(name for name, _ in self.lacks)
 
     @property
     def promise(self) -> float:

@@ -23,7 +23,7 @@ from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.tables.study.architectures import SHOWN, architectures_table
 from gearwright.render.tables.study.equal_life import equal_life_table, group_table
-from gearwright.render.words.architectures import ranking_sentences
+from gearwright.render.words.architectures import lightest_sentence, ranking_sentences
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import parse
@@ -74,11 +74,8 @@ def _verdict(ranking: Ranking, said: tuple[str, ...]) -> Verdict:
         return Verdict(Tone.OPEN, "None is closed yet", said[-1])
     if not passing:
         return Verdict(Tone.BAD, "None meets everything", said[-1])
-    return Verdict(
-        Tone.OPEN,
-        f"{passing} of {closed} closed designs pass as far as assessed",
-        next(one for one in said if one.startswith("The lightest that")),
-    )
+    word = f"{passing} of {closed} closed designs pass as far as assessed"
+    return Verdict(Tone.OPEN, word, lightest_sentence(ranking))
 
 
 def _numbers(ranking: Ranking) -> Iterator[Number]:

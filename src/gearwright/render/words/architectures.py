@@ -29,12 +29,22 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
         yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}, {looked}."
         return
     best = passing[0]
-    yield f"The lightest that passes its review for {text(ranking.life, 'life', 3)}: {best.title}, {_weighs(best)}."
+    yield lightest_sentence(ranking)
     if len(passing) > 1:
         yield f"The next, {_behind(best, passing[1])}"
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
         yield f"The lightest of those compared with it, {_behind(best, others[0])}"
+
+
+def lightest_sentence(ranking: Ranking) -> str:
+    """Return which is the lightest, with its band.
+
+    Args:
+        ranking: Of which one passes.
+    """
+    best = ranking.passing[0]
+    return f"The lightest that passes its review for {text(ranking.life, 'life', 3)}: {best.title}, {_weighs(best)}."
 
 
 def _behind(best: EqualLife, other: EqualLife) -> str:
