@@ -94,6 +94,8 @@ def _label(part: PartId) -> str:
 
 GEARBOX = PartId(Kind.GEARBOX, "gearbox")
 """All of it."""
+HOUSING = PartId(Kind.GEARBOX, "housing")
+"""What stands around it."""
 
 
 def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None, own: str = "") -> PartId:

@@ -32,8 +32,11 @@ COLOURS: Mapping[str, tuple[float, float, float]] = {
     "carrier": (0.85, 0.63, 0.13),
     "bearing": (0.33, 0.60, 0.53),
     "holder": (0.36, 0.39, 0.44),
+    "housing": (0.62, 0.68, 0.74),
 }
 """What a body is -> its colour, red, green and blue, told apart by those who do not tell red from green [-]."""
+SEEN_THROUGH = 0.25
+"""How much of a housing is seen of what is seen through it [-]."""
 _FLOAT, _SHORT, _LONG = 5126, 5123, 5125
 _VERTICES, _INDICES = 34962, 34963
 
@@ -120,7 +123,10 @@ def _attributes(buffer: _Buffer, surface: Surface) -> dict[str, Any]:
 
 def _material(look: str) -> dict[str, Any]:
     surface = {"baseColorFactor": [*COLOURS[look], 1.0], "metallicFactor": 0.4, "roughnessFactor": 0.45}
-    return {"name": look, "pbrMetallicRoughness": surface}
+    if look != "housing":
+        return {"name": look, "pbrMetallicRoughness": surface}
+    surface["baseColorFactor"] = [*COLOURS[look], SEEN_THROUGH]
+    return {"name": look, "pbrMetallicRoughness": surface, "alphaMode": "BLEND"}
 
 
 def _node(scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int]) -> dict[str, Any]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from gearwright.identity import Kind, PartId
-from gearwright.shape.record import Node, Scene
-from gearwright.shape.solids import surface_of
+from gearwright.catalogue import housing_materials
+from gearwright.identity import HOUSING, Kind, PartId
+from gearwright.shape.housing import CHAMBER
+from gearwright.shape.record import Node, Scene, triangles_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass
 from gearwright.units import Mass
@@ -25,21 +26,21 @@ class SolidMass:
     """Equal ones in the scene [-]."""
     solid: Mass
     """Of one as drawn: the volume of its solid, circles round, times the density of its material [kg]."""
-    sized: Mass
-    """Of one in the sizing's mass, by which designs are chosen [kg]."""
+    sized: Mass | None
+    """Of one in the sizing's mass, by which designs are chosen; None of a housing, which is not in it [kg]."""
     weighed: Mass | None
     """Of one in the complete mass; None where that counts it within something else [kg]."""
 
 
 def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
-    """Return what gears, shafts and carriers weigh as drawn, as sized and in the complete mass.
+    """Return what gears, shafts, carriers and a housing's shell weigh as drawn, as sized and in the complete mass.
 
     Args:
         sizing: As sized.
         scene: Of it.
     """
     weighed = {(item.group, item.part): item.each for item in complete_mass(sizing).parts}
-    exact = {name: surface_of(solid, CORNERS).volume for name, solid in scene.solids.items()}
+    exact = {name: triangles_of(solid, CORNERS).volume for name, solid in scene.solids.items()}
     found = []
     for gear in sizing.gears:
         nodes = [node for node in scene.nodes if node.part.kind is Kind.GEAR and _of(node, gear.stage, gear.part)]
@@ -58,6 +59,11 @@ def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
     for carrier in sizing.carriers:
         solid = volumes[str(carrier.part)] * density
         found.append(SolidMass(carrier.part, 1, solid, carrier.mass, weighed.get(("carriers", str(carrier.part)))))
+    chambers = [node for node in scene.nodes if node.part == HOUSING and CHAMBER in node.name]
+    if chambers:
+        density = housing_materials()[sizing.design.housing.material].density
+        solid = sum(exact[node.surface] for node in chambers) * density
+        found.append(SolidMass(HOUSING, 1, solid, None, weighed.get(("housing", "housing shell"))))
     return tuple(found)
 
 

@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.identity import Kind, Role
+from gearwright.identity import HOUSING, Kind, Role
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.solids import Solid
+from gearwright.shape.solids import Chamber, Solid, depth_in
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND
 
@@ -42,7 +42,7 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
         sizing: As sized.
         scene: Of it.
     """
-    nodes = [node for node in scene.nodes if node.surface and (node.part.number or 1) == 1]
+    nodes = [node for node in scene.nodes if node.surface and (node.part.number or 1) == 1 and node.part != HOUSING]
     moves = {node.name: _moves(sizing, node) for node in nodes}
     found = []
     for one, other in combinations(nodes, 2):
@@ -50,7 +50,19 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
             depth = max(_deep(scene, one, other), _deep(scene, other, one))
             if depth > TOUCH:
                 found.append(Overlap(one.name, other.name, depth))
+    found += _into_walls(scene, [node for node in nodes if any(node.spins.values()) or node.on])
     return tuple(sorted(found, key=lambda overlap: -overlap.depth))
+
+
+def _into_walls(scene: Scene, turning: list[Node]) -> Iterator[Overlap]:
+    """Yield what turns and stands in a wall or a plate of the housing, at rest."""
+    walls = [(node, chamber) for node in scene.nodes if isinstance(chamber := scene.solids.get(node.surface), Chamber)]
+    for node in turning:
+        points = scene.surfaces[node.surface].points @ node.axes.turned.T + node.axes.origin
+        for wall, chamber in walls:
+            depth = depth_in((points - wall.axes.origin) @ wall.axes.turned, chamber)
+            if depth > TOUCH:
+                yield Overlap(node.name, wall.name, depth)
 
 
 def _moves(sizing: Sizing, node: Node) -> str:
@@ -75,7 +87,7 @@ def _near(scene: Scene, one: Node, other: Node) -> bool:
 
 def _deep(scene: Scene, one: Node, other: Node) -> float:
     """Return how deep the points of one body stand in what another one sweeps [m]; 0 outside."""
-    solid = scene.solids[other.surface]
+    solid = _solid(scene, other)
     if solid.sections and len(solid.sections[0].radius) == CORNERS:  # a bridge, which sweeps nothing about itself
         return 0.0
     points = _points(scene, one) @ one.axes.turned.T + one.axes.origin
@@ -88,13 +100,19 @@ def _deep(scene: Scene, one: Node, other: Node) -> float:
 
 def _points(scene: Scene, node: Node) -> Floats:
     """Return points on a body about its own axis [m]; on the edges of a bridge, many."""
-    solid = scene.solids[node.surface]
+    solid = _solid(scene, node)
     if not solid.sections or len(solid.sections[0].radius) != CORNERS:
         return scene.surfaces[node.surface].points
     low, high = (section.points for section in (solid.sections[0], solid.sections[-1]))
     share = np.linspace(0.0, 1.0, MANY)[:, None, None]
     around = low + share * (np.roll(low, -1, axis=0) - low)
     return np.asarray((around[:, None] + share[:, None] * np.array([0.0, 0.0, high[0, 2] - low[0, 2]])).reshape(-1, 3))
+
+
+def _solid(scene: Scene, node: Node) -> Solid:
+    solid = scene.solids[node.surface]
+    assert isinstance(solid, Solid)  # no chamber of a housing, which stands still
+    return solid
 
 
 def _section(solid: Solid) -> Floats:

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import PartId
-from gearwright.shape.solids import Solid, Surface, surface_of
+from gearwright.shape.solids import Chamber, Solid, Surface, chamber_surface, surface_of
 from gearwright.shape.stands import Axes
 from gearwright.showing import Shown
 
@@ -24,7 +24,7 @@ class Node:
     part: PartId
     """Whose body it is, as checks and results name it: of a planet all equal ones."""
     look: str
-    """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing."""
+    """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing, holder, housing."""
     surface: str
     """Of the scene's solids and surfaces; empty of what only carries others."""
     axes: Axes
@@ -43,7 +43,7 @@ class Scene(Shown):
 
     name: str
     """Of the design."""
-    solids: Mapping[str, Solid]
+    solids: Mapping[str, Solid | Chamber]
     """What nodes are; equal bodies share one."""
     segments: int
     """Corners of a circle in its triangles [-]."""
@@ -62,7 +62,7 @@ class Scene(Shown):
     @cached_property
     def surfaces(self) -> Mapping[str, Surface]:
         """Name of a solid -> its triangles."""
-        return {name: surface_of(solid, self.segments) for name, solid in self.solids.items()}
+        return {name: triangles_of(solid, self.segments) for name, solid in self.solids.items()}
 
     @property
     def box(self) -> tuple[Floats, Floats]:
@@ -74,3 +74,13 @@ class Scene(Shown):
                 lows.append(points.min(axis=0))
                 highs.append(points.max(axis=0))
         return np.min(lows, axis=0), np.max(highs, axis=0)
+
+
+def triangles_of(solid: Solid | Chamber, segments: int) -> Surface:
+    """Return the triangles of a solid or of a chamber of a housing.
+
+    Args:
+        solid: Either.
+        segments: Corners of a circle; those of a chamber are its own.
+    """
+    return chamber_surface(solid) if isinstance(solid, Chamber) else surface_of(solid, segments)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -14,10 +14,11 @@ from gearwright.parts.gears import Blank
 from gearwright.shape.carriers import bridge_axes, bridge_solid, held_at, pin_solid, planet_bearing, plate_solid
 from gearwright.shape.contacts import contacts_of
 from gearwright.shape.gears import Leaning, gear_solid, leanings
+from gearwright.shape.housing import housing_nodes
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.shafts import bearing_bodies, bearing_solid, holder_solid, shaft_solid, tie_solid
-from gearwright.shape.solids import Fineness, Solid
+from gearwright.shape.solids import Chamber, Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
@@ -29,7 +30,7 @@ from gearwright.spec import GROUND
 from gearwright.verbs import verb
 
 DETAILS: Mapping[str, Fineness] = {
-    "fine": Fineness(3, 5, 60, 0.06, 6),
+    "fine": Fineness(3, 4, 60, 0.06, 6),
     "coarse": Fineness(2, 2, 30, 0.2, 3),
     "smooth": Fineness(8, 10, 90, 0.03, 6),
 }
@@ -66,6 +67,7 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
         *_ties(task),
         *_holders(task),
     ]
+    nodes += _housing(task, nodes)
     words = (*approximations(sizing, phases), *shortened)
     return Scene(sizing.design.name, task.solids, task.fine.circle, tuple(nodes), tuple(sizing.flows), words)
 
@@ -83,7 +85,7 @@ class _Task:
     runs: tuple[Run, ...]
     cages: Mapping[str, Cage]
     """Set -> its carrier as it is made."""
-    solids: dict[str, Solid] = field(default_factory=dict)
+    solids: dict[str, Solid | Chamber] = field(default_factory=dict)
 
     def spins(self, node: str, carrier: str = "") -> dict[str, float]:
         """Return load case -> speed of a node about its own axis, against a carrier [rad/s]."""
@@ -210,3 +212,13 @@ def _holders(task: _Task) -> Iterator[Node]:
         place = np.asarray(frame.origin) + (holder.start + holder.end) / 2.0 * np.asarray(frame.along)
         spins = task.spins(holder.shaft) if holder.turns else dict.fromkeys(task.sizing.flows, 0.0)
         yield Node(holder.name, part, "holder", holder.name, axes_at(frame, place), 0.0, spins)
+
+
+def _housing(task: _Task, nodes: Sequence[Node]) -> Iterator[Node]:
+    """Yield the pieces of the housing around bodies that turn about the axes of their shafts."""
+    central = [node for node in nodes
+               if node.look == "carrier" or not (node.on or node.look in ("bearing", "holder"))]  # fmt: skip
+    inside = [(node, solid) for node in central if isinstance(solid := task.solids[node.surface], Solid)]
+    for node, solid in housing_nodes(task.sizing, task.runs, inside):
+        task.solids.setdefault(node.surface, solid)
+        yield node

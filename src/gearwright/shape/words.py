@@ -49,7 +49,13 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
         yield "bells that tie turning rings to their shafts are assumed"
     if sizing.bearings:
         yield "bearings are envelopes with the rings and the row of rolling elements assumed"
-    yield "housing, seals, screws, machines and what holds rings that stand still are not drawn"
+    if sizing.design.housing.own:
+        yield (
+            "the housing is the shell of the complete mass, a statistical one, as thick as it is weighed, with its "
+            "flanges, and bosses of 0.12 diameters around sized bearings; ribs, feet, screws, walls that carry bosses, "
+            "and openings for shafts that leave it across the first one are left out"
+        )
+    yield "seals, screws, machines and what holds rings that stand still are not drawn"
 
 
 def _fillets(sizing: Sizing) -> Iterator[str]:

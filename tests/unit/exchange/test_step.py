@@ -11,7 +11,7 @@ import gearwright as gw
 from gearwright.exchange.step import to_step, write
 from gearwright.parts.gears import Blank, TransverseTooth, transverse_form
 from gearwright.shape import COLOURS
-from gearwright.shape.solids import disc_gear, loop_of, surface_of
+from gearwright.shape.solids import Chamber, disc_gear, loop_of, surface_of
 from shipped_work import sized
 
 
@@ -104,10 +104,13 @@ def test_a_gearbox_is_read_back_with_the_names_colours_places_and_volumes_of_its
         )  # integrated over other splits of faces
         # Open CASCADE integrates over ends with many teeth to a hundredth; circles of 90 corners lose 0.08 %,
         # of which thin rings feel several times their share, as bores gain as much.
-        assert written == pytest.approx(surface.volume, rel=0.012 if built.solids[node.surface].sections else 6e-3)
+        solid = built.solids[node.surface]
+        flat = isinstance(solid, Chamber)
+        near = 1e-9 if flat else 0.012 if solid.sections else 6e-3
+        assert written == pytest.approx(surface.volume, rel=near), label
         middle = properties.CentreOfMass()
         along = (np.array([middle.X(), middle.Y(), middle.Z()]) / 1e3 - node.axes.origin) @ node.axes.turned
-        assert math.hypot(along[0], along[1]) < 1e-3 * surface.reach, label  # round bodies, on their axes
+        assert flat or math.hypot(along[0], along[1]) < 1e-3 * surface.reach, label  # round bodies, on their axes
         assert BRepCheck_Analyzer(bodies[label]).IsValid(), label
         assert painted[node.surface] == pytest.approx(COLOURS[node.look], abs=2e-3), label
 

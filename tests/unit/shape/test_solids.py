@@ -20,7 +20,22 @@ from gearwright.parts.gears import (
     transverse_form,
 )
 from gearwright.shape import DETAILS, edges_of, scene, solid_masses
-from gearwright.shape.solids import bevel_gear, disc_gear, face_wheel, loop_of, ring_gear, stepped, surface_of
+from gearwright.shape.overlaps import overlaps
+from gearwright.shape.solids import (
+    Chamber,
+    End,
+    bevel_gear,
+    chamber_surface,
+    chamber_volume,
+    depth_in,
+    disc_gear,
+    face_wheel,
+    loop_of,
+    ring_gear,
+    round_hole,
+    stepped,
+    surface_of,
+)
 from gearwright.shipped import shipped_designs
 from shipped_work import sized
 
@@ -41,7 +56,12 @@ def test_every_solid_of_a_shipped_design_is_closed(name, detail):
     for label, surface in built.surfaces.items():
         edges = edges_of(surface)
         assert edges.open == 0, label
-        assert edges.euler in (0, 2), label  # a ring, or a shaft without a bore
+        solid = built.solids[label]
+        if isinstance(solid, Chamber):  # a ball with a room inside, which openings join: each but the first a handle
+            openings = sum(len(end.holes) if end else 1 for end in solid.ends)
+            assert edges.euler == 4 - 2 * openings, label
+        else:
+            assert edges.euler in (0, 2), label  # a ring, or a shaft without a bore
         assert surface.volume > 0.0, label
         assert np.allclose(np.linalg.norm(surface.normals, axis=1), 1.0), label
 
@@ -145,7 +165,8 @@ def test_solids_of_shipped_designs_weigh_as_the_complete_mass_has_them(name):
     sizing = sized(name)
     given = {path.removesuffix(".mass") for path in sizing.given if path.endswith(".mass")}
     rows = solid_masses(sizing, scene(sizing, detail="smooth"))
-    assert len(rows) == len(sizing.gears) + len(sizing.shafts) + len(sizing.carriers)
+    parts = len(sizing.gears) + len(sizing.shafts) + len(sizing.carriers)
+    assert len(rows) == parts + sizing.design.housing.own
     for row in rows:
         if str(row.part) not in given:
             assert row.solid == pytest.approx(row.weighed or 0.0, rel=NEAR), row.part
@@ -170,3 +191,27 @@ def test_a_shaft_that_goes_through_others_is_weighed_as_long_as_it_is():
     ends = [body.origin.x + far for body in bodies for far in (0.0, body.direction.x * body.length)]
     assert row.weighed / section == pytest.approx(max(ends) - min(ends), abs=1e-3)
     assert row.weighed > 1.5 * shaft.mass
+
+
+def test_a_chamber_has_the_volume_of_its_wall_and_of_plates_with_holes():
+    """A square tube with walls of 10 mm and plates of 5 mm, one with a round and a square hole, one closed, by hand."""
+    square = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    hole = round_hole((0.04, 0.04), 0.02)
+    ends = (End(0.005, (hole, 0.02 * square)), End(0.005, ()))
+    chamber = Chamber(0.11 * square, 0.1 * square, (0.0, 0.3), ends)
+    round_area = 48 * math.tan(math.pi / 48) * 0.02**2
+    volume = 0.3 * (0.22**2 - 0.2**2) + 0.005 * (2 * 0.2**2 - round_area - 0.04**2)
+    surface = chamber_surface(chamber)
+    assert surface.volume == pytest.approx(volume, rel=1e-12) == chamber_volume(chamber)
+    assert edges_of(surface) == (0, 0)
+    places = np.array([[0.0, 0.0, 0.002], [0.04, 0.04, 0.002], [0.08, 0.0, 0.004], [0.0, 0.0, 0.1], [0.0, 0.0, 0.298]])
+    depths = [depth_in(place[None], chamber) for place in places]
+    assert depths == pytest.approx([0.0, 0.0, 0.001, 0.0, 0.003])
+
+
+@pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set-h2", "twin-engine-helicopter"])
+def test_nothing_that_turns_stands_in_the_housing(name):
+    sizing = sized(name)
+    built = scene(sizing, detail="coarse")
+    assert sum(isinstance(built.solids[node.surface], Chamber) for node in built.nodes) > 4
+    assert overlaps(sizing, built) == ()

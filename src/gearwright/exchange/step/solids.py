@@ -9,22 +9,27 @@ from typing import Any
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
-from gearwright.shape.solids import Section, Solid
+from gearwright.shape.solids import Chamber, Section, Solid
 
 Place = tuple[float, float]
 """z and radius [m]."""
+PAST = 1e-3
+"""How far what is cut away reaches beyond a face [m]."""
 FLAT, CURVED = 1e-3, 1e-2
 """How far edges of neighbouring faces may lie apart that are sewn, of flat ends and of ends on cones [mm]."""
 
 
-def made_of(solid: Solid) -> Any:
+def made_of(solid: Solid | Chamber) -> Any:
     """Return a solid of Open CASCADE, in millimetres about z.
 
     Args:
         solid: What it is made of.
     """
+    if isinstance(solid, Chamber):
+        return _chamber(solid)
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     if not any(radius for _, radius in solid.profile):
@@ -49,6 +54,31 @@ def made_of(solid: Solid) -> Any:
     mended = occ.ShapeFix_Shape(body)
     mended.Perform()
     return mended.Shape()
+
+
+def _chamber(chamber: Chamber) -> Any:
+    """Return a wall with its plates: a block, less the room inside, less what goes through the plates."""
+    low, high = chamber.span
+    inside = [place - way * (end.thickness if end else -PAST)
+              for place, end, way in zip(chamber.span, chamber.ends, (-1.0, 1.0), strict=True)]  # fmt: skip
+    found = occ.BRepAlgoAPI_Cut(_block(chamber.outer, low, high), _block(chamber.inner, *inside)).Shape()
+    for place, end in zip(chamber.span, chamber.ends, strict=True):
+        if end is None:
+            continue
+        for hole in end.holes:
+            through = _block(hole, place - end.thickness - PAST, place + end.thickness + PAST)
+            found = occ.BRepAlgoAPI_Cut(found, through).Shape()
+    return next(_parts(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+
+
+def _block(outline: Floats, low: float, high: float) -> Any:
+    """Return what a polygon sweeps along z."""
+    build = occ.BRepBuilderAPI_MakePolygon()
+    for x, y in outline:
+        build.Add(occ.gp_Pnt(MM * float(x), MM * float(y), MM * low))
+    build.Close()
+    face = occ.BRepBuilderAPI_MakeFace(build.Wire(), True).Face()
+    return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(0.0, 0.0, MM * (high - low))).Shape()
 
 
 def _prism(solid: Solid) -> Any:

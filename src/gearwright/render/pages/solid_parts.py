@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.checks import Check, worst_first
-from gearwright.identity import Kind, PartId
+from gearwright.identity import HOUSING, Kind, PartId
 from gearwright.shape import Node, Scene
 from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
 from gearwright.units import text
@@ -113,6 +113,8 @@ def _rows(sizing: Sizing, part: PartId) -> Rows:
                 ["bore", text(bearing.inner_diameter, "length")], ["outside", text(bearing.outer_diameter, "length")],
                 ["width", text(bearing.width, "length")], ["mass", text(bearing.mass, "mass")],
             ]  # fmt: skip
+    if part == HOUSING:
+        return [["material", sizing.design.housing.material], ["shell", "as the complete mass weighs it"]]
     runs_on = gear.runs_on if gear is not None else None
     return [["of", str(gear.part) if gear else str(part)], ["bearing", runs_on.designation if runs_on else "not sized"]]
 
@@ -162,6 +164,9 @@ def parted(scene: Scene) -> dict[str, list[float]]:
     ways: dict[str, list[float]] = {}
     for node in scene.nodes:
         axis = node.axes.along
+        if node.part == HOUSING:
+            ways[node.name] = [0.0, 0.0, 0.0]
+            continue
         if node.on:
             back = -along["carrier"] * size if node.look == "planet" else 0.0
             half = -0.5 * along["carrier"] * size if node.look == "bearing" else 0.0

@@ -39,11 +39,12 @@
   at("depth").addEventListener("input", cut);
   at("apart").addEventListener("input", event => { gearbox.explode(facts.explode, Number(event.target.value)); view.draw(); });
   at("colour").addEventListener("change", event => { by = event.target.value; at("legend").hidden = by !== "margin"; at("burden").hidden = by !== "force"; panel.colour(by, picked); view.draw(); });
-  for (const box of document.querySelectorAll("[data-look]")) box.addEventListener("change", () => {
+  for (const box of document.querySelectorAll("[data-look]")) {
     const looks = box.dataset.look.split(" ");
-    for (const body of gearbox.bodies) if (body.solid && looks.includes(body.look)) body.solid.visible = box.checked;
-    view.draw();
-  });
+    const shown = () => { for (const body of gearbox.bodies) if (body.solid && looks.includes(body.look)) body.solid.visible = box.checked; };
+    box.addEventListener("change", () => { shown(); view.draw(); });
+    shown();
+  }
   at("home").addEventListener("click", () => view.home());
   let down = null;
   canvas.addEventListener("pointerdown", event => { down = [event.clientX, event.clientY]; });

@@ -34,18 +34,28 @@ class Gearbox {
 
   material(entry) {
     const colour = new THREE.Color().fromArray(entry.pbrMetallicRoughness.baseColorFactor);
-    return Gearbox.paint(colour);
+    return Gearbox.paint(colour, entry.alphaMode === "BLEND");
   }
 
   /* Where a plane cuts a body open one sees the inside of its far wall: painted flat and darker it looks like the cut. */
-  static paint(colour) {
+  static paint(colour, glass) {
     const made = new THREE.MeshPhongMaterial({color: colour, specular: 0x2a2a2a, shininess: 28, side: THREE.DoubleSide});
+    made.userData.glass = glass;
+    Gearbox.clear(made, true);
     made.onBeforeCompile = shader => {
       shader.fragmentShader = shader.fragmentShader.replace("#include <dithering_fragment>",
-        "#include <dithering_fragment>\nif (!gl_FrontFacing) gl_FragColor = vec4(mix(diffuse, vec3(0.96, 0.80, 0.70), 0.55), 1.0);");
+        "#include <dithering_fragment>\nif (!gl_FrontFacing) gl_FragColor = vec4(mix(diffuse, vec3(0.96, 0.80, 0.70), 0.55), opacity);");
     };
     return made;
   }
+
+  /* A housing is seen through, and solid where it is cut open. */
+  static clear(material, whole) {
+    const clear = material.userData.glass && whole;
+    Object.assign(material, {transparent: clear, opacity: clear ? 0.25 : 1, depthWrite: !clear, needsUpdate: true});
+  }
+
+  opened(cut) { for (const solid of this.groups) Gearbox.clear(solid.material, !cut); }
 
   body(entry) {
     const frame = new THREE.Group();

@@ -72,7 +72,11 @@ class Panel {
       if (!body.solid) continue;
       const part = this.facts.parts[body.label];
       const hue = this.hueOf(part, by, body.own.color);
-      if (body.solid.material === body.own) body.solid.material = Gearbox.paint(new THREE.Color());
+      if (body.solid.material === body.own) {
+        const cut = body.own.userData.glass && !body.own.transparent;
+        body.solid.material = Gearbox.paint(new THREE.Color(), body.own.userData.glass);
+        Gearbox.clear(body.solid.material, !cut);
+      }
       body.solid.material.color.copy(hue);
       body.solid.material.emissive.set(label && body.label === label ? 0x664f00 : 0x000000);
     }

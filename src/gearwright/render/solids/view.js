@@ -74,6 +74,7 @@ class View {
       this.plane.constant = -far * place;
       this.renderer.clippingPlanes = [this.plane];
     }
+    this.gearbox.opened(Boolean(ways[axis]));
     this.draw();
   }
 
@@ -97,7 +98,7 @@ class View {
     const area = this.canvas.getBoundingClientRect(), ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2((2 * (x - area.left)) / area.width - 1, 1 - (2 * (y - area.top)) / area.height), this.camera);
     const cut = this.renderer.clippingPlanes, hits = ray.intersectObject(this.gearbox.root, true);
-    const hit = hits.find(one => one.object.visible && cut.every(plane => plane.distanceToPoint(one.point) >= 0));
+    const hit = hits.find(one => one.object.visible && !one.object.material.userData.glass && cut.every(plane => plane.distanceToPoint(one.point) >= 0));
     return hit ? hit.object.bodies[hit.instanceId] : null;
   }
 

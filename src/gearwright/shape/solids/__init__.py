@@ -3,6 +3,7 @@
 Which bodies a gearbox has, and where they stand, is for `shape`.
 """
 
+from gearwright.shape.solids.chambers import Chamber, End, chamber_surface, chamber_volume, depth_in, round_hole
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube
 from gearwright.shape.solids.solid import Section, Solid, surface_of
@@ -10,7 +11,9 @@ from gearwright.shape.solids.surface import Edges, Surface, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
 __all__ = [
+    "Chamber",
     "Edges",
+    "End",
     "Fineness",
     "Loop",
     "Section",
@@ -21,11 +24,15 @@ __all__ = [
     "bell",
     "bevel_gear",
     "block",
+    "chamber_surface",
+    "chamber_volume",
+    "depth_in",
     "disc_gear",
     "edges_of",
     "face_wheel",
     "loop_of",
     "ring_gear",
+    "round_hole",
     "spiral_turn",
     "stepped",
     "surface_of",

@@ -8,15 +8,17 @@ from gearwright.sizing.mass.bodies import bevel_cones, bevel_hub, bevel_web, gea
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
+from gearwright.sizing.mass.housing import BOSS, FLANGE, Wall, bolt_of, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
-from gearwright.sizing.mass.shell import Shell, shell_around
+from gearwright.sizing.mass.shell import Shell, Stretch, outline_of, shell_around, stretches_around
 
 __all__ = [
+    "BOSS",
     "BRIDGE",
     "CALIBRATED",
+    "FLANGE",
     "GROUPS",
     "Bridge",
     "Cage",
@@ -27,21 +29,25 @@ __all__ = [
     "Plate",
     "Shell",
     "Statistics",
+    "Stretch",
     "Wall",
     "as_made",
     "band_of",
     "bevel_cones",
     "bevel_hub",
     "bevel_web",
+    "bolt_of",
     "cage_of",
     "complete_mass",
     "gear_blanks",
     "oil_flow",
+    "outline_of",
     "reaction_torque",
     "requirement_of",
     "ring_outside",
     "shell_around",
     "statistics_beside",
+    "stretches_around",
     "summed",
     "tooth_of",
     "wall_of",

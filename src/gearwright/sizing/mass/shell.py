@@ -21,8 +21,12 @@ from gearwright.sizing.arranged import Body
 
 _SIDES = 48
 """Sides of the polygon around a slice [-]."""
+LEAST_CLEARANCE = 1.02
+"""Inside of a wall as drawn over what turns in it [-]: 1 % of the diameter on either side, an estimate."""
 CLEARANCE = 1.06
 """Inside of the housing over what turns in it [-]: 3 % of the diameter on either side, an estimate."""
+SAME = 1e-4
+"""How far cross-sections may differ that are drawn as one [m]."""
 SEAT = 1.6
 """Outside of the bearing on a shaft over the shaft's diameter [-]: light series of ISO 15."""
 
@@ -49,10 +53,26 @@ class Shell(NamedTuple):
         return self.lateral + self.ends
 
 
-class _Slice(NamedTuple):
-    length: float
+class Stretch(NamedTuple):
+    """A length of the housing with one cross-section: the polygon n·p ≤ h about the first shaft's direction."""
+
+    start: float
+    """Along the first shaft [m]."""
+    end: float
+    """[m]"""
+    reach: Floats
+    """h in every direction [m], shape (48,)."""
+    least: Floats
+    """That of what turns in it, with as little room as can be [m], shape (48,)."""
     perimeter: float
+    """[m]"""
     area: float
+    """[m²]"""
+
+    @property
+    def length(self) -> float:
+        """[m]"""
+        return self.end - self.start
 
 
 def shell_around(bodies: Iterable[Body]) -> Shell:
@@ -69,7 +89,8 @@ def shell_around(bodies: Iterable[Body]) -> Shell:
 
 def _around(rounds: list[_Round]) -> Shell:
     slices = list(_slices(rounds))
-    lengths, girths, areas = (np.array(column) for column in zip(*slices, strict=True))
+    lengths = np.array([one.length for one in slices])
+    girths, areas = np.array([(one.perimeter, one.area) for one in slices]).T
     girths, areas = _filled(girths), _filled(areas)
     return Shell(
         lateral=float(lengths @ girths),
@@ -87,6 +108,43 @@ def _filled(values: Floats) -> Floats:
     return np.minimum(before, behind)
 
 
+def stretches_around(bodies: Iterable[Body]) -> tuple[Stretch, ...]:
+    """Return the cross-sections of the housing that `shell_around` weighs, from its first end to its last.
+
+    Args:
+        bodies: As the arrangement has them, and what else stands in the housing.
+
+    Source: as `shell_around`: where a neck would be, the narrower of the widest before and the widest behind it, and
+        what goes through it.
+    """
+    rounds, close = ([_Round.of(body, room) for body in bodies] for room in (CLEARANCE, LEAST_CLEARANCE))
+    slices = [one._replace(least=_reach(rounds, close, one.start, one.end)) for one in _slices(rounds)]
+    filled = _filled(np.array([one.area for one in slices]))
+    found: list[Stretch] = []
+    for one, area in zip(slices, filled, strict=True):
+        wide = one._replace(start=found[-1].end if found else one.start)
+        if one.area < area:
+            other = slices[int(np.argmin([abs(each.area - area) for each in slices]))]
+            reach, least = np.maximum(one.reach, other.reach), np.maximum(one.least, other.least)
+            wide = Stretch(wide.start, one.end, reach, least, *_polygon(reach))
+        if found and np.allclose(found[-1].reach, wide.reach, rtol=0.0, atol=SAME):
+            wide = found.pop()._replace(end=one.end)
+        found.append(wide)
+    return tuple(found)
+
+
+def outline_of(reach: Floats) -> Floats:
+    """Return the corners of a cross-section across the first shaft, y and z [m], shape (48, 2).
+
+    Args:
+        reach: h in every direction [m].
+    """
+    step = 2.0 * math.pi / _SIDES
+    ways = _DIRECTIONS[:, 1:]
+    beside = (np.roll(reach, -1) - reach * math.cos(step)) / math.sin(step)
+    return np.asarray(reach[:, None] * ways + beside[:, None] * np.stack([-ways[:, 1], ways[:, 0]], axis=1))
+
+
 class _Round(NamedTuple):
     """A body as its extents."""
 
@@ -98,12 +156,12 @@ class _Round(NamedTuple):
     """h in every direction [m]."""
 
     @staticmethod
-    def of(body: Body) -> _Round:
+    def of(body: Body, clearance: float = CLEARANCE) -> _Round:
         """Return the extents of a body, a bare shaft's with its bearings, all with clearance."""
         axis, origin = np.array(body.direction), np.array(body.origin)
         places = np.array([station.place for station in body.stations])
         wider = SEAT if body.part.kind is Kind.SHAFT else 1.0
-        radii = CLEARANCE * wider * np.array([station.radius for station in body.stations])
+        radii = clearance * wider * np.array([station.radius for station in body.stations])
         centres = origin + places[:, None] * axis
         along = radii * math.sqrt(max(1.0 - axis[0] ** 2, 0.0))
         across = np.sqrt(np.maximum(1.0 - (_DIRECTIONS @ axis) ** 2, 0.0))
@@ -111,14 +169,19 @@ class _Round(NamedTuple):
         return _Round(float(np.min(centres[:, 0] - along)), float(np.max(centres[:, 0] + along)), reach)
 
 
-def _slices(rounds: list[_Round]) -> Iterator[_Slice]:
+def _slices(rounds: list[_Round]) -> Iterator[Stretch]:
     """Yield the slices between places where a body begins or ends, one after the other."""
     edges = sorted({edge for body in rounds for edge in (body.low, body.high)})
     for start, end in pairwise(edges):
-        inside = [body.reach for body in rounds if body.low < end and body.high > start]
-        if inside:
-            perimeter, area = _polygon(np.max(inside, axis=0))
-            yield _Slice(end - start, perimeter, area)
+        if any(body.low < end and body.high > start for body in rounds):
+            reach = _reach(rounds, rounds, start, end)
+            yield Stretch(start, end, reach, reach, *_polygon(reach))
+
+
+def _reach(rounds: list[_Round], seen: list[_Round], start: float, end: float) -> Floats:
+    """Return how far those of some bodies reach, as they are seen, that stand in a slice [m]."""
+    inside = [one.reach for body, one in zip(rounds, seen, strict=True) if body.low < end and body.high > start]
+    return np.asarray(np.max(inside, axis=0))
 
 
 def _polygon(reach: Floats) -> tuple[float, float]:

@@ -1,0 +1,253 @@
+"""The solids of a housing: the shell that is weighed, chamber by chamber, its flanges, bosses around bearings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.identity import HOUSING
+from gearwright.shape.record import Node
+from gearwright.shape.shafts import bearing_bodies
+from gearwright.shape.solids import Chamber, End, Solid, chamber_volume, round_hole, tube
+from gearwright.shape.stands import Axes, axes_at, middle_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.arranged import Body, Direction, Point, Station
+from gearwright.sizing.mass import (
+    BOSS,
+    FLANGE,
+    Stretch,
+    bolt_of,
+    outline_of,
+    reaction_torque,
+    shell_around,
+    stretches_around,
+    wall_of,
+)
+from gearwright.sizing.places import Run
+
+SAME = 1e-4
+"""Steps of a wall that are less are none [m]."""
+LIP = 2e-4
+"""How far a plate stands inside of its own wall [m]."""
+NEAR = 1e-7
+"""Corners that are nearer are one [m]."""
+LEAST = 2.0
+"""Length of a chamber over the wall's thickness, below which it is one with its neighbour [-]."""
+CHAMBER = "chamber"
+"""What pieces of the shell are named."""
+AROUND = 1.06
+"""Hole for a shaft over the shaft's diameter [-]: as much as the housing leaves around what turns."""
+
+
+STEPS, ALIKE = 8, 1e-3
+"""How often a wall is tried, and how near the metal is to what is weighed [-]."""
+Hole = tuple[float, Floats, float]
+"""Place along the first shaft, middle across it and radius of a hole [m]."""
+
+
+class Piece(NamedTuple):
+    """A solid of the housing and where it stands."""
+
+    name: str
+    key: str
+    """Equal solids share one."""
+    solid: Chamber | Solid
+    axes: Axes
+
+
+def housing_nodes(
+    sizing: Sizing, drawn: tuple[Run, ...], inside: Iterable[tuple[Node, Solid]]
+) -> Iterator[tuple[Node, Chamber | Solid]]:
+    """Yield the housing's pieces; none where the gearbox has none of its own.
+
+    Args:
+        sizing: As sized.
+        drawn: Shafts as they are drawn.
+        inside: Bodies on shafts and carriers, about their own axes, with their solids.
+    """
+    still = dict.fromkeys(sizing.flows, 0.0)
+    bodies = [*sizing.arrangement.bodies, *(_envelope(node, solid) for node, solid in inside)]
+    for piece in _pieces(sizing, drawn, bodies) if sizing.design.housing.own else ():
+        yield Node(piece.name, HOUSING, "housing", piece.key, piece.axes, 0.0, still), piece.solid
+
+
+def _envelope(node: Node, solid: Solid) -> Body:
+    """Return the circles between which a body lies."""
+    circles = list(solid.profile)
+    for section in solid.sections[:: max(len(solid.sections) - 1, 1)]:
+        radius = float(section.radius.max())
+        circles += [(float(section.height.min()), radius), (float(section.height.max()), radius)]
+    low = min(place for place, _ in circles)
+    stations = tuple(Station(place - low, radius) for place, radius in sorted(circles))
+    axis = node.axes.along
+    return Body(HOUSING, "", "", Point(*(node.axes.origin + low * axis)), Direction(*axis), stations)
+
+
+def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
+    shell = shell_around(sizing.arrangement.bodies)
+    wall = wall_of(sizing, shell).thickness
+    stretches = _nested(_long_enough(list(stretches_around(bodies)), wall))
+    metal = shell.area * wall if sizing.design.housing.wall is None else None
+    wall, chambers = _as_weighed(stretches, list(_leaving(sizing, drawn)), wall, metal)
+    axes = Axes(np.zeros(3), np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
+    for k, chamber in enumerate(chambers):
+        name = f"housing, {CHAMBER} {k + 1}"
+        yield Piece(name, name, chamber, axes)
+    bolt = bolt_of(reaction_torque(sizing), shell.girth)
+    widest = max(stretches, key=lambda one: one.area)
+    for k, (place, half) in enumerate(_flanges(sizing, widest, wall, (bolt, shell.girth))):
+        moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
+        yield Piece(f"housing, flange {k // 2 + 1}{'ab'[k % 2]}", "housing flange", half, moved)
+    for part, body in bearing_bodies(sizing):
+        name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
+        boss = tube(span, body.radius * (1.0 + 2.0 * BOSS), body.radius)
+        yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
+
+
+def _as_weighed(
+    stretches: list[Stretch], leaving: list[Hole], wall: float, metal: float | None
+) -> tuple[float, list[Chamber]]:
+    """Return the wall with which the chambers have the metal that is weighed, A t of a thin shell, and the chambers.
+
+    A wall that the design gives stands: no metal is asked for.
+    """
+    for _ in range(STEPS):
+        chambers = [_chamber(stretches, k, wall, leaving) for k in range(len(stretches))]
+        share = metal / sum(map(chamber_volume, chambers)) if metal else 1.0
+        if abs(share - 1.0) < ALIKE:
+            break
+        wall *= share
+    return wall, chambers
+
+
+def _long_enough(stretches: list[Stretch], wall: float) -> list[Stretch]:
+    """Return cross-sections without steps that are too short to be cast: they are as wide as what is beside them."""
+    found = list(stretches)
+    while len(found) > 1:
+        k = min(range(len(found)), key=lambda k: found[k].length)
+        if found[k].length >= LEAST * wall:
+            break
+        beside = [j for j in (k - 1, k + 1) if 0 <= j < len(found)]
+        j = min(beside, key=lambda j: abs(found[j].area - found[k].area))
+        low, high = min(j, k), max(j, k)
+        wide, least = (np.maximum(one, other) for one, other in zip(found[low][2:4], found[high][2:4], strict=True))
+        larger = max(found[j], found[k], key=lambda one: one.area)
+        one = larger._replace(start=found[low].start, end=found[high].end, reach=wide, least=least)
+        found[low : high + 1] = [one]
+    return found
+
+
+def _nested(stretches: list[Stretch]) -> list[Stretch]:
+    """Return cross-sections of which, side by side, one lies in the other: the larger one reaches around both."""
+    found, again = list(stretches), True
+    while again:
+        again = False
+        for k, (one, other) in enumerate(pairwise(found)):
+            if all(np.any(a.reach > b.reach + SAME) for a, b in ((one, other), (other, one))):
+                j = k if one.area >= other.area else k + 1
+                reach, least = np.maximum(one.reach, other.reach), np.maximum(one.least, other.least)
+                found[j], again = found[j]._replace(reach=reach, least=least), True
+    return found
+
+
+def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: list[Hole]) -> Chamber:
+    """Return a chamber; the plate of a step belongs to its wider side, and stands beside what turns in it."""
+    own, span, ends = stretches[k], [stretches[k].start, stretches[k].end], list[End | None]()
+    for side, way in ((0, -1), (1, 1)):
+        beside = stretches[k + way] if 0 <= k + way < len(stretches) else None
+        plane = span[side]
+        wider = beside is None or bool(np.any(own.reach > beside.reach + SAME))
+        if not wider:
+            span[side] -= way * wall
+            ends.append(None)
+            continue
+        span[side] += way * wall
+        holes = [] if beside is None else [_outline(np.minimum(_inside(own, wall) - LIP, _inside(beside, wall)))]
+        for place, middle, radius in leaving:
+            through = beside is not None and _fits(beside.reach + wall, middle, -radius)
+            if abs(place - plane) < LEAST * wall and not through and _fits(_inside(own, wall), middle, radius):
+                holes.append(round_hole(middle, radius))
+        ends.append(End(wall, tuple(holes)))
+    inside = _inside(own, wall)
+    return Chamber(_outline(inside + wall), _outline(inside), (span[0], span[1]), (ends[0], ends[1]))
+
+
+def _inside(own: Stretch, wall: float) -> Floats:
+    """Return how far the inside of a wall is: the wall's middle where it is weighed, where there is room for it."""
+    corners = _outline(own.reach - wall / 2.0)
+    return np.asarray(np.maximum(np.max(corners @ _ways(len(own.reach)).T, axis=0), own.least))
+
+
+def _ways(count: int) -> Floats:
+    angle = 2.0 * math.pi * np.arange(count) / count
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _fits(reach: Floats, middle: Floats, radius: float) -> bool:
+    """Tell whether a circle lies in a cross-section; of a negative radius, whether any of it does."""
+    return bool(np.all(_ways(len(reach)) @ middle + radius < reach))
+
+
+def _outline(reach: Floats) -> Floats:
+    """Return the corners of the polygon n·p ≤ h, also where some of its sides lie outside of others [m]."""
+    loop, ways = outline_of(reach), _ways(len(reach))
+    if np.all(loop @ ways.T <= reach + NEAR):
+        return _cleaned(loop)
+    loop = float(np.max(np.abs(reach))) * np.array([[2.0, -2.0], [2.0, 2.0], [-2.0, 2.0], [-2.0, -2.0]])
+    for way, limit in zip(ways, reach, strict=True):
+        far = loop @ way - limit
+        if np.all(far <= 0.0):
+            continue
+        kept: list[Floats] = []
+        for k in range(len(loop)):
+            here, there, onward = far[k], far[(k + 1) % len(loop)], loop[(k + 1) % len(loop)]
+            if here <= 0.0:
+                kept.append(loop[k])
+            if (here < 0.0 < there) or (there < 0.0 < here):
+                kept.append(loop[k] + here / (here - there) * (onward - loop[k]))
+        loop = np.array(kept)
+    return _cleaned(loop)
+
+
+def _cleaned(loop: Floats) -> Floats:
+    """Return a loop with one corner where several coincide."""
+    return np.asarray(loop[np.linalg.norm(loop - np.roll(loop, 1, axis=0), axis=1) > NEAR])
+
+
+def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
+    """Yield place along the first shaft, middle and radius of the holes for shafts along it that join machines [m]."""
+    ends: dict[tuple[float, ...], Hole] = {}
+    for machine, shaft in sizing.train.machines.items():
+        frame, runs = sizing.arrangement.frames[shaft], [run for run in drawn if run.shaft == shaft]
+        if abs(frame.along.x) < 1.0 - 1e-9 or not runs:
+            continue
+        steps = [step for run in runs for step in run.steps]
+        low, high = min(steps), max(steps, key=lambda step: step[1])
+        place = sizing.arrangement.plans[shaft].places[machine]
+        end, radius = (low[0], low[2]) if place - low[0] < high[1] - place else (high[1], high[2])
+        found = (frame.origin.x + end * frame.along.x, np.array([frame.origin.y, frame.origin.z]), AROUND * radius)
+        key = tuple(np.round([found[0], *found[1]], 4))
+        ends[key] = max(ends.get(key, found), found, key=lambda one: one[2])  # one shaft within the other
+    yield from ends.values()
+
+
+def _flanges(
+    sizing: Sizing, widest: Stretch, wall: float, grip: tuple[float, float]
+) -> Iterator[tuple[float, Chamber]]:
+    """Yield place and solid of both halves of every flange around the widest chamber, as heavy as they are weighed."""
+    bolt, girth = grip
+    count, thick = max(len(sizing.design.stages), 2), FLANGE[1] * bolt
+    reach = _inside(widest, wall) + wall
+    inner = _outline(reach)
+    around = float(np.sum(np.linalg.norm(np.roll(inner, -1, axis=0) - inner, axis=1)))
+    more = len(reach) * math.tan(math.pi / len(reach))
+    wide = (math.sqrt(around**2 + 4.0 * more * FLANGE[0] * bolt * girth) - around) / (2.0 * more)
+    solid = Chamber(_outline(reach + wide), inner, (0.0, thick))
+    for place in np.linspace(widest.start + thick, widest.end - thick, count):
+        yield place - thick, solid
+        yield place, solid

@@ -1,0 +1,227 @@
+"""Chambers of a housing: a wall around a convex cross-section, with a plate that has holes at either end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Bools, Floats, Ints
+from gearwright.shape.solids.surface import Surface, around, around_hole, joined
+
+NONE = 1e-13
+"""Twice an area that is none [m²]."""
+ROUND = 48
+"""Corners of a round hole [-]."""
+
+
+class End(NamedTuple):
+    """A plate across a chamber, its outside flush with the end of the wall."""
+
+    thickness: float
+    """[m]"""
+    holes: tuple[Floats, ...]
+    """Outlines through it, convex, counter-clockwise, apart from each other [m], shape (n, 2) each."""
+
+
+class Chamber(NamedTuple):
+    """A piece of a housing about z."""
+
+    outer: Floats
+    """Outline of the wall, convex, counter-clockwise [m], shape (n, 2)."""
+    inner: Floats
+    """Its inside, corner by corner [m], shape (n, 2)."""
+    span: tuple[float, float]
+    """Where it begins and ends along z [m]."""
+    ends: tuple[End | None, End | None] = (None, None)
+    """Plates; None: open."""
+
+
+def round_hole(middle: Sequence[float] | Floats, radius: float) -> Floats:
+    """Return the outline of a hole into which a round body of that radius fits.
+
+    Args:
+        middle: x and y [m].
+        radius: [m].
+    """
+    return np.asarray(around(around_hole(radius, ROUND), 0.0, ROUND)[:, :2] + np.asarray(middle))
+
+
+def chamber_surface(chamber: Chamber) -> Surface:
+    """Return the triangles of a chamber.
+
+    Args:
+        chamber: The chamber.
+    """
+    pieces = [_wall(chamber.outer, chamber.span)]
+    inside = list(chamber.span)
+    for k, (end, way) in enumerate(zip(chamber.ends, (-1.0, 1.0), strict=True)):
+        place = chamber.span[k]
+        if end is None:
+            pieces.append(_face(chamber.outer, (chamber.inner,), place, way))
+            continue
+        inside[k] = place - way * end.thickness
+        pieces += [_face(chamber.outer, end.holes, place, way), _face(chamber.inner, end.holes, inside[k], -way)]
+        pieces += [_turned(_wall(hole, _ordered(place, inside[k]))) for hole in end.holes]
+    return joined([*pieces, _turned(_wall(chamber.inner, (inside[0], inside[1])))])
+
+
+def chamber_volume(chamber: Chamber) -> float:
+    """Return the volume of a chamber's metal [m³].
+
+    Args:
+        chamber: The chamber.
+    """
+    room = _area(chamber.inner)
+    found = (_area(chamber.outer) - room) * (chamber.span[1] - chamber.span[0])
+    plates = (end.thickness * (room - sum(map(_area, end.holes))) for end in chamber.ends if end is not None)
+    return found + sum(plates)
+
+
+def _area(loop: Floats) -> float:
+    after = np.roll(loop, -1, axis=0)
+    return float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
+
+
+def depth_in(points: Floats, chamber: Chamber) -> float:
+    """Return how deep the deepest of some points stands in the metal of a chamber, from its room or its holes [m].
+
+    Args:
+        points: About the chamber's own z [m], shape (n, 3).
+        chamber: The chamber.
+    """
+    flat, height = points[:, :2], points[:, 2]
+    past = _outside(flat, chamber.inner)
+    for end, place, way in zip(chamber.ends, chamber.span, (-1.0, 1.0), strict=True):
+        if end is not None:
+            into = way * (height - place) + end.thickness
+            through = np.min([_outside(flat, hole) for hole in end.holes], axis=0) if end.holes else np.inf
+            past = np.maximum(past, np.minimum(into, through))
+    inside = (_outside(flat, chamber.outer) < 0.0) & (height > chamber.span[0]) & (height < chamber.span[1])
+    return float(np.max(past[inside], initial=0.0))
+
+
+def _outside(points: Floats, loop: Floats) -> Floats:
+    """Return how far points lie outside of a convex loop; inside of it negative [m]."""
+    along = np.roll(loop, -1, axis=0) - loop
+    out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.linalg.norm(along, axis=1, keepdims=True)
+    return np.asarray(np.max(points @ out.T - np.sum(loop * out, axis=1), axis=1))
+
+
+def _ordered(one: float, other: float) -> tuple[float, float]:
+    return min(one, other), max(one, other)
+
+
+def _turned(surface: Surface) -> Surface:
+    """Return a surface with its other side out."""
+    return Surface(surface.points, -surface.normals, surface.triangles[:, ::-1])
+
+
+def _wall(loop: Floats, span: tuple[float, float]) -> Surface:
+    """Return what a loop sweeps along z, shaded as if it were round."""
+    count = len(loop)
+    points = np.concatenate([np.column_stack([loop, np.full(count, place)]) for place in span])
+    along = np.roll(loop, -1, axis=0) - loop
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    out = np.where(length > 0.0, np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(length, 1e-30), 0.0)
+    mean = out + np.roll(out, 1, axis=0)
+    mean = np.where(np.linalg.norm(mean, axis=1, keepdims=True) > 0.0, mean, loop - loop.mean(axis=0))
+    mean /= np.linalg.norm(mean, axis=1, keepdims=True)
+    normals = np.tile(np.column_stack([mean, np.zeros(count)]), (2, 1))
+    here, there = np.arange(count), np.roll(np.arange(count), -1)
+    low, high = np.stack([here, there, there + count], axis=1), np.stack([here, there + count, here + count], axis=1)
+    return Surface(points, normals, np.concatenate([low, high]))
+
+
+def _face(outer: Floats, holes: Sequence[Floats], place: float, way: float) -> Surface:
+    """Return a flat face with holes that looks along ±z."""
+    loops = [outer, *holes]
+    flat = np.concatenate(loops)
+    triangles = plane_triangles(loops)
+    points = np.column_stack([flat, np.full(len(flat), place)])
+    normals = np.tile([0.0, 0.0, way], (len(flat), 1))
+    return Surface(points, normals, triangles if way > 0.0 else triangles[:, ::-1])
+
+
+def plane_triangles(loops: Sequence[Floats]) -> Ints:
+    """Return triangles of a plane face, counter-clockwise, by numbers of all corners one loop after the other.
+
+    Args:
+        loops: Its outline, then its holes, apart from each other and from it, all convex, counter-clockwise [m].
+
+    Source: a fan; between two loops supports in the directions of edges; else ears are cut of the outline that bridges
+        have joined with its holes (Meisters, two-ears theorem).
+    """
+    first = np.arange(1, len(loops[0]) - 1)
+    if len(loops) == 1:
+        return np.stack([np.zeros_like(first), first, first + 1], axis=1)
+    if len(loops) == 2:
+        return _between(loops[0], loops[1])
+    return _ears(np.concatenate(loops), _bridged(loops))
+
+
+def _between(outer: Floats, inner: Floats) -> Ints:
+    """Return triangles between two convex loops: every edge with the corner of the other loop that lies furthest out.
+
+    Edges of both are walked in order of their directions.
+    """
+    n, m = len(outer), len(inner)
+    ways = [np.roll(loop, -1, axis=0) - loop for loop in (outer, inner)]
+    angle = np.concatenate([np.mod(np.arctan2(way[:, 1], way[:, 0]), 2.0 * np.pi) for way in ways])
+    order = np.argsort(angle, kind="stable")
+    is_outer = order < n
+    i, j = int(np.argmin(angle[:n])), int(np.argmin(angle[n:]))
+    here: Ints = (i + np.cumsum(is_outer) - is_outer) % n
+    there: Ints = (j + np.cumsum(~is_outer) - ~is_outer) % m
+    following = np.where(is_outer, (here + 1) % n, n + (there + 1) % m)
+    return np.stack([here, following, n + there], axis=1)
+
+
+def _turns(one: complex, two: complex, three: complex) -> float:
+    """Return twice the area of a triangle, positive counter-clockwise [m²]."""
+    return float(((two - one).conjugate() * (three - one)).imag)
+
+
+def _bridged(loops: Sequence[Floats]) -> list[int]:
+    """Return one loop of numbers of corners that goes around all holes, over the shortest bridges there and back."""
+    starts = np.cumsum([0, *(len(loop) for loop in loops)])
+    points, way = np.concatenate(loops), list(range(len(loops[0])))
+    left = [list(range(starts[k], starts[k + 1])) for k in range(1, len(loops))]
+    while left:
+        best: tuple[float, int, int, int] = (np.inf, 0, 0, 0)
+        for k, hole in enumerate(left):
+            far = np.linalg.norm(points[way][:, None] - points[hole][None, :], axis=2)
+            at = int(np.argmin(far))
+            best = min(best, (float(far.flat[at]), k, at // len(hole), at % len(hole)))
+        _, k, at, corner = best
+        around_it = left.pop(k)[::-1]
+        lead = len(around_it) - 1 - corner
+        around_it = [*around_it[lead:], *around_it[: lead + 1]]
+        way = [*way[: at + 1], *around_it, *way[at:]]
+    return way
+
+
+def _ears(points: Floats, way: list[int]) -> Ints:
+    """Return the triangles of a loop that may touch itself along bridges."""
+    way, found, k, missed = list(way), list[tuple[int, ...]](), 0, 0
+    while len(way) > 3:
+        k %= len(way)
+        ear = (way[k - 1], way[k], way[(k + 1) % len(way)])
+        area = _turns(*(complex(x, y) for x, y in points[list(ear)]))
+        flat = missed > len(way) and area > -NONE  # corners on one line, or at one place
+        if flat or missed > 2 * len(way) or (area > NONE and not _holds(points[list(ear)], points[way]).any()):
+            found.append(ear)
+            way.pop(k)
+            missed = -1
+        missed, k = missed + 1, k + 1
+    return np.array([*found, tuple(way)], dtype=np.int64)
+
+
+def _holds(corners: Floats, points: Floats) -> Bools:
+    """Return which points lie inside of a triangle, not on its edge."""
+    inside = np.ones(len(points), dtype=bool)
+    for here, there in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        along, off = there - here, points - here
+        inside &= along[0] * off[:, 1] - along[1] * off[:, 0] > NONE
+    return np.asarray(inside)
