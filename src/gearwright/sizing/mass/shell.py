@@ -9,7 +9,7 @@ too large.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -90,7 +90,7 @@ def shell_around(bodies: Iterable[Body]) -> Shell:
 def _around(rounds: list[_Round]) -> Shell:
     slices = list(_slices(rounds))
     lengths = np.array([one.length for one in slices])
-    girths, areas = np.array([(one.perimeter, one.area) for one in slices]).T
+    girths, areas = np.array([one.perimeter for one in slices]), np.array([one.area for one in slices])
     girths, areas = _filled(girths), _filled(areas)
     return Shell(
         lateral=float(lengths @ girths),
@@ -108,7 +108,7 @@ def _filled(values: Floats) -> Floats:
     return np.minimum(before, behind)
 
 
-def stretches_around(bodies: Iterable[Body]) -> tuple[Stretch, ...]:
+def stretches_around(bodies: Sequence[Body]) -> tuple[Stretch, ...]:
     """Return the cross-sections of the housing that `shell_around` weighs, from its first end to its last.
 
     Args:
