@@ -452,9 +452,7 @@ def loaded_pin(sizing, carrier):
     if carrier.stage in sizing.design.planetaries:
         planet = next(gear for gear in sizing.gears if (gear.stage, gear.role) == (carrier.stage, Role.PLANET))
         on = planet.runs_on
-        disc = gear_mass(planet, rating_of(sizing.design, planet.stage))
-        mass = disc if sizing.level == "preliminary" else planet.mass
-        return planet.face_width, mass + (on.turning_mass if on else 0.0), on.pin_diameter if on else 0.0
+        return planet.face_width, planet.mass + (on.turning_mass if on else 0.0), on.pin_diameter if on else 0.0
     gears = {gear.own: gear for gear in sizing.gears if gear.stage == carrier.stage}
     epicyclic = sizing.design.epicyclics[carrier.stage]
     bodies = {body: [gears[step] for step in epicyclic.planets if epicyclic.body(step) == body]
@@ -480,9 +478,7 @@ def of_carriers(sizing, carrier):
     simple = of_planets(sizing, carrier) if carrier.stage in sizing.design.planetaries else {}
     return {
         **simple,
-        "F_c = m_p r_c ω_c², with what turns of its bearing; preliminary: m_p of a disc": mass
-        * carrier.radius
-        * speed**2,
+        "F_c = m_p r_c ω_c², with what turns of its bearing": mass * carrier.radius * speed**2,
         "F = √(F_t² + (F_c + F_r)²)": math.hypot(
             carrier.tangential_force, carrier.centrifugal_force + carrier.radial_force
         ),

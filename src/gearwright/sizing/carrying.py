@@ -104,7 +104,7 @@ class CarrierSizing:
     centrifugal_force: Annotated[
         float,
         Quantity("force"),
-        Origin("F_c = m_p r_c ω_c², with what turns of its bearing; preliminary: m_p of a disc", "kinematics"),
+        Origin("F_c = m_p r_c ω_c², with what turns of its bearing", "kinematics"),
     ]
     """Centrifugal force of one planet on its pin [N]."""
     radial_force: Annotated[

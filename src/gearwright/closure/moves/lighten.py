@@ -39,6 +39,8 @@ ROUNDING = 1e-6
 """Of what a design lacks [-]."""
 LIGHTER = 1e-3
 """Part of the complete mass that a change must save [-]."""
+NEARLY = 0.02
+"""Part of it by which a change may weigh more as screened: its own dynamic factors may be less than those [-]."""
 SHIFTS = (-0.2, -0.1, -0.05, 0.05, 0.1, 0.2)
 """By which the profile shift of a pinion or a sun is changed [-]."""
 SUNS = (0, -1, 1, -2, 2, -3, 3)
@@ -80,10 +82,10 @@ def lightened(state: Settled, say: Callable[[str], None]) -> Settled:
 
 
 def _lighter(best: Candidate) -> Iterator[tuple[Change, Candidate]]:
-    """Yield changes that meet no less and are lighter, the lightest first, confirmed."""
+    """Yield changes that meet no less and are lighter, confirmed, the lightest as screened first."""
     now = _mass(best.settled)
     rows = ((change, state) for change in _changes(best.settled) for state in screened(best.settled, [change]))
-    able = [(mass, change, state) for change, state in rows if (mass := _mass(state)) < (1.0 - LIGHTER) * now]
+    able = [(mass, change, state) for change, state in rows if (mass := _mass(state)) < (1.0 + NEARLY) * now]
     confirmed = 0
     for _, change, state in sorted(able, key=lambda row: row[0]):
         if confirmed == CONFIRMED:

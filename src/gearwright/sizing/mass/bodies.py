@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import NamedTuple
 
 from gearwright.catalogue import key_for_shaft
@@ -22,26 +21,19 @@ from gearwright.parts.gears import (
     face_way,
     outline_area,
     revolved_volume,
-    widest_rounding,
 )
+from gearwright.sizing.blanks import PLANET_HUB, WALL, blank_by_rules, external_tooth
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.places import BOSS
 from gearwright.sizing.rating import rating_of, standard_teeth
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
-from gearwright.spec.design import GearRules, Pair
+from gearwright.spec.design import Pair
 
-BACKUP = 1.2
-"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
-AGMA 2001-D04, rim thickness factor."""
 HUBS = {"": 1.25, "integral": 1.0, "spline": 1.3, "key": 1.8, "press-fit": 1.8}
 """Joint -> outside of the hub over the shaft's diameter [-]; estimates within what machine-element tables give for
 steel. Nothing said: flanged or splined."""
-PLANET_HUB = 1.1
-"""Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
-WALL = 0.6
-"""Metal left under the roots where a shaft is as thick as they are, and around the roots of a ring, in modules [-]."""
 
 
 class Seats(NamedTuple):
@@ -78,14 +70,11 @@ def tooth_of(sizing: Sizing, gear: GearSizing) -> TransverseTooth:
         sizing: As sized.
         gear: One of its gears.
     """
-    rack = cylindrical_gear(sizing.design, gear).rack
-    rack = replace(rack, fillet_radius=min(rack.fillet_radius, widest_rounding(rack)))
-    internal = gear.name in sizing.train.internal
+    tooth = external_tooth(sizing.design, gear)
+    if gear.name not in sizing.train.internal:
+        return tooth
     mates = [mesh.gears[0] for mesh in sizing.train.meshes if mesh.gears[1] == gear.name]
-    return TransverseTooth(
-        gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack,
-        -1 if internal else 1, min(sizing.teeth[mate] for mate in mates) if internal else 0.0,
-    )  # fmt: skip
+    return tooth._replace(side=-1, shaper=min(sizing.teeth[mate] for mate in mates))
 
 
 def bevel_cones(sizing: Sizing, stage: str) -> BevelPair:
@@ -202,22 +191,6 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
     teeth, rules = cylindrical_gear(sizing.design, gear), sizing.design.rules(gear.stage)
     blank = blank_by_rules(gear, rules, teeth.root_radius, seat=_seat(sizing, gear, seats))
     return _lightened(blank, rules.web_ratio) if gear.role is Role.WHEEL and rules.web_ratio < 1.0 else blank
-
-
-def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tuple[float, float]) -> Blank:
-    """Return the body under the teeth of an external gear by the rules of its stage.
-
-    Args:
-        gear: As sized.
-        rules: Of its stage.
-        root: Radius of the root circle [m].
-        seat: Diameters of bore and hub [m].
-    """
-    height = 2.25 * gear.module
-    rim = root - (BACKUP if rules.rim_ratio is None else rules.rim_ratio) * height
-    bore = min(seat[0] / 2.0, root - WALL * gear.module)
-    hub = max(min(seat[1] / 2.0, root), bore)
-    return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)
 
 
 def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:

@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 from gearwright.identity import Role, gear_part
 from gearwright.parts.gears import disc_mass
 from gearwright.parts.planetary import pin_stress
 from gearwright.sizing.bearings import PlanetLoad, Seat, borne_by, planet_seats, unit_loads
+from gearwright.sizing.blanks import crown_volume, planet_body_volume
 from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import GearSizing
+from gearwright.sizing.result import PRELIMINARY, GearSizing
 from gearwright.sizing.rolling import pin_circle
 from gearwright.spec.design import PlanetBearing
 
@@ -61,13 +63,18 @@ class Task:
         """Of the planet against its carrier, in all cases [rad/s]."""
         return max(borne_by(self.context, self.seat).speeds, default=0.0)
 
+    @cached_property
+    def crown(self) -> float:
+        """What the teeth of the planet fill [m³]; 0 where it counts as a ring without them."""
+        return crown_of(self.context, self.planet)
+
     def load(self, runs_on: PlanetBearingSizing) -> PlanetLoad:
         """Return what a bearing bears in every case, with what it takes from the planet and what it swings itself.
 
         Args:
             runs_on: The bearing.
         """
-        moving = bored(self.context, self.planet, runs_on).turning_mass
+        moving = bored(self.context, self.planet, runs_on, crown=self.crown).turning_mass
         return borne_by(self.context, replace(self.seat, swung=moving * self.radius))
 
     def pin_margin(self, pin: float, load: PlanetLoad) -> float:
@@ -108,8 +115,18 @@ def tasks(context: Context, gears: tuple[GearSizing, ...]) -> Iterator[Task]:
             yield Task(context, planet, bearing, f"{path}.planet_bearing", seat, carrier.radius)
 
 
-def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing) -> GearSizing:
-    """Return a planet with the bore that its bearing takes, as a ring of its own mass and inertia.
+def crown_of(context: Context, planet: GearSizing) -> float:
+    """Return what the teeth of a planet fill, where it is weighed as it is made; else 0 [m³].
+
+    Args:
+        context: What sizing reads.
+        planet: As sized.
+    """
+    return crown_volume(context.design, planet) if context.design.level == PRELIMINARY else 0.0
+
+
+def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing, *, crown: float) -> GearSizing:
+    """Return a planet with the bore that its bearing takes, of its own mass and inertia: a ring, or as it is made.
 
     What the user gives of mass or inertia stays.
 
@@ -117,10 +134,15 @@ def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing) ->
         context: What sizing reads.
         planet: As a solid disc.
         runs_on: What stands in it.
+        crown: From `crown_of` [m³].
     """
     mean = planet.pitch_diameter + 2.0 * planet.profile_shift * planet.module
     bore = min(runs_on.outer_diameter, THICKEST * (planet.pitch_diameter - 2.5 * planet.module))
-    lost = disc_mass(bore, planet.face_width, context.ratings[planet.stage].material.density)
-    mass = context.given.get(f"{planet.name}.mass", planet.mass - lost)
+    density = context.ratings[planet.stage].material.density
+    if crown:
+        own = density * (crown + planet_body_volume(context.design, planet, runs_on.outer_diameter))
+    else:
+        own = planet.mass - disc_mass(bore, planet.face_width, density)
+    mass = context.given.get(f"{planet.name}.mass", own)
     inertia = context.given.get(f"{planet.name}.inertia", mass * (mean**2 + bore**2) / 8.0)
     return replace(planet, mass=mass, inertia=inertia, runs_on=runs_on)

@@ -1,0 +1,70 @@
+"""The bodies under the teeth of external gears by the rules of their stage, and planets around what they turn on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, outline_area, widest_rounding
+from gearwright.sizing.result import GearSizing
+from gearwright.sizing.tooth_shape import cylindrical_gear
+from gearwright.spec import Design
+from gearwright.spec.design import GearRules
+
+BACKUP = 1.2
+"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
+AGMA 2001-D04, rim thickness factor."""
+PLANET_HUB = 1.1
+"""Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
+WALL = 0.6
+"""Metal left under the roots where a shaft is as thick as they are, and around the roots of a ring, in modules [-]."""
+
+
+def external_tooth(design: Design, gear: GearSizing) -> TransverseTooth:
+    """Return what the outline of an external cylindrical gear follows from.
+
+    Args:
+        design: With the rules of its stage.
+        gear: As sized.
+    """
+    rack = cylindrical_gear(design, gear).rack
+    rack = replace(rack, fillet_radius=min(rack.fillet_radius, widest_rounding(rack)))
+    return TransverseTooth(gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack)
+
+
+def crown_volume(design: Design, gear: GearSizing) -> float:
+    """Return what the teeth of an external cylindrical gear fill [m³].
+
+    Args:
+        design: With the rules of its stage.
+        gear: As sized.
+    """
+    return gear.teeth * outline_area(external_tooth(design, gear)) * gear.face_width
+
+
+def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tuple[float, float]) -> Blank:
+    """Return the body under the teeth of an external gear by the rules of its stage.
+
+    Args:
+        gear: As sized.
+        rules: Of its stage.
+        root: Radius of the root circle [m].
+        seat: Diameters of bore and hub [m].
+    """
+    height = 2.25 * gear.module
+    rim = root - (BACKUP if rules.rim_ratio is None else rules.rim_ratio) * height
+    bore = min(seat[0] / 2.0, root - WALL * gear.module)
+    hub = max(min(seat[1] / 2.0, root), bore)
+    return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)
+
+
+def planet_body_volume(design: Design, planet: GearSizing, outside: float) -> float:
+    """Return what a planet fills under its teeth: rim, web, and a hub around what it turns on [m³].
+
+    Args:
+        design: With the rules of its stage.
+        planet: As sized.
+        outside: Diameter of what it turns on [m].
+    """
+    root = cylindrical_gear(design, planet).root_radius
+    seat = (outside, PLANET_HUB * outside)
+    return blank_volume(blank_by_rules(planet, design.rules(planet.stage), root, seat=seat))
