@@ -90,7 +90,7 @@ def _sizes(
 ) -> Iterator[tuple[str, StageSize]]:
     """Yield the size of every stage that is searched; one that nothing does has its widest face."""
     owners, tied = module_owners(trial.design), list[StageTask]()
-    modules = {gear.stage: gear.module for gear in first.gears} | _given(trial)
+    modules = _on_axes(trial, first)
     for name in searched(trial.design):
         rating = trial.rating(name)
         if rating.proportions is None or f"{name}.face_width" in trial.given:
@@ -105,6 +105,19 @@ def _sizes(
         found = sized_at(task, module) if given else lightest(task, module, standard=standard)
         yield name, found or _widest(task, module)
     yield from _together(tied, modules)
+
+
+def _on_axes(trial: Trial, first: Sizing) -> dict[str, float]:
+    """Return stage -> module to begin at [m]: as sized or given, so that pairs on common axes have one distance."""
+    given, sized = _given(trial), {gear.stage: gear.module for gear in first.gears}
+    spans = {mesh.stage: mesh.centre_distance / sized[mesh.stage] for mesh in first.meshes}
+    modules = sized | given
+    for name, pair in trial.design.pairs.items():
+        if pair.coaxial_with is not None:
+            tied = (name, pair.coaxial_with)
+            distance = max(modules[one] * spans[one] for one in tied if one in given or not given.keys() & set(tied))
+            modules |= {one: distance / spans[one] for one in tied if one not in given}
+    return modules
 
 
 def _given(trial: Trial) -> dict[str, float]:

@@ -83,7 +83,8 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
         "other speeds, another split of the ratio, stiffer or softer shafts; a waiver where the peak passes",
     ),
     "room": Requirement(
-        ("room", "keep-out"), (), "places of axes, by the sizing", "other sides or distances of shafts ([layout])"
+        ("room", "keep-out", "axes of"), (), "places of axes, by the sizing",
+        "other sides or distances of shafts ([layout])",
     ),
     "making": Requirement(
         ("assembly", "axial retention", "access", "running clearance", "wheel that grinds", "order along",

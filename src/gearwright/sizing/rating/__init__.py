@@ -28,7 +28,7 @@ from gearwright.sizing.rating.protocol import (
     Unloaded,
 )
 from gearwright.sizing.rating.rims import rim_below_roots
-from gearwright.sizing.rating.rows import rate_row, row_reserve
+from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
     bevel_pair,
@@ -42,7 +42,10 @@ from gearwright.sizing.rating.standard_teeth import (
 )
 from gearwright.sizing.rating.widths import (
     CORRECTIONS,
+    JUST,
+    NEXT,
     STANDARD_MODULES,
+    STEPS_UP,
     Gap,
     bevel_width,
     narrowest,
@@ -55,9 +58,12 @@ from gearwright.sizing.rating.widths import (
 __all__ = [
     "CORRECTIONS",
     "ELEMENTWISE",
+    "JUST",
     "LEAST_TORQUE",
     "METHODS",
+    "NEXT",
     "STANDARD_MODULES",
+    "STEPS_UP",
     "Ask",
     "ClassDamage",
     "Context",
@@ -96,6 +102,7 @@ __all__ = [
     "rim_below_roots",
     "row_ask",
     "row_reserve",
+    "scuffing_ratio",
     "stage_width_ratio",
     "strong_enough",
     "under_spectrum",

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.sizing.rating.context import Context, ask_of, once, worst_case
+from gearwright.sizing.rating.iso6336 import Iso6336Rating, scuffing_safeties
 from gearwright.sizing.rating.methods import method_for
 from gearwright.sizing.rating.protocol import LEAST_TORQUE, Load, LoadedMesh, MeshRating, Unloaded
 from gearwright.spec import case_named, levels_of, shares_of
@@ -55,6 +56,25 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
         context, loaded.rating, ("reserve", *loaded[1:]), lambda: method_for(loaded.rating).reserve_of(loaded)
     )
     return reserve
+
+
+def scuffing_ratio(
+    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
+) -> float:
+    """Return the least safety of a row against scuffing over the asked one [-]; ∞ where its method has none.
+
+    Args:
+        context: What sizing reads.
+        mesh: A row of the train.
+        module: m_n [m].
+        face_width: b [m].
+        asked: As for `rate_row`, so that a size that is kept is not rated again [m].
+    """
+    rated = rate_row(context, mesh, module, face_width, asked=asked)
+    if not isinstance(rated, Iso6336Rating):
+        return math.inf
+    safeties = (safety for safety in scuffing_safeties(rated) if safety is not None)
+    return min(safeties, default=math.inf) / rated.scuffing_asked
 
 
 def _loaded(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from gearwright.checks import Check, not_assessed
-from gearwright.identity import PartId
+from gearwright.identity import Kind, PartId
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES, least_cutter_radius
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import (
@@ -21,6 +21,9 @@ from gearwright.sizing.rating import (
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
 from gearwright.sizing.stages.tooth_checks import tooth_checks
+
+SAME_AXES = 1e-5
+"""By how much centre distances of pairs on the same axes may differ [m]: within js6, ±14.5 µm at 180 to 250 mm."""
 
 
 def gear_checks(
@@ -46,6 +49,19 @@ def gear_checks(
             yield from (_cone if rating.kind == "bevel" else _cylinder)(rating, pair, size)
         if rating.kind == "cylindrical":
             yield from tooth_checks(context, rows[0].stage, by_name, rows)
+    yield from _axes(context, {mesh.stage: mesh.centre_distance for mesh in meshes})
+
+
+def _axes(context: Context, distances: Mapping[str, float]) -> Iterator[Check]:
+    """Yield the pairs on common axes whose centre distances differ, by how much."""
+    for name, pair in context.design.pairs.items():
+        other = pair.coaxial_with
+        if other is not None and abs(distances[name] - distances[other]) > SAME_AXES:
+            why = f"centre distances of {1e3 * distances[name]:.6g} and {1e3 * distances[other]:.6g} mm on common axes"
+            yield Check(
+                PartId(Kind.STAGE, name), f"axes of {other}", "geometry", abs(distances[name] - distances[other]),
+                SAME_AXES, "length", at_most=True, exponent=None, why=why,
+            )  # fmt: skip
 
 
 def _strength(rating: Rating, mesh: MeshSizing, gears: tuple[PartId, PartId]) -> Iterator[Check]:

@@ -9,6 +9,10 @@ from typing import NamedTuple
 
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
 from gearwright.sizing.rating import (
+    CORRECTIONS,
+    JUST,
+    NEXT,
+    STEPS_UP,
     Context,
     Demand,
     Gap,
@@ -20,6 +24,7 @@ from gearwright.sizing.rating import (
     next_standard,
     overlap_width,
     row_reserve,
+    scuffing_ratio,
     strong_enough,
     under_spectrum,
 )
@@ -65,7 +70,9 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
         needed[owner] = max(needed.get(owner, 0.0), *demands[mesh.name][2:])
     _align(context, needed, group)
     refuse_idle_stages(context, needed)
-    sizes = {owner: _size(context, owner, value) for owner, value in needed.items()}
+    for tied in _tied(context, group):
+        _bear_together(context, needed, tied)
+    sizes = {owner: _size(context, owner, value, demands) for owner, value in needed.items()}
     return {stage: _like(context, stage, owner, sizes[owner]) for stage, owner in group.items()}
 
 
@@ -82,13 +89,52 @@ def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSiz
 
 def _align(context: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
     """Raise modules until pairs on the same axes have the larger one's centre distance."""
-    for name, pair in context.design.pairs.items():
-        if pair.coaxial_with is None:
-            continue
-        spans = {tied: _span(context, tied) for tied in (name, pair.coaxial_with)}
-        distance = max(needed[group[tied]] * span for tied, span in spans.items())
+    for links in _links(context):
+        spans = {tied: _span(context, tied) for tied in links}
+        distance = max(_asked(context, needed, group[tied]) * span for tied, span in spans.items())
         for tied, span in spans.items():
             needed[group[tied]] = distance / span
+
+
+def _links(context: Context) -> list[tuple[str, str]]:
+    """Return every pair that stands on the axes of another one, with that one."""
+    pairs = context.design.pairs.items()
+    return [(name, pair.coaxial_with) for name, pair in pairs if pair.coaxial_with is not None]
+
+
+def _asked(context: Context, needed: Mapping[str, float], stage: str) -> float:
+    return context.given.get(f"{stage}.module", needed[stage])
+
+
+def _tied(context: Context, group: Mapping[str, str]) -> list[set[str]]:
+    """Return the stages whose modules are in a fixed ratio, as they stand on common axes; those that share one once."""
+    found = list[set[str]]()
+    for links in _links(context):
+        own = {group[tied] for tied in links}
+        apart = [tied for tied in found if not tied & own]
+        found = [*apart, own.union(*(tied for tied in found if tied & own))]
+    return found
+
+
+def _bear_together(context: Context, needed: dict[str, float], tied: set[str]) -> None:
+    """Scale the modules of stages on common axes until all bear their loads with whole millimetres of width."""
+    if any(context.ratings[stage].proportions is None or f"{stage}.module" in context.given for stage in tied):
+        return
+    for number in range(2 * CORRECTIONS):
+        sizes = ((stage, needed[stage], _widest(context, stage, needed[stage])) for stage in sorted(tied))
+        least = min(_of_group(context, stage, _gap)(module, width) for stage, module, width in sizes)
+        # Down at first, too; then up alone, as a width that loses a millimetre may lose what is asked.
+        factor = 1.0 / math.cbrt(least) if number < CORRECTIONS else max(1.0, math.sqrt(1.0 / least))
+        for stage in tied:
+            needed[stage] = needed[stage] * factor
+
+
+def _widest(context: Context, stage: str, module: float) -> float:
+    """Return the face width of a stage at its most [m]."""
+    widest = context.width_ratios[stage] * module
+    if context.ratings[stage].width_is_open:
+        widest = narrowest(widest, widest, lambda _: 1.0)
+    return context.given.get(f"{stage}.face_width", widest)
 
 
 def _span(context: Context, stage: str) -> float:
@@ -105,7 +151,7 @@ def _teeth(context: Context, stage: str) -> tuple[int, int]:
     return context.teeth[mesh.gears[0]], context.teeth[mesh.gears[1]]
 
 
-def _size(context: Context, stage: str, needed: float) -> StageSize:
+def _size(context: Context, stage: str, needed: float, demands: Mapping[str, Demand]) -> StageSize:
     rating, given, ratio = context.ratings[stage], context.given, context.width_ratios[stage]
     if rating.proportions is None:
         module = given.get(f"{stage}.module", needed)
@@ -116,10 +162,12 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
         return StageSize(given[f"{stage}.module"], width, width)
     bevel, gap = rating.kind == "bevel", _of_group(context, stage, _gap)
     made = partial(_outer_module if bevel else _made_module, context, stage)
-    module = made(under_spectrum(needed, ratio, gap, made))
+    on_axes = any(stage in tied for tied in _tied(context, module_owners(context.design)))
+    module = made(needed if on_axes else under_spectrum(needed, ratio, gap, made))
     if bevel:
         return _bevel_size(context, stage, module, ratio)
-    return _cylinder(context, stage, strong_enough(module, ratio, gap, made), ratio)
+    size = _cylinder(context, stage, strong_enough(module, ratio, gap, made), ratio)
+    return _against_scuffing(context, stage, size, demands) if rating.width_is_open else size
 
 
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
@@ -152,6 +200,27 @@ def _room(context: Context, stage: str, module: float, width: float) -> float:
     return least
 
 
+def _against_scuffing(context: Context, stage: str, size: StageSize, demands: Mapping[str, Demand]) -> StageSize:
+    """Return a size that neither scuffs nor is too weak: wider, or of a larger module; as it is where none is near."""
+
+    def alone(_: Context, name: str, module: float, width: float) -> float:
+        rows = (mesh for mesh in context.train.meshes if mesh.stage == name)
+        return min(scuffing_ratio(context, mesh, module, width, demands[mesh.name][2:]) for mesh in rows)
+
+    if f"{stage}.face_width" in context.given or (cool := _of_group(context, stage, alone))(*size[:2]) >= 1.0:
+        return size
+    ratio, bears, module = context.width_ratios[stage], _of_group(context, stage, _gap), size.module
+    for _ in range(STEPS_UP):
+        if min(bears(module, ratio * module), cool(module, ratio * module)) >= 1.0 - JUST:
+            own = _cylinder(context, stage, module, ratio)
+            width = narrowest(own.face_width, ratio * module, partial(cool, module))
+            return StageSize(module, width, width)
+        module, before = _made_module(context, stage, module * (1.0 + NEXT)), module
+        if module <= before * (1.0 + 2.0 * NEXT):
+            break
+    return size
+
+
 def _made_module(context: Context, stage: str, needed: float) -> float:
     """Return the module of a stage of cylindrical gears: given, or the standard one that is needed [m]."""
     return context.given.get(f"{stage}.module", rounded(context, stage, needed))
@@ -174,10 +243,8 @@ def rounded(context: Context, stage: str, needed: float) -> float:
         stage: Whose rules they are.
         needed: Module that its meshes ask for [m].
     """
-    tied = {name for name, pair in context.design.pairs.items() if pair.coaxial_with is not None}
-    tied |= {pair.coaxial_with for pair in context.design.pairs.values() if pair.coaxial_with is not None}
     rules = context.ratings[stage].proportions
-    if stage in tied or rules is None or not rules.standard_modules:
+    if any(stage in links for links in _links(context)) or rules is None or not rules.standard_modules:
         return needed
     return next_standard(needed)
 

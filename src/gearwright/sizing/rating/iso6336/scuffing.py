@@ -136,11 +136,20 @@ def scuffing_checks(rated: Scuffed, mesh: PartId, *, clauses: tuple[str, str] = 
         mesh: Its name.
         clauses: Of the integral and of the flash temperature.
     """
-    scuffed, peak, asked = rated.scuffing, rated.flash, rated.scuffing_asked
-    if scuffed is not None and (peak is None or rated.scuffing_by != "flash"):
-        yield Check(mesh, "scuffing", clauses[0], scuffed.safety, asked, symbol="S_intS")
-    if peak is not None and (scuffed is None or rated.scuffing_by != "integral"):
-        yield Check(mesh, "scuffing", clauses[1], peak.safety, asked, symbol="S_B")
+    for clause, symbol, safety in zip(clauses, ("S_intS", "S_B"), scuffing_safeties(rated), strict=True):
+        if safety is not None:
+            yield Check(mesh, "scuffing", clause, safety, rated.scuffing_asked, symbol=symbol)
+
+
+def scuffing_safeties(rated: Scuffed) -> tuple[float | None, float | None]:
+    """Return the safeties that are asked for, against the integral and the flash temperature [-]; None of the others.
+
+    Args:
+        rated: The mesh.
+    """
+    scuffed, peak, by = rated.scuffing, rated.flash, rated.scuffing_by
+    mean = scuffed.safety if scuffed is not None and (peak is None or by != "flash") else None
+    return mean, peak.safety if peak is not None and (scuffed is None or by != "integral") else None
 
 
 def film_checks(rated: Filmed, mesh: PartId) -> Iterator[Check]:
