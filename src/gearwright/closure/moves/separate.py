@@ -17,6 +17,7 @@ from gearwright.closure.moves.neighbours import (
     words_of,
 )
 from gearwright.closure.proportion import is_tied, searched
+from gearwright.closure.wishes import Wishes
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec.design import module_owners
 
@@ -28,40 +29,69 @@ MODULES = (1, 2)
 """By how many steps of ISO 54 the module of a stage is changed, upwards: smaller ones do not bear the load [-]."""
 LARGER = (1.05, 1.1, 1.15)
 """Factors on the modules of stages on common axes, which have no standard ones [-]."""
+ROUNDING = 1e-6
+"""Of what a design lacks [-]."""
 _MM = 1e-3
 
 
 def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
     """Return the lightest design among other teeth and modules whose critical speeds are clear, or the nearest to it.
 
-    Each sweep changes one stage, by teeth or by its module, and proportions and confirms every choice anew.
+    Each sweep changes one stage, by teeth or by its module, and proportions and confirms every choice anew. What was
+    met before, such as lives of planet bearings, is met afterwards. Where changes of given teeth, which are free, lead
+    nowhere, it is tried once more without them: what they save is for what makes a design lighter to find.
 
     Args:
         state: That the loop ended with.
         tell: Called with what is being done.
     """
+    lacks = _others(judged(state))
+    best, wishes = _separated(state, lacks, tell), state.task.wishes
+    if _clear(best, lacks) or "teeth" not in wishes.free:
+        return best.settled
+    fewer = replace(wishes, free=tuple(name for name in wishes.free if name != "teeth"))
+    other = _separated(_wishing(state, fewer), lacks, tell)
+    return _wishing(min(best, other, key=lambda row: row.rank).settled, wishes)
+
+
+def _wishing(state: Settled, wishes: Wishes) -> Settled:
+    return replace(state, task=replace(state.task, wishes=wishes))
+
+
+def _separated(state: Settled, lacks: float, tell: Callable[[str], None]) -> Candidate:
+    """Return what up to five changes lead to, each the best of its sweep."""
     best = judged(state)
     for sweep in range(SWEEPS):
-        if best.near <= 0.0:
+        if _clear(best, lacks):
             break
         tell(f"separating critical speeds, sweep {sweep + 1}")
-        found = min(_settled_of(best.settled), key=lambda row: row.rank, default=best)
+        found = min(_settled_of(best.settled, lacks), key=lambda row: row.rank, default=best)
         if found.rank >= best.rank:
             break
         mass, words = found.settled.sizing.mass, words_of(found.settled.task.chosen)
         round_ = Round(Step.SEPARATE, mass, 1.0 - found.short, 0.0, words)
         settled_ = replace(found.settled, rounds=(*best.settled.rounds, round_, *found.settled.rounds))
         best = Candidate(settled_, found.short, found.near)
-    return best.settled
+    return best
 
 
-def _settled_of(state: Settled) -> Iterator[Candidate]:
-    """Yield the most promising changes, confirmed, until one meets everything."""
+def _others(candidate: Candidate) -> float:
+    """Return what checks other than critical speeds and room lack [-]."""
+    return candidate.short - candidate.near
+
+
+def _clear(candidate: Candidate, lacks: float) -> bool:
+    """Tell whether no critical speed is near, and nothing else lacks more than it may [-]."""
+    return candidate.near <= 0.0 and candidate.short <= lacks + ROUNDING
+
+
+def _settled_of(state: Settled, lacks: float) -> Iterator[Candidate]:
+    """Yield the most promising changes, confirmed, until one is clear and lacks no more than it may [-]."""
     rows = map(judged, screened(state, (*_changes(state), *_together(state))))
     for near in sorted(rows, key=lambda row: row.rank)[:CONFIRMED]:
         candidate = confirmed_anew(near.settled)
         yield candidate
-        if candidate.near <= 0.0:
+        if _clear(candidate, lacks):
             return
 
 
