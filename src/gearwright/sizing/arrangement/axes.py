@@ -28,6 +28,9 @@ from gearwright.spec.design import SIDE_ANGLES, Design
 
 TOLERANCE = 0.01
 """Part of a centre distance that a change of profile shifts is trusted to take up; more does not close."""
+TOUCHING = 1e-6
+"""Half of what parts two crossings over a centre distance, below which they are one [-]: beyond that a last digit of a
+module would say on which side of an axis the next one stands."""
 
 
 @dataclass(frozen=True)
@@ -165,6 +168,8 @@ def _crossing(known: Mapping[complex, float], placed: Mapping[str, complex], ang
     apart = abs(other - one)
     along = (first**2 - second**2 + apart**2) / (2.0 * apart)
     across = math.sqrt(max(first**2 - along**2, 0.0))
+    if across < TOUCHING * first:
+        across = 0.0
     direction = (other - one) / apart
     sides = [one + direction * complex(along, side) for side in (across, -across)]
     if angle is not None:
