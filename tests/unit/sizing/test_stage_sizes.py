@@ -5,9 +5,10 @@ import math
 import pytest
 
 from designs import PAIR
+from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import STANDARD_MODULES
-from gearwright.spec import edited, parse
+from gearwright.spec import at_level, edited, parse, read
 from mounted_designs import HELICOPTER
 
 SERIES_I = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
@@ -139,3 +140,33 @@ def test_an_open_bevel_width_is_the_least_whole_millimetre():
     widest = min(cone / 3.0, 10.0) * lower
     given = {"overrides.bevel.outer_module_mm": lower, "overrides.bevel.face_width_mm": widest}
     assert margin(size(edited(sizing.design, given))) < 1.0
+
+
+def test_pairs_on_common_axes_keep_one_distance_where_a_standard_sizes_them_and_both_bear():
+    sizing = size(at_level(read(shipped_design("off-set-h1")), "preliminary"))
+    distances = {mesh.stage: mesh.centre_distance for mesh in sizing.meshes}
+    assert distances["first"] == pytest.approx(distances["motor-stage"], rel=1e-12)
+    assert not [check.name for check in sizing.checks if check.fails]
+
+
+def test_pairs_on_common_axes_with_modules_of_two_distances_fail_and_say_by_how_much():
+    given = {"pairs.first.module_mm": 4.0, "pairs.motor-stage.module_mm": 4.02}
+    sizing = size(edited(read(shipped_design("off-set-h1")), given))
+    (check,) = [check for check in sizing.checks if check.what.startswith("axes of first")]
+    apart = abs(distance_of(sizing, "first") - distance_of(sizing, "motor-stage"))
+    assert check.fails and check.value == pytest.approx(apart) and apart > 1e-4
+
+
+def distance_of(sizing, stage):
+    return next(mesh.centre_distance for mesh in sizing.meshes if mesh.stage == stage)
+
+
+def test_a_stage_that_would_scuff_has_the_module_and_width_with_which_it_does_not():
+    """Mixed, whose first pinion has 15 teeth: with the module that its strength asks for, 5.5 mm, it scuffs."""
+    design = at_level(read(shipped_design("mixed")), "preliminary")
+    sizing = size(design)
+    assert [check.name for check in sizing.checks if check.fails] == []
+    module, width = next((gear.module, gear.face_width) for gear in sizing.gears if gear.stage == "first")
+    assert module == pytest.approx(6e-3)
+    narrower = size(edited(design, {"pairs.first.module_mm": 6.0, "pairs.first.face_width_mm": 1e3 * width - 1.0}))
+    assert "scuffing" in {check.mode for check in narrower.checks if check.fails}
