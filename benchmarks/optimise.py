@@ -146,16 +146,18 @@ class Pymoo:
     def __init__(self, own: Study, seed: int) -> None:
         from pymoo.algorithms.moo.nsga2 import NSGA2
         from pymoo.core.evaluator import Evaluator
+        from pymoo.core.problem import Problem
         from pymoo.problems.static import StaticProblem
 
         from gearwright.exchange.optimisers import pymoo_problem
 
-        self.known = lambda problem, values, broken, asked: Evaluator().eval(
-            StaticProblem(problem, F=values, G=broken), asked
+        self.known = lambda values, broken, asked: Evaluator().eval(
+            StaticProblem(self.plain, F=values, G=broken), asked
         )
         self.search = gw.search(own)
-        self.problem, self.algorithm = pymoo_problem(self.search), NSGA2(pop_size=POPULATION)
-        self.algorithm.setup(self.problem, termination=("n_eval", EVALUATIONS), seed=seed, verbose=False)
+        problem, self.algorithm = pymoo_problem(self.search), NSGA2(pop_size=POPULATION)
+        self.plain = Problem(n_var=problem.n_var, n_obj=problem.n_obj, n_ieq_constr=1, xl=problem.xl, xu=problem.xu)
+        self.algorithm.setup(self.plain, termination=("n_eval", EVALUATIONS), seed=seed, verbose=False)
 
     def ask(self) -> list[dict]:
         """Return the next designs."""
@@ -167,7 +169,7 @@ class Pymoo:
         self.search.rows += rows
         judged = self.search.judged(rows)
         broken = judged.broken + np.where(judged.failed, 1.0, 0.0)[:, None]
-        self.known(self.problem, judged.values, broken, self.asked)
+        self.known(judged.values, broken, self.asked)
         self.algorithm.tell(infills=self.asked)
 
 
