@@ -74,7 +74,7 @@ NO = """
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
-    Needs.every PropellerDrive.beyond Seated.is_machine Task.made
+    Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
@@ -85,7 +85,7 @@ PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers"
 PAIRS_OF_NOTHING = """
     BevelTooth.thickness_shifts HobbedPair.profile_shifts ScuffingMesh.reliefs ToothContact.path
     reduced_mass.bore_ratios theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
-    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked
+    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked scuffing_ratio.asked
 """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque

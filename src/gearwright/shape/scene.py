@@ -43,7 +43,7 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
 
     Args:
         sizing: As sized.
-        detail: ``fine``, ``coarse`` with a third of the triangles, or ``smooth`` with the points that splines need.
+        detail: ``fine``, ``coarse`` with half of the gears' triangles, or ``smooth`` with the points that splines need.
 
     >>> import gearwright as gw
     >>> scene = gw.scene(gw.size(gw.read("in-line-h2")))

@@ -17,7 +17,6 @@ from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.mass import as_made
 from gearwright.sizing.places import (
-    ROUNDS,
     beside_checks,
     coaxial_checks,
     hollow_checks,
@@ -73,17 +72,17 @@ def size_unturned(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
-    return _lightest(design, build_train(design), given.values, rounds=0)
+    return _lightest(design, build_train(design), given.values, still=True)
 
 
-def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, rounds: int = ROUNDS) -> Sizing:
+def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
     best = dict[bool, Sizing]()
     masses: Mapping[bool, list[float]] = {True: [], False: []}
     refused, known = list[DesignError](), Known()
     for choice in choose_teeth(design, train):
         try:
-            sizing = completed(geared(design, train, choice, given=given, known=known), given, rounds=rounds)
+            sizing = completed(geared(design, train, choice, given=given, known=known), given, still=still)
         except DesignError as error:
             refused.append(error)
             continue
@@ -163,18 +162,18 @@ def sized_with(
     return completed(geared(design, train, choice, given=given, known=known), given)
 
 
-def completed(found: Geared, given: Mapping[str, Given], *, rounds: int = ROUNDS) -> Sizing:
+def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return the transmission of sized gears: what planets turn on, what carries gears, and where all stands.
 
     Args:
         found: Gears and meshes.
         given: Path -> value that the user gives instead of the computed one.
-        rounds: How often axes are turned at most to make room [-].
+        still: Whether open axes stay where they stand first, room or not.
     """
     context, meshes = found.context, found.meshes
     design, train, flows = context.design, context.train, context.flows
     gears = fit_planets(context, found.gears)
-    settled = settle(context, gears, rounds=rounds)
+    settled = settle(context, gears, still=still)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [
         *found.checks,

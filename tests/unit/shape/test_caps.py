@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.shape.solids.solid import teeth_apart
+from gearwright.shape.solids.solid import Solid, teeth_apart
 from shipped_work import sized
 
 
@@ -20,7 +20,12 @@ def test_no_triangle_of_an_end_lies_over_a_gap_or_over_another(name):
     scene = gw.scene(sized(name))
     looked = 0
     for key, solid in scene.solids.items():
-        if not solid.sections or len(solid.sections[0].radius) < 60 or np.ptp(solid.sections[-1].height) > 1e-12:
+        if (
+            not isinstance(solid, Solid)
+            or not solid.sections
+            or len(solid.sections[0].radius) < 60
+            or np.ptp(solid.sections[-1].height) > 1e-12
+        ):
             continue
         surface, height = scene.surfaces[key], solid.sections[-1].height[0]
         places = surface.points[surface.triangles]

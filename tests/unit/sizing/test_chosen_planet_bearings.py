@@ -194,7 +194,7 @@ def test_keys_without_effect_are_told(keys, path, words):
 def test_compound_sets_ask_for_a_name():
     text = shipped_design("wolfrom-reducer").read_text(encoding="utf-8")
     found = problem(text.replace('meshes = ["sun", "held"]', 'meshes = ["sun", "held"]\nbearing = { kind = "plain" }'))
-    assert found.path == "epicyclics.wolfrom.planets.wide.bearing" and "designation" in found.message
+    assert found.path == "epicyclics.wolfrom.planets.wide.bearing.designation" and "compound sets" in found.message
 
 
 def test_what_has_no_room_is_told_with_the_planets_that_have_it():

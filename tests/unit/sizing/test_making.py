@@ -67,7 +67,9 @@ def test_a_body_that_is_moved_until_it_nearly_touches_another_fails():
 
 
 def test_bodies_of_a_first_sizing_that_nearly_touch_are_told_and_not_judged():
-    check = only(running_checks(sized("off-set-h1-free")))
+    """The motor's wheel stands 15 mm beside the first pinion."""
+    check = only(running_checks(shifted(sized("off-set-h1-free"), "motor-stage.wheel.left", -14.8e-3)))
+    assert "0.2 mm between first.pinion and motor-stage.wheel.left" in check.why
     assert check.status is Status.NOT_ASSESSED and "angle_deg" in check.why
 
 

@@ -154,13 +154,14 @@ def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told
     search, module = size(parse(PAIR)).search, importlib.import_module("gearwright.sizing.size")
     outcomes = [(5.0, True), (3.0, True), (1.0, False), None, (4.0, True)]
 
-    def sized_with(design, train, choice, **_):
+    def geared(design, train, choice, **_):
         if choice is None:
             raise DesignError([Problem("teeth", "none")])
-        return Weighed(*choice, search)
+        return choice
 
     monkeypatch.setattr(module, "choose_teeth", lambda *_: iter(outcomes))
-    monkeypatch.setattr(module, "sized_with", sized_with)
+    monkeypatch.setattr(module, "geared", geared)
+    monkeypatch.setattr(module, "completed", lambda choice, given, **_: Weighed(*choice, search))
     monkeypatch.setattr(module, "_passes", lambda sizing: sizing.passes)
     taken = size(parse(PAIR))
     assert taken.mass == 3.0 and taken.search.next_sized_mass == 4.0

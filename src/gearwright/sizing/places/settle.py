@@ -46,19 +46,19 @@ class Settled:
         return tuple(joint for shaft in self.built for joint in shaft.joints)
 
 
-def settle(context: Context, gears: tuple[GearSizing, ...], *, rounds: int = ROUNDS) -> Settled:
+def settle(context: Context, gears: tuple[GearSizing, ...], *, still: bool = False) -> Settled:
     """Return shafts and carriers with the arrangement in which they have room, as far as open angles give it.
 
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
-        rounds: How often axes are turned at most; 0 leaves them as they are [-].
+        still: Whether open axes stay where they stand first.
 
     Raises:
         DesignError: If axes do not close, or what sits on a shaft, its bore or its strength cannot be had.
     """
     turns: tuple[Turn, ...] = ()
-    for _ in range(rounds):
+    for _ in range(0 if still else ROUNDS):
         settled = _settled(context, gears, turns)
         parts = _parts(context, gears, settled)
         found = turns_of(parts, settled.rules, settled.arrangement)
