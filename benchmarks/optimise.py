@@ -3,6 +3,7 @@
 python benchmarks/optimise.py million     10⁶ concept designs of In-Line H2 screened, then the rest of the search
 python benchmarks/optimise.py planted     50 small problems whose best a whole grid knows
 python benchmarks/optimise.py peers       hypervolume at equal evaluations, five seeds (extra optimisers)
+python benchmarks/optimise.py surrogate   flights until the least fuel is found, with a surrogate and without
 """
 
 from __future__ import annotations
@@ -125,6 +126,37 @@ def peers() -> None:
         _compared(name, fronts, costs)
 
 
+FLIGHTS, AT_ONCE = {True: 48, False: 144}, 8
+NEAR = 1e-3
+
+
+def surrogate() -> None:
+    """Count flights until the fuel is within 0.1 % of the least that any run finds."""
+    axes, _ = PROBLEMS["mass and loss"]
+    runs: dict[tuple[bool, int], np.ndarray] = {}
+    for guided, flights in FLIGHTS.items():
+        for seed in range(1, 4):
+            own = Study.model_validate({
+                "name": "benchmark", "designs": ["in-line-h2"], "axes": axes, "objectives": {"fly.fuel": "minimum"},
+                "results": ["fly.fuel"], "constraints": KEEPS,
+                "search": {"population": AT_ONCE, "evaluations": flights, "surrogate": guided, "seed": seed},
+            }).model_copy(update={"mission": gw.read_mission("thesis")})  # fmt: skip
+            begun = time.process_time()
+            with gw.search(own) as search:
+                while len(search.rows) < flights:
+                    search.tell(search.evaluate(search.ask(AT_ONCE)))
+                judged = search.judged(search.rows)
+                runs[guided, seed] = np.minimum.accumulate(np.where(judged.good, judged.values[:, 0], np.inf))
+                errors = ", ".join(f"{fit.result} {100 * fit.error:.0f} %" for fit in search.fits)
+            print(f"guided {guided}, seed {seed}: {runs[guided, seed][-1]:.6g}, "
+                  f"{time.process_time() - begun:.1f} s; foretold wrong by {errors or '-'}", flush=True)  # fmt: skip
+    least = min(run[-1] for run in runs.values())
+    for (guided, seed), run in runs.items():
+        near = np.flatnonzero(run <= least * (1.0 + NEAR))
+        first = f"after {near[0] + 1} flights" if len(near) else f"not, {100 * (run[-1] / least - 1):.2f} % are left"
+        print(f"guided {guided}, seed {seed}: within {100 * NEAR:g} % {first}")
+
+
 class Generations:
     """The search alone, without its first layer and its polish."""
 
@@ -204,4 +236,4 @@ def _compared(name: str, fronts: dict, costs: dict) -> None:
 
 
 if __name__ == "__main__":
-    {"million": million, "planted": planted, "peers": peers}[sys.argv[1]]()
+    {"million": million, "planted": planted, "peers": peers, "surrogate": surrogate}[sys.argv[1]]()

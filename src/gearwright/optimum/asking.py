@@ -15,8 +15,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.optimum.bench import Bench
-from gearwright.optimum.breeding import Parents
 from gearwright.optimum.freedoms import DESIGN, freedoms_of
+from gearwright.optimum.guided import Fit, Guided, parents_of
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.shipped import find_design
 from gearwright.showing import Shown
@@ -47,7 +47,7 @@ class Search(Shown):
         self.rows: list[Row] = []
         """Everything that was told."""
         self._bench, self._rules = bench, _rules(study)
-        self._parents = Parents(study, self._rules.population)
+        self._parents = parents_of(study, self._rules)
         self._generator = np.random.default_rng(self._rules.seed)
         self._first = first_places(study, self._rules.population, self._rules.seed)
         self._asked = self._number = 0
@@ -71,6 +71,11 @@ class Search(Shown):
     def computed(self) -> int:
         """Designs that were evaluated and not found in the journal [-]."""
         return self._bench.computed
+
+    @property
+    def fits(self) -> tuple[Fit, ...]:
+        """How well the surrogate foretells each result that it is not told; empty without ``search.surrogate``."""
+        return self._parents.fits if isinstance(self._parents, Guided) else ()
 
     def ask(self, count: int) -> list[dict[str, Value]]:
         """Return designs that are worth a look: first evenly spread ones, then children of the best that were told.

@@ -45,7 +45,7 @@ class Parents:
             own: What is known of them.
         """
         places = self.freedoms.meant(places)
-        self._known.update(map(_key, places))
+        self._known.update(map(key_of, places))
         places, judged = np.vstack([self.places, places]), self.judged.joined(own)
         _, first = np.unique(np.round(places / ALIKE).astype(np.int64), axis=0, return_index=True)
         first.sort()
@@ -72,13 +72,17 @@ class Parents:
         tries = 0
         while len(made) < count:
             for child in self.freedoms.meant(children(self.places.copy(), rank, crowd, generator)):
-                if len(made) < count and (tries >= TRIES or _key(child) not in self._known):
-                    self._known.add(_key(child))
+                if len(made) < count and (tries >= TRIES or key_of(child) not in self._known):
+                    self._known.add(key_of(child))
                     made.append(child)
             tries += 1
         return np.array(made)
 
 
-def _key(place: Floats) -> bytes:
-    """Return what stands for a place among those that are known."""
+def key_of(place: Floats) -> bytes:
+    """Return what stands for a place among those that are known.
+
+    Args:
+        place: Of the unit cube, shape (freedoms,).
+    """
     return np.round(place / ALIKE).astype(np.int64).tobytes()

@@ -11,6 +11,7 @@ from gearwright.arrays import Floats
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.breeding import Parents
 from gearwright.optimum.freedoms import freedoms_of
+from gearwright.optimum.guided import Guided, parents_of
 from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.polishing import ENOUGH
@@ -85,7 +86,7 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     study = bench.study
     first = len(study.designs) * rules.screened
     archive = Archive(len(study.objectives), len(study.constraints))
-    parents = Parents(study, rules.population)
+    parents = parents_of(study, rules)
     if rules.screened and goes_together(study):
         blocks = _screened(bench, rules, workers, tell)
         if len(blocks):
@@ -96,10 +97,17 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     for values, number in _bred(bench, rules, parents, archive, first):  # noqa: B007
         growth.append(values)
         still = stands_still(growth, rules)
-        tell(f"generation {len(growth)}: {len(archive.rows)} on the front, hypervolume {values:.4f}")
+        tell(f"generation {len(growth)}: {len(archive.rows)} on the front, hypervolume {values:.4f}{_errors(parents)}")
         if still:
             break
     return Course(archive, number, tuple(growth), still)
+
+
+def _errors(parents: Parents) -> str:
+    """Return words on how well a surrogate foretells what it is not told, where there is one."""
+    if not isinstance(parents, Guided):
+        return ""
+    return "; foretold wrong by " + ", ".join(f"{fit.result} {100 * fit.error:.0f} %" for fit in parents.fits)
 
 
 def stands_still(growth: Sequence[float], rules: Search) -> bool:

@@ -14,6 +14,8 @@ from gearwright.units import Ratio
 
 MOST = 10_000_000
 """Designs of one search at most [-]."""
+GUIDED = 1000
+"""Designs of a search with a surrogate at most [-]: its processes take the cube of their number."""
 
 
 class Search(Record):
@@ -30,6 +32,9 @@ class Search(Record):
     growth: Ratio = Field(1e-3, ge=0, le=1, description="Growth of the hypervolume that counts, over itself")
     polished: int = Field(32, ge=0, le=200, description="Designs of the front whose teeth are kept and sizes polished")
     samples: int = Field(256, ge=8, le=65_536, description="Of what is uncertain, for the regret")
+    surrogate: bool = Field(
+        False, description="Gaussian processes choose the designs of generations: for results that take seconds"
+    )
     seed: int = Field(1, ge=0, description="Start of the random numbers: the same seed, the same answer")
 
 
@@ -47,6 +52,9 @@ def search_problems(
     if search is None:
         return [Problem("uncertain", "only a search reads it; write [search], too")] if uncertain else []
     problems = []
+    if search.surrogate and search.evaluations > GUIDED:
+        message = f"{search.evaluations} designs; a surrogate is for {GUIDED} at most: write less, such as 100"
+        problems.append(Problem("search.evaluations", message))
     if not axes:
         problems.append(Problem("axes", "a search has nothing to vary; give a range or a list"))
     if not objectives:

@@ -1,0 +1,185 @@
+"""Children that a surrogate chooses: for results that take seconds, of which no more are computed than need be.
+
+Of many children and points without a plan, those are taken that promise the largest gain along ways that are drawn
+between the objectives, times the chance that they keep the constraints; each that is taken counts as computed with what
+is foretold of it.
+Source: Knowles 2006, IEEE Trans. Evol. Comput. 10 (1), 50-66 (ParEGO: a drawn weight for each design); Jones, Schonlau,
+Welch 1998, J. Global Optim. 13, 455-492 (expected improvement).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.optimum.breeding import Parents, key_of
+from gearwright.optimum.judging import Judged
+from gearwright.optimum.process import Process, conditioned, fitted
+from gearwright.spec import Study
+from gearwright.spec.studies import Search
+from gearwright.units import Ratio
+
+POOL = 256
+"""Children, and as many points without a plan, among which is chosen [-]."""
+SAMPLES = 64
+"""Of what every objective of each of them may be [-]."""
+FAR = 3.0
+"""Distance from the best beyond which a surrogate tells no values apart, over that of the median [-]."""
+AUGMENTED = 0.05
+"""Weight of the sum of objectives beside the largest (Knowles 2006) [-]."""
+
+
+class Fit(NamedTuple):
+    """How well a surrogate foretells a result that it is not told."""
+
+    result: str
+    """Objective or constraint."""
+    error: Ratio
+    """Root mean square of what is foretold wrong of each design by all others, over the deviation of the values [-];
+    1 is no better than their mean."""
+    designs: int
+    """That it knows [-]."""
+
+
+class Guided(Parents):
+    """The best designs that are known, and surrogates of all that are."""
+
+    def __init__(self, study: Study, population: int) -> None:
+        super().__init__(study, population)
+        self._names = (*study.objectives, *study.constraints)
+        self._all, self._judged = self.places, self.judged
+        self._logs: dict[str, Floats] = {}
+
+    def add(self, places: Floats, own: Judged) -> None:
+        """Take in designs, keep the best, and remember all.
+
+        Args:
+            places: In the unit cube, shape (designs, freedoms).
+            own: What is known of them.
+        """
+        super().add(places, own)
+        self._all, self._judged = np.vstack([self._all, self.freedoms.meant(places)]), self._judged.joined(own)
+
+    @property
+    def fits(self) -> tuple[Fit, ...]:
+        """Of every objective, and of every constraint that some design breaks."""
+        found = []
+        for name, (process, values) in self._processes().items():
+            error = float(np.sqrt(np.mean(np.square(process.left_out))) / (values.std() or 1.0))
+            found.append(Fit(name, error, len(values)))
+        return tuple(found)
+
+    def children(self, count: int, generator: np.random.Generator) -> Floats:
+        """Return the most promising of many children.
+
+        Args:
+            count: How many [-].
+            generator: Of random numbers.
+        """
+        known = self._processes()
+        fresh = self.freedoms.meant(generator.random((POOL, self.places.shape[1])))
+        bred = super().children(POOL, generator)
+        self._known.difference_update(map(key_of, bred))
+        pool = np.vstack([bred, fresh[[key_of(place) not in self._known for place in fresh]]])
+        if not known or len(pool) < count:
+            return pool[:count]
+        taken = _Choice(self, known, pool).taken(count, generator)
+        self._known.update(map(key_of, taken))
+        return taken
+
+    def _processes(self) -> dict[str, tuple[Process, Floats]]:
+        """Return result -> its process, with the values that it knows."""
+        sized = ~self._judged.failed
+        columns = np.hstack([self._judged.values, self._judged.broken])[sized]
+        found = {}
+        for k, name in enumerate(self._names):
+            if len(columns) > 1 and (k < self._judged.values.shape[1] or columns[:, k].any()):
+                values = _near(columns[:, k]) if k < self._judged.values.shape[1] else columns[:, k]
+                process = fitted(self._all[sized], values, self._logs.get(name))
+                self._logs[name] = process.logs
+                found[name] = process, values
+        return found
+
+    @property
+    def failures(self) -> Process | None:
+        """What is known of where designs cannot be sized; nothing where all can."""
+        failed = self._judged.failed
+        if not failed.any() or failed.all():
+            return None
+        return fitted(self._all, failed.astype(float))
+
+    @property
+    def reached(self) -> Floats:
+        """Objectives of good designs; where there is none, of all that could be sized."""
+        good = self._judged.good
+        return self._judged.values[good if good.any() else ~self._judged.failed]
+
+
+def parents_of(study: Study, rules: Search) -> Parents:
+    """Return what breeds: with a surrogate where the search asks for one.
+
+    Args:
+        study: With freedoms, objectives and constraints.
+        rules: Of the search.
+    """
+    return (Guided if rules.surrogate else Parents)(study, rules.population)
+
+
+class _Choice:
+    """The choice among a pool."""
+
+    def __init__(self, guided: Guided, known: dict[str, tuple[Process, Floats]], pool: Floats) -> None:
+        self.pool, self.open = pool, np.ones(len(pool), dtype=bool)
+        objectives = guided.judged.values.shape[1]
+        processes = [process for process, _ in known.values()]
+        self.objectives, self.limits = processes[:objectives], processes[objectives:]
+        self.values = [values for _, values in known.values()][:objectives]
+        failures = guided.failures
+        self.chance = np.ones(len(pool)) if failures is None else np.clip(1.0 - failures.at(pool)[0], 0.01, 1.0)
+        self.reached = guided.reached
+        self.low = self.reached.min(axis=0)
+        self.span = np.maximum(np.ptp(self.reached, axis=0), 1e-12 * np.abs(self.low) + 1e-300)
+        for limit in self.limits:
+            self.chance *= _kept(*limit.at(pool))
+
+    def taken(self, count: int, generator: np.random.Generator) -> Floats:
+        """Return so many of the pool, one after the other."""
+        places = []
+        for _ in range(count):
+            told = [process.at(self.pool) for process in self.objectives]
+            weight = generator.dirichlet(np.ones(len(told)))
+            drawn = generator.normal(size=(SAMPLES, len(self.pool), len(told)))
+            mean, deviation = (np.array(part).T for part in zip(*told, strict=True))
+            aim = self._merit(self.reached, weight).min()
+            gain = np.maximum(aim - self._merit(mean + deviation * drawn, weight), 0.0).mean(axis=0)
+            best = int(np.argmax(np.where(self.open, (gain + 1e-12) * self.chance, -1.0)))
+            self.open[best] = False
+            self._believe(self.pool[best], mean[best])
+            places.append(self.pool[best])
+        return np.array(places)
+
+    def _merit(self, values: Floats, weight: Floats) -> Floats:
+        gain = weight * (values - self.low) / self.span
+        return np.asarray(gain.max(axis=-1) + AUGMENTED * gain.sum(axis=-1))
+
+    def _believe(self, place: Floats, values: Floats) -> None:
+        """Take what is foretold of a place as computed."""
+        for k, process in enumerate(self.objectives):
+            self.values[k] = np.append(self.values[k], values[k])
+            self.objectives[k] = conditioned(np.vstack([process.places, place]), self.values[k], process.logs)
+        self.reached = np.vstack([self.reached, values])
+
+
+def _near(values: Floats) -> Floats:
+    """Return values, those that are far from the best as near as `FAR` says: what they are exactly helps nobody."""
+    best = values.min()
+    return np.asarray(np.minimum(values, best + FAR * (np.median(values) - best)))
+
+
+def _kept(mean: Floats, deviation: Floats) -> Floats:
+    """Return the chance that a constraint is not broken by a thousandth of its bound."""
+    from scipy.special import ndtr
+
+    return np.asarray(ndtr((1e-3 - mean) / np.maximum(deviation, 1e-9)))
