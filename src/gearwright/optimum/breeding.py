@@ -35,7 +35,8 @@ class Parents:
         self.freedoms = freedoms_of(study)
         self.places = np.zeros((0, len(self.freedoms.names)))
         self.judged = Judged(np.zeros((0, len(study.objectives))), np.zeros((0, len(study.constraints))))
-        self._known = set[bytes]()
+        self.known = set[bytes]()
+        """What stands for each design that was looked at or made."""
 
     def add(self, places: Floats, own: Judged) -> None:
         """Take in designs, and keep the best.
@@ -45,7 +46,7 @@ class Parents:
             own: What is known of them.
         """
         places = self.freedoms.meant(places)
-        self._known.update(map(key_of, places))
+        self.known.update(map(key_of, places))
         places, judged = np.vstack([self.places, places]), self.judged.joined(own)
         _, first = np.unique(np.round(places / ALIKE).astype(np.int64), axis=0, return_index=True)
         first.sort()
@@ -72,8 +73,8 @@ class Parents:
         tries = 0
         while len(made) < count:
             for child in self.freedoms.meant(children(self.places.copy(), rank, crowd, generator)):
-                if len(made) < count and (tries >= TRIES or key_of(child) not in self._known):
-                    self._known.add(key_of(child))
+                if len(made) < count and (tries >= TRIES or key_of(child) not in self.known):
+                    self.known.add(key_of(child))
                     made.append(child)
             tries += 1
         return np.array(made)

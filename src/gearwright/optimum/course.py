@@ -103,7 +103,7 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     return Course(archive, number, tuple(growth), still)
 
 
-def _errors(parents: Parents) -> str:
+def _errors(parents: Parents | Guided) -> str:
     """Return words on how well a surrogate foretells what it is not told, where there is one."""
     if not isinstance(parents, Guided):
         return ""
@@ -142,7 +142,9 @@ def _screened(bench: Bench, rules: Search, workers: int, tell: Tell) -> Blocks:
     return blocks_of(sorted(kept, key=lambda pair: pair[0]))
 
 
-def _bred(bench: Bench, rules: Search, parents: Parents, archive: Archive, first: int) -> Iterator[tuple[float, int]]:
+def _bred(
+    bench: Bench, rules: Search, parents: Parents | Guided, archive: Archive, first: int
+) -> Iterator[tuple[float, int]]:
     """Yield the hypervolume after every generation, and the number of the evaluation that is next."""
     freedoms, generator = freedoms_of(bench.study), np.random.default_rng(rules.seed)
     left, number = _for_generations(rules), first

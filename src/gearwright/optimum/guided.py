@@ -43,13 +43,13 @@ class Fit(NamedTuple):
     """That it knows [-]."""
 
 
-class Guided(Parents):
+class Guided:
     """The best designs that are known, and surrogates of all that are."""
 
     def __init__(self, study: Study, population: int) -> None:
-        super().__init__(study, population)
+        self._best = Parents(study, population)
         self._names = (*study.objectives, *study.constraints)
-        self._all, self._judged = self.places, self.judged
+        self._all, self._judged = self._best.places, self._best.judged
         self._logs: dict[str, Floats] = {}
 
     def add(self, places: Floats, own: Judged) -> None:
@@ -59,8 +59,18 @@ class Guided(Parents):
             places: In the unit cube, shape (designs, freedoms).
             own: What is known of them.
         """
-        super().add(places, own)
-        self._all, self._judged = np.vstack([self._all, self.freedoms.meant(places)]), self._judged.joined(own)
+        self._best.add(places, own)
+        self._all, self._judged = np.vstack([self._all, self._best.freedoms.meant(places)]), self._judged.joined(own)
+
+    @property
+    def places(self) -> Floats:
+        """Of the best, in the unit cube, shape (designs, freedoms)."""
+        return self._best.places
+
+    @property
+    def judged(self) -> Judged:
+        """What is known of the best."""
+        return self._best.judged
 
     @property
     def fits(self) -> tuple[Fit, ...]:
@@ -78,15 +88,15 @@ class Guided(Parents):
             count: How many [-].
             generator: Of random numbers.
         """
-        known = self._processes()
-        fresh = self.freedoms.meant(generator.random((POOL, self.places.shape[1])))
-        bred = super().children(POOL, generator)
-        self._known.difference_update(map(key_of, bred))
-        pool = np.vstack([bred, fresh[[key_of(place) not in self._known for place in fresh]]])
+        known, met = self._processes(), self._best.known
+        fresh = self._best.freedoms.meant(generator.random((POOL, self.places.shape[1])))
+        bred = self._best.children(POOL, generator)
+        met.difference_update(map(key_of, bred))
+        pool = np.vstack([bred, fresh[[key_of(place) not in met for place in fresh]]])
         if not known or len(pool) < count:
             return pool[:count]
         taken = _Choice(self, known, pool).taken(count, generator)
-        self._known.update(map(key_of, taken))
+        met.update(map(key_of, taken))
         return taken
 
     def _processes(self) -> dict[str, tuple[Process, Floats]]:
@@ -117,7 +127,7 @@ class Guided(Parents):
         return self._judged.values[good if good.any() else ~self._judged.failed]
 
 
-def parents_of(study: Study, rules: Search) -> Parents:
+def parents_of(study: Study, rules: Search) -> Parents | Guided:
     """Return what breeds: with a surrogate where the search asks for one.
 
     Args:
