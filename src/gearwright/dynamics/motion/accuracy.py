@@ -169,7 +169,8 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         order: Power of the step that the error follows.
     """
     compared, code = _compared(forces, other, units)
-    code.function("compare")(address(packed(compared)), CAUTION / abs(ratio**order - 1.0) if order else CAUTION)
+    given = packed(compared)  # stands as long as it is read
+    code.function("compare")(address(given), CAUTION / abs(ratio**order - 1.0) if order else CAUTION)
     chance = CHANCE if order else UNRELATED
     return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in compared.errors.T.tolist()]
 
@@ -183,7 +184,8 @@ def apart(forces: Forces, other: Forces, units: Sequence[str]) -> Floats:
         units: Of the deflection of each line.
     """
     compared, code = _compared(forces, other, units)
-    code.function("measure")(address(packed(compared)))
+    given = packed(compared)
+    code.function("measure")(address(given))
     moved, scale = np.abs(compared.forces[:2] - compared.other[:2]), compared.scale
     return np.divide(moved, scale, out=np.zeros_like(scale), where=scale > 0.0)
 
