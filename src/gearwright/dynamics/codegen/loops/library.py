@@ -6,6 +6,7 @@ import ctypes
 import struct
 from collections.abc import Callable
 from functools import cache
+from threading import Lock
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -45,14 +46,17 @@ class Library:
         return self.made[name]
 
 
-@cache
 def library(*functions: Callable[..., Any]) -> Library:
-    """Return functions compiled together, once in a process.
+    """Return functions compiled together, once in a process, whoever asks first: what runs must not be let go.
 
     Args:
         functions: In the part of Python that `statements` knows.
     """
-    return Library(functions)
+    with _LOCK:
+        return _library(functions)
+
+
+_library, _LOCK = cache(Library), Lock()
 
 
 def packed(record: NamedTuple) -> Ints:
