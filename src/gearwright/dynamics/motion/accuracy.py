@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen import address
-from gearwright.dynamics.codegen.loops import Library, at, library, packed
+from gearwright.dynamics.codegen.loops import at, library, packed
 from gearwright.dynamics.motion.record import Apart
 from gearwright.dynamics.motion.steps import MARGIN, RMS_SHARE, Accuracy
 
@@ -168,9 +168,8 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         ratio: The other pace's step over that of the run [-].
         order: Power of the step that the error follows.
     """
-    compared, code = _compared(forces, other, units)
-    given = packed(compared)  # stands as long as it is read
-    code.function("compare")(address(given), CAUTION / abs(ratio**order - 1.0) if order else CAUTION)
+    share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
+    compared = _compared("compare", forces, other, units, share)
     chance = CHANCE if order else UNRELATED
     return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in compared.errors.T.tolist()]
 
@@ -183,20 +182,21 @@ def apart(forces: Forces, other: Forces, units: Sequence[str]) -> Floats:
         other: Of other runs of the same.
         units: Of the deflection of each line.
     """
-    compared, code = _compared(forces, other, units)
-    given = packed(compared)
-    code.function("measure")(address(given))
+    compared = _compared("measure", forces, other, units)
     moved, scale = np.abs(compared.forces[:2] - compared.other[:2]), compared.scale
     return np.divide(moved, scale, out=np.zeros_like(scale), where=scale > 0.0)
 
 
-def _compared(forces: Forces, other: Forces, units: Sequence[str]) -> tuple[Compared, Library]:
-    """Return runs beside others, and the code that reads them."""
+def _compared(function: str, forces: Forces, other: Forces, units: Sequence[str], *given: float) -> Compared:
+    """Return runs beside others, as a function has filled them in."""
     kind, kinds = _kinds(tuple(units))
     mine, its = np.array(forces), np.array(other)
     _, runs, lines = mine.shape
     scale, largest, errors = np.empty((2, runs, lines)), np.empty(kinds), np.empty((2, runs))
-    return Compared(runs, lines, kinds, kind, mine, its, scale, largest, errors), library(measure, over, compare)
+    compared = Compared(runs, lines, kinds, kind, mine, its, scale, largest, errors)
+    read = packed(compared)  # stands as long as it is read
+    library(measure, over, compare).function(function)(address(read), *given)
+    return compared
 
 
 @lru_cache

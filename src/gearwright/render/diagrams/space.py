@@ -8,6 +8,7 @@ import math
 
 from gearwright.parts.gears import CylindricalGear
 from gearwright.render.diagrams.strokes import (
+    DEGREE,
     across,
     axis,
     box,
@@ -21,8 +22,6 @@ from gearwright.render.diagrams.strokes import (
 )
 from gearwright.render.drawings.sheet.dimensions import arrow
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, moved
-
-DEGREE = math.pi / 180.0
 
 
 def _axes(middle: complex, reach: float) -> list[Entity]:

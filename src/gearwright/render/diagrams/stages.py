@@ -7,6 +7,7 @@ import math
 
 from gearwright.parts.gears import CylindricalGear
 from gearwright.render.diagrams.strokes import (
+    DEGREE,
     across,
     axis,
     box,
@@ -19,8 +20,6 @@ from gearwright.render.diagrams.strokes import (
     up,
 )
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer
-
-DEGREE = math.pi / 180.0
 
 
 def planetary() -> list[Entity]:

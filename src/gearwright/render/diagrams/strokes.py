@@ -20,6 +20,8 @@ from gearwright.render.drawings.sheet.entities import (
     Words,
 )
 
+DEGREE = math.pi / 180.0
+"""[rad]"""
 SHELF = 2.0
 """How far a leader runs along its words before them [mm]."""
 BEYOND = 4.0

@@ -7,6 +7,7 @@ import math
 
 from gearwright.parts.gears import CylindricalGear
 from gearwright.render.diagrams.strokes import (
+    DEGREE,
     across,
     along,
     axis,
@@ -20,8 +21,6 @@ from gearwright.render.diagrams.strokes import (
     up,
 )
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer, Path
-
-DEGREE = math.pi / 180.0
 
 
 def pair() -> list[Entity]:
