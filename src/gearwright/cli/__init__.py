@@ -19,29 +19,29 @@ import typer
 from typer.main import get_command_name
 from typer.models import CommandInfo
 
-from gearwright.cli.commands.app import app as app_
-from gearwright.cli.commands.architectures import architectures
-from gearwright.cli.commands.closure import close
-from gearwright.cli.commands.design import check, modes, report, simulate, size
-from gearwright.cli.commands.draw import draw
+from gearwright.cli.commands.designs.app import app as app_
+from gearwright.cli.commands.designs.closure import close
+from gearwright.cli.commands.designs.design import check, modes, report, simulate, size
+from gearwright.cli.commands.designs.draw import draw
+from gearwright.cli.commands.designs.exchange import import_
+from gearwright.cli.commands.designs.export import export
+from gearwright.cli.commands.designs.files import new, schema
+from gearwright.cli.commands.designs.review import review
+from gearwright.cli.commands.designs.run import run
 from gearwright.cli.commands.dynamics import campbell, response, runup, validate
-from gearwright.cli.commands.exchange import import_
-from gearwright.cli.commands.export import export
-from gearwright.cli.commands.files import new, schema
-from gearwright.cli.commands.lives import duty, mix
-from gearwright.cli.commands.mission import fly
-from gearwright.cli.commands.optimise import optimise
-from gearwright.cli.commands.propeller import propeller
+from gearwright.cli.commands.flights.lives import duty, mix
+from gearwright.cli.commands.flights.mission import fly
+from gearwright.cli.commands.flights.propeller import propeller
+from gearwright.cli.commands.flights.rotor import rotor
+from gearwright.cli.commands.flights.turboshaft import turboshaft
+from gearwright.cli.commands.flights.windows import window
 from gearwright.cli.commands.replay import colibri, replay, thesis
-from gearwright.cli.commands.review import review
-from gearwright.cli.commands.rotor import rotor
-from gearwright.cli.commands.run import run
-from gearwright.cli.commands.runs import cluster, merge, resume, status
 from gearwright.cli.commands.sharing import sharing
-from gearwright.cli.commands.study import compare, study
-from gearwright.cli.commands.turboshaft import turboshaft
+from gearwright.cli.commands.studies.architectures import architectures
+from gearwright.cli.commands.studies.journals import cluster, merge, resume, status
+from gearwright.cli.commands.studies.optimise import optimise
+from gearwright.cli.commands.studies.study import compare, study
 from gearwright.cli.commands.weights import engines, mass
-from gearwright.cli.commands.windows import window
 from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
 from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.terminal.sections import Sections

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-import gearwright.cli.commands.runs as runs
 from gearwright.cli import app
+from gearwright.cli.commands.studies.running import clock_time
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import read, read_study
@@ -131,13 +131,13 @@ def test_a_cluster_that_is_not_there_is_said(folder: Path) -> None:
 
 @pytest.mark.parametrize(("seconds", "words"), [(4.4, "4 s"), (75.0, "1 min 15 s"), (7380.0, "2 h 03 min")])
 def test_times_are_said_as_clocks_say_them(seconds: float, words: str) -> None:
-    assert runs._duration(seconds) == words
+    assert clock_time(seconds) == words
 
 
 def test_progress_counts_what_is_left() -> None:
     assert Progress(250, 1000, 3, 50.0).remaining == pytest.approx(15.0)
     assert Progress(0, 1000, 0, 0.0).remaining == float("inf")
-    assert re.fullmatch("unknown time", runs._duration(Progress(0, 1, 0, 0.0).remaining))
+    assert re.fullmatch("unknown time", clock_time(Progress(0, 1, 0, 0.0).remaining))
 
 
 @pytest.mark.parametrize("earlier", [0, 3])

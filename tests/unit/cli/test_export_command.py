@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 import gearwright as gw
 from designs import PAIR
 from gearwright.cli import app
-from gearwright.cli.commands.export import export as export_command
+from gearwright.cli.commands.designs.export import export as export_command
 from gearwright.errors import DesignError
 from gearwright.formats import FORMATS
 

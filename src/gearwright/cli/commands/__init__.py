@@ -1,4 +1,4 @@
-"""The commands, a module for a kind of work: designs, runs, dynamics, load sharing, flights, studies, weights, replays.
+"""The commands: `designs`, `flights`, `studies`, and here what shakes a train, load sharing, weights and replays.
 
 What several of them share is in `cli` itself; what reaches a stream passes `terminal`.
 """

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
-from gearwright.cli.commands.runs import refuse_files
+from gearwright.cli.commands.studies.shown import refuse_files
 from gearwright.cli.completion import missions
 from gearwright.cli.designs import design_of, placed_in, sized, stamped
 from gearwright.cli.options import DateOption, DesignArgument, JsonOption, PdfOption
@@ -64,7 +64,7 @@ def review(
 
 
 def _reviewed(design: str, mission: str | None) -> Review:
-    from gearwright.cli.commands.mission import flown
+    from gearwright.cli.commands.flights.mission import flown
     from gearwright.reviews import review_of
 
     sizing = sized(design)

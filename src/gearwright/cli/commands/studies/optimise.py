@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
-from gearwright.cli.commands.runs import CsvOption, WorkersOption, refuse_files, stopped_cleanly
+from gearwright.cli.commands.studies.options import CsvOption, WorkersOption
+from gearwright.cli.commands.studies.running import stopped_cleanly
+from gearwright.cli.commands.studies.shown import refuse_files
 from gearwright.cli.completion import designs as designs_named
 from gearwright.cli.designs import design_of
 from gearwright.cli.freedoms import axis_of, bound_of

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.commands.runs import (
+from gearwright.cli.commands.studies.options import (
     ClusterOption,
     CsvOption,
     ExportOption,
@@ -18,13 +18,9 @@ from gearwright.cli.commands.runs import (
     StudyReportOption,
     TlsOption,
     WorkersOption,
-    refuse_files,
-    run_shown,
-    show_reviews,
-    show_table,
-    start_of,
-    write_files,
 )
+from gearwright.cli.commands.studies.running import run_shown, start_of
+from gearwright.cli.commands.studies.shown import refuse_files, show_reviews, show_table, write_files
 from gearwright.cli.completion import designs as designs_named
 from gearwright.cli.completion import studies
 from gearwright.cli.designs import design_of
@@ -77,7 +73,7 @@ def study(
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {design: design_of(design, path.parent) for design in read.designs}
     if read.reduced is not None:
-        from gearwright.cli.commands.reduced import study_reduced
+        from gearwright.cli.commands.studies.reduced import study_reduced
 
         refused = {
             "--csv": csv is not None, "--export": export is not None, "--figure": figure is not None,
@@ -135,7 +131,7 @@ def compare(
     jsonl: LinesOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
-    from gearwright.cli.commands.closure import show_equal_life, wishes_of
+    from gearwright.cli.commands.designs.closure import show_equal_life, wishes_of
     from gearwright.errors import DesignError, Problem
     from gearwright.spec import edited
     from gearwright.study import compare as compared

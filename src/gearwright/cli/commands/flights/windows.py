@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.commands.design import StiffnessOption
-from gearwright.cli.commands.mission import mission_of
+from gearwright.cli.commands.designs.design import StiffnessOption
+from gearwright.cli.commands.flights.mission import mission_of
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, save_run
 from gearwright.cli.options import (

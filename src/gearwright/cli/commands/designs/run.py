@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from gearwright.cli.answers import answer_text, show_answer
-from gearwright.cli.commands.design import DurationOption, StiffnessOption, simulated
+from gearwright.cli.commands.designs.design import DurationOption, StiffnessOption, simulated
 from gearwright.cli.designs import reviewed, sized, stamped
 from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption

@@ -60,7 +60,7 @@ def close(
     json: JsonOption = False,
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
-    from gearwright.cli.commands.mission import mission_of
+    from gearwright.cli.commands.flights.mission import mission_of
     from gearwright.closure import OnMission, Outcome, contradictions, nearest_variant
     from gearwright.closure import close as closed_by
     from gearwright.render.answers.closure import close_answer

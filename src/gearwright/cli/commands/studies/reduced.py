@@ -31,7 +31,7 @@ def study_reduced(
         json: Whether the answer is JSON.
         refused: Option that needs rows -> whether it was given.
     """
-    from gearwright.cli.commands.runs import part_given, stopped_cleanly, watched, workers_for
+    from gearwright.cli.commands.studies.running import part_given, stopped_cleanly, watched, workers_for
     from gearwright.errors import DesignError, Problem
     from gearwright.spec import case_count
     from gearwright.study.running import reduce_study

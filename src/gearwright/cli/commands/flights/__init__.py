@@ -1,0 +1,1 @@
+"""Commands of what flies: missions, windows of them, lives, propellers, rotors, engines."""
