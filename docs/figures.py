@@ -13,8 +13,8 @@ from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.svg import sheet_svg
 from gearwright.render.figures.dynamics import campbell_figure
-from gearwright.render.figures.flight import profile_figure
-from gearwright.render.figures.sankey import sankey_figure
+from gearwright.render.figures.flights.flight import profile_figure
+from gearwright.render.figures.flights.sankey import sankey_figure
 from gearwright.render.figures.sizing import margin_figure, mass_figure
 from gearwright.render.figures.study.lines import study_figure
 from gearwright.render.figures.treemap import treemap_figure

@@ -51,7 +51,7 @@ def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
 
 
 def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.pages.turning import turning
+    from gearwright.render.pages.designs.turning import turning
 
     content = turning(sizing, detail=wanted.detail).encode()
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"

@@ -41,7 +41,7 @@ ALLOWED = {
     "render/words/design_file.py": "docstrings of records",
     "render/words/inputs.py": "paths of a design file",
     "render/pages/flight.py": "paths of a mission file",
-    "render/pages/report.py": "anchors of a page",
+    "render/pages/designs/report.py": "anchors of a page",
     "render/diagrams/diagram.py": "keys of a design file",
     "render/drawings/sheet/": "lines and subscripts of a text",
     # Names of fields, files, modules, addresses.

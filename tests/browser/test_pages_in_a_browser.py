@@ -17,11 +17,11 @@ from gearwright.mission import durability
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.plain import plain
 from gearwright.render.answers.review import review_answer
-from gearwright.render.pages.comparison import comparison
+from gearwright.render.pages.designs.report import report
+from gearwright.render.pages.designs.review import review_page
 from gearwright.render.pages.flight import flight_page
-from gearwright.render.pages.report import report
-from gearwright.render.pages.review import review_page
 from gearwright.render.pages.sharing import sharing_page
+from gearwright.render.pages.studies.comparison import comparison
 from gearwright.replays.colibri.page import colibri_page
 from gearwright.replays.pulvirenti.page import thesis_page
 from gearwright.reviews import review_of

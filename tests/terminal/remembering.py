@@ -23,7 +23,7 @@ PURE = (
     "gearwright.dynamics.vibration:critical_speeds",
     "gearwright.dynamics.vibration:run_up",
     "gearwright.mission:fly",
-    "gearwright.render.pages.report:report",
+    "gearwright.render.pages.designs.report:report",
     "gearwright.replays.pulvirenti.claims:claims",
     "gearwright.replays.wang.claims:split_torque_claims",
     "gearwright.reviews:review_of",

@@ -39,9 +39,9 @@ def fly(question: Question, tell: Tell) -> Answer:
         tell: Takes how far it is.
     """
     from gearwright.mission import durability
-    from gearwright.render.answers.flight import fly_answer
+    from gearwright.render.answers.flights.flight import fly_answer
     from gearwright.render.answers.plain import plain
-    from gearwright.render.figures.sankey import sankey_figure
+    from gearwright.render.figures.flights.sankey import sankey_figure
     from gearwright.render.style import theme
     from gearwright.render.words.headline import headline
     from gearwright.reviews import review_of
@@ -121,7 +121,7 @@ def window(question: Question, tell: Tell) -> Answer:
         tell: Takes how far it is.
     """
     from gearwright.mission.windows import fly_window
-    from gearwright.render.answers.flight import window_answer
+    from gearwright.render.answers.flights.flight import window_answer
     from gearwright.render.answers.plain import plain
     from gearwright.render.words.flights.window import window_verdict
 

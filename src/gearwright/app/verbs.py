@@ -121,7 +121,7 @@ def model(question: Question) -> Answer:
     Args:
         question: With the text, and the detail.
     """
-    from gearwright.render.pages.turning import solid_facts
+    from gearwright.render.pages.designs.turning import solid_facts
     from gearwright.shape import glb, scene
 
     sizing = sized(question)
@@ -215,6 +215,6 @@ def report(question: Question, _: Tell) -> Answer:
         question: With the text.
         _: There is nothing to tell.
     """
-    from gearwright.render.pages.report import report
+    from gearwright.render.pages.designs.report import report
 
     return Answer(report(sized(question)).encode(), "application/octet-stream")

@@ -19,10 +19,7 @@ from gearwright.catalogue.bearings import (
     pressure_centre,
     with_ratings,
 )
-from gearwright.catalogue.centre_holes import CentreHole, centre_hole, centre_holes
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
-from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
-from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
 from gearwright.catalogue.gear_strength import (
     USUAL_HARDNESS,
     gear_steel,
@@ -32,9 +29,7 @@ from gearwright.catalogue.gear_strength import (
 )
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
-from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
-from gearwright.catalogue.lock_nuts import LockNut, lock_nut, lock_nuts
 from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
@@ -63,7 +58,24 @@ from gearwright.catalogue.propellers import (
     rotor,
 )
 from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
-from gearwright.catalogue.retaining_rings import RetainingRing, retaining_ring, retaining_rings
+from gearwright.catalogue.standard_parts.centre_holes import CentreHole, centre_hole, centre_holes
+from gearwright.catalogue.standard_parts.fits import (
+    LARGEST,
+    SEAT_SOURCE,
+    SMALLEST,
+    seat_tolerance,
+    shaft_limits,
+    standard_tolerance,
+)
+from gearwright.catalogue.standard_parts.gear_fits import (
+    CENTRE_FITS,
+    THICKNESS_FITS,
+    centre_allowance,
+    thickness_allowances,
+)
+from gearwright.catalogue.standard_parts.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
+from gearwright.catalogue.standard_parts.lock_nuts import LockNut, lock_nut, lock_nuts
+from gearwright.catalogue.standard_parts.retaining_rings import RetainingRing, retaining_ring, retaining_rings
 from gearwright.catalogue.turboshafts import (
     DesignPoint,
     EngineTransient,

@@ -22,7 +22,7 @@ from gearwright.mission import (
 )
 from gearwright.mission.history import MESH_LOSS
 from gearwright.render.answers.described import described
-from gearwright.render.answers.flight import Moment, fly_answer
+from gearwright.render.answers.flights.flight import Moment, fly_answer
 from gearwright.render.answers.plain import plain
 from gearwright.render.words.flights.flight import flight_text, verdict_text
 from gearwright.render.words.flights.flight_data import flight_csv

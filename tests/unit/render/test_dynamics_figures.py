@@ -13,7 +13,7 @@ from gearwright.errors import DesignError
 from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure
 from gearwright.render.figures.maps import waterfall_figure
 from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
-from gearwright.render.pages.dynamics_sections import dynamics_sections
+from gearwright.render.pages.designs.dynamics_sections import dynamics_sections
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style.theme import to_svg
 from gearwright.render.tables.dynamics import critical_table, loudest_table, machine_table, peak_table

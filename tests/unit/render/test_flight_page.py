@@ -6,8 +6,8 @@ from functools import cache
 import pytest
 
 from gearwright.mission import Balance, durability, fly, size_for_life
-from gearwright.render.figures.flight import apart
-from gearwright.render.figures.sankey import energies
+from gearwright.render.figures.flights.flight import apart
+from gearwright.render.figures.flights.sankey import energies
 from gearwright.render.pages.flight import flight_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission

@@ -4,7 +4,7 @@ import re
 
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.svg import sheet_svg
-from gearwright.render.pages.sheets import DrawnSheet, sheets_page
+from gearwright.render.pages.designs.sheets import DrawnSheet, sheets_page
 from gearwright.render.pages.validation import validation_page
 from gearwright.render.tables.validation import by_source
 from gearwright.validate import Case, published

@@ -4,8 +4,8 @@ from dataclasses import replace
 import pytest
 from drawn_designs import MIXED, sized
 
+from gearwright.render.pages.designs.report import report
 from gearwright.render.pages.page import Stamp, hash_of
-from gearwright.render.pages.report import report
 from gearwright.render.style.mathml import mathml
 from gearwright.render.style.templates import symbols
 from gearwright.render.words.inputs import entries

@@ -11,7 +11,7 @@ import pytest
 from gearwright.render.figures.study.lines import study_figure
 from gearwright.render.figures.study.spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.figures.study.trade import draw_ranges
-from gearwright.render.pages.study import study_page
+from gearwright.render.pages.studies.study import study_page
 from gearwright.render.style import theme
 from gearwright.render.tables.study.variants import reasons, spread
 from gearwright.render.vector.marks import Curve

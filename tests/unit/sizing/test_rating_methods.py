@@ -14,7 +14,7 @@ from gearwright.mission.lives.life import STRENGTHENING, strengthened
 from gearwright.render.answers.described import described
 from gearwright.render.answers.design import SizeAnswer, size_answer
 from gearwright.render.answers.plain import plain
-from gearwright.render.pages.report import report
+from gearwright.render.pages.designs.report import report
 from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size

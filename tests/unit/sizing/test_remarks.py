@@ -7,7 +7,7 @@ from rich.console import Console
 
 from designs import HYBRID, PAIR
 from gearwright.render.answers.design import size_answer
-from gearwright.render.pages.report_parts import warnings
+from gearwright.render.pages.designs.report_parts import warnings
 from gearwright.render.words.text import sizing_text, summary
 from gearwright.sizing import remarks, size
 from gearwright.spec import edited, parse

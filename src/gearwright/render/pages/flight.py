@@ -10,11 +10,11 @@ from gearwright.errors import DesignError
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.lives import LoadLife, load_lives
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.flight import heat_figure, power_figure, profile_figure, stores_figure
-from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
-from gearwright.render.figures.load_lives import SHOWN, load_life_figure
-from gearwright.render.figures.sankey import sankey_figure
-from gearwright.render.figures.window import window_figure
+from gearwright.render.figures.flights.flight import heat_figure, power_figure, profile_figure, stores_figure
+from gearwright.render.figures.flights.lives import life_figure, mass_of_life_figure, spectrum_figure
+from gearwright.render.figures.flights.load_lives import SHOWN, load_life_figure
+from gearwright.render.figures.flights.sankey import sankey_figure
+from gearwright.render.figures.flights.window import window_figure
 from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.appendices import inputs
 from gearwright.render.pages.page import (

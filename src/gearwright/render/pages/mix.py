@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.mission import FlownMix
-from gearwright.render.figures.flight import power_figure, profile_figure
-from gearwright.render.figures.lives import life_figure, spectrum_figure
-from gearwright.render.figures.mix import eaten_figure
+from gearwright.render.figures.flights.flight import power_figure, profile_figure
+from gearwright.render.figures.flights.lives import life_figure, spectrum_figure
+from gearwright.render.figures.flights.mix import eaten_figure
 from gearwright.render.grid.table import written
 from gearwright.render.pages.page import (
     UNSTAMPED,

@@ -76,7 +76,7 @@ def _campbell(value: Any) -> theme.Drawing:
 
 
 def _flight(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.flight import power_figure
+    from gearwright.render.figures.flights.flight import power_figure
 
     return power_figure(value)
 

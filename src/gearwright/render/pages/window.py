@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.window import window_figure
+from gearwright.render.figures.flights.window import window_figure
 from gearwright.render.grid.table import Table, table, written
 from gearwright.render.pages.page import (
     UNSTAMPED,

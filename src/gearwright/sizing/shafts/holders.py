@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from gearwright.catalogue import STEEL_DENSITY, CentreHole, LockNut, RetainingRing, housing_materials
-from gearwright.catalogue.centre_holes import PRELOAD, PROOF_STRESS
+from gearwright.catalogue.standard_parts.centre_holes import PRELOAD, PROOF_STRESS
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts.retention import Retention

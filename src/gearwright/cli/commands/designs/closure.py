@@ -138,7 +138,7 @@ def show_equal_life(
     """
     from gearwright.closure.wishes import HOUR
     from gearwright.render.answers.closure import EqualLifeAnswer
-    from gearwright.render.pages.equal_life import equal_life_page
+    from gearwright.render.pages.studies.equal_life import equal_life_page
     from gearwright.render.tables.study.equal_life import equal_life_csv, equal_life_table
     from gearwright.render.words.text import table_text
     from gearwright.study import equal_life

@@ -154,7 +154,7 @@ def report(
     from gearwright.dynamics import modes as find_modes
     from gearwright.dynamics.assembly import default_case
     from gearwright.dynamics.vibration import critical_speeds
-    from gearwright.render.pages.report import report as make_report
+    from gearwright.render.pages.designs.report import report as make_report
 
     if pdf is not None:
         find_browser()

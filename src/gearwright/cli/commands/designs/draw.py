@@ -64,8 +64,8 @@ def _page(sizing: Sizing, drawn: Sequence[Sheet], date: str) -> str:
     """Return all sheets on one page."""
     from gearwright.render.drawings.sheet.sheets import scale_text
     from gearwright.render.drawings.sheet.svg import sheet_svg
+    from gearwright.render.pages.designs.sheets import DrawnSheet, sheets_page
     from gearwright.render.pages.page import Stamp
-    from gearwright.render.pages.sheets import DrawnSheet, sheets_page
 
     rows = [
         DrawnSheet(sheet.name, sheet.name, sheet.size.name, scale_text(sheet.scale), sheet_svg(sheet, f"{sheet.name}-"))

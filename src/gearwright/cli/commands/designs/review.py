@@ -50,7 +50,7 @@ def review(
     else:
         show(review_text(reviewed))
     if report is not None or pdf is not None:
-        from gearwright.render.pages.review import review_page
+        from gearwright.render.pages.designs.review import review_page
 
         page = review_page(reviewed, design=design_of(design), stamp=stamped(design, date))
         if report is not None:

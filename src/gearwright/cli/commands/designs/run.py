@@ -91,7 +91,7 @@ class Drawn(NamedTuple):
 def _write(folder: Path, sizing: Sizing, drawn: Drawn, stamp: Stamp) -> list[Path]:
     """Write sizing, run and report; of a run that was interrupted no report."""
     from gearwright.render.answers.design import size_answer
-    from gearwright.render.pages.report import report as make_report
+    from gearwright.render.pages.designs.report import report as make_report
 
     make_folder(folder)
     numbers = folder / "sizing.json"

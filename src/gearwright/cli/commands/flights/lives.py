@@ -32,7 +32,7 @@ def mix(
     """Fly a life of several missions: what fails first, which mission eats the life, fuel and charge of all flights."""
     from gearwright.errors import DesignError
     from gearwright.mission import fly_mix
-    from gearwright.render.answers.mix import mix_answer
+    from gearwright.render.answers.flights.mix import mix_answer
     from gearwright.render.words.flights.mix import mix_text
     from gearwright.shipped import find_mix
     from gearwright.spec import file_text, placed, read_mix
@@ -73,8 +73,8 @@ def duty(
 ) -> None:
     """Count measured torque over time into a load spectrum, and write it as a load case of a design."""
     from gearwright.mission import duty_spectrum, read_duty
-    from gearwright.render.answers.duty import duty_answer
-    from gearwright.render.words.duty import cycles_text, duty_text
+    from gearwright.render.answers.flights.duty import duty_answer
+    from gearwright.render.words.flights.duty import cycles_text, duty_text
 
     measured = read_duty(file)
     spectrum = duty_spectrum(measured, classes=classes)

@@ -61,7 +61,7 @@ def fly(
     flight, parts, life = flown(sized(design), mission, life_h=life_h)
     with placed_in(design):
         review = review_of(flight.sizing, flight, parts, life=None if life_h is None else 3600.0 * life_h)
-    from gearwright.render.answers.flight import fly_answer, moments
+    from gearwright.render.answers.flights.flight import fly_answer, moments
     from gearwright.render.words.flights.flight import flight_text
     from gearwright.render.words.flights.flight_data import flight_csv
 

@@ -63,8 +63,8 @@ def propeller(
     """Make the map of a propeller from its blades; with --rpm, its thrust and the loads of incidence on its shaft."""
     from gearwright.catalogue import FlightPoint, map_text, propeller_loads
     from gearwright.catalogue import propeller as made_of
-    from gearwright.render.answers.propeller import map_points, propeller_answer
-    from gearwright.render.words.propeller import loads_text, made_text
+    from gearwright.render.answers.flights.propeller import map_points, propeller_answer
+    from gearwright.render.words.flights.propeller import loads_text, made_text
 
     given = _blades(file, blades, activity_factor, design_lift)
     radians = [math.radians(angle) for angle in steps(angles_deg, "angles-deg")]
@@ -88,7 +88,7 @@ def propeller(
         write_text(out, map_text(made.chart))
         tell(f"wrote {out}")
     if figure is not None:
-        from gearwright.render.figures.propeller import propeller_figure
+        from gearwright.render.figures.flights.propeller import propeller_figure
 
         mach, chart = made.maps[0]
         title = f"Propeller map at tip Mach {mach:g}" if mach else "Propeller map"

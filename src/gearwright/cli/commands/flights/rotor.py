@@ -43,7 +43,7 @@ def rotor(
     """Show what a helicopter's main and tail rotor take in hover, climb and forward flight."""
     from gearwright.catalogue import Helicopter
     from gearwright.catalogue import rotor as trimmed
-    from gearwright.render.words.rotor import rotor_text
+    from gearwright.render.words.flights.rotor import rotor_text
 
     helicopter = Helicopter(
         mass_kg, diameter_m, rpm * _RPM, solidity, flat_plate_area_m2, profile_drag, induced_factor, download,

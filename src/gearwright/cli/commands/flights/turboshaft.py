@@ -58,8 +58,8 @@ def turboshaft(
     """Make the deck of a turboshaft engine from its design point; seconds of a slam, a held rotor or a start."""
     from gearwright.catalogue import DesignPoint, Slam, StartRules, deck_text, engine_slam, engine_start
     from gearwright.catalogue import turboshaft as made_of
-    from gearwright.render.answers.turboshaft import turboshaft_answer
-    from gearwright.render.words.turboshaft import engine_text, transient_text
+    from gearwright.render.answers.flights.turboshaft import turboshaft_answer
+    from gearwright.render.words.flights.turboshaft import engine_text, transient_text
 
     design = DesignPoint(
         power_kw * 1e3, fuel_kg_kwh / _KWH, air_flow_kg_s, pressure_ratio, n1_rpm * _RPM, inertia_kg_m2, compressor,

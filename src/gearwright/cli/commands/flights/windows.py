@@ -52,7 +52,7 @@ def window(
         return
     from gearwright.mission import fly
     from gearwright.mission.windows import fly_window, window_rules
-    from gearwright.render.answers.flight import window_answer
+    from gearwright.render.answers.flights.flight import window_answer
     from gearwright.render.answers.motion import instants
     from gearwright.render.words.flights.window import window_text
 
@@ -73,7 +73,7 @@ def window(
     if kept is not None:
         tell(f"wrote {kept}")
     if figure is not None:
-        from gearwright.render.figures.window import window_figure
+        from gearwright.render.figures.flights.window import window_figure
 
         write_figure(window_figure(dynamic), figure)
         tell(f"wrote {figure}")

@@ -109,8 +109,8 @@ def _write(ranking: Ranking, out: Path | None, csv: Path | None, report: Path | 
 
 def _pages(ranking: Ranking, report: Path) -> dict[Path, str]:
     """Return the page of the ranking, and beside it the one on which the lightest turns."""
-    from gearwright.render.pages.architectures import architectures_page
-    from gearwright.render.pages.turning import turning
+    from gearwright.render.pages.designs.turning import turning
+    from gearwright.render.pages.studies.architectures import architectures_page
     from gearwright.sizing import size
     from gearwright.spec import parse
 

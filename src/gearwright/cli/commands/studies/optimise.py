@@ -141,7 +141,7 @@ def _write(
     optimum: Optimum, designs: Mapping[str, Design], out: Path | None, csv: Path | None, report: Path | None
 ) -> None:
     """Write what is asked for."""
-    from gearwright.render.pages.optimum import optimum_page
+    from gearwright.render.pages.studies.optimum import optimum_page
     from gearwright.render.tables.study.lists import letter
     from gearwright.render.tables.study.optimum import front_rows, listed
     from gearwright.render.tables.study.variants import study_csv

@@ -92,7 +92,7 @@ def write_files(
         write_table(export, table)
         tell(f"wrote {export}")
     if report is not None:
-        from gearwright.render.pages.study import study_page
+        from gearwright.render.pages.studies.study import study_page
 
         write_text(report, study_page(study, table, designs))
         tell(f"wrote {report}")

@@ -198,7 +198,7 @@ def _show_statistics(table: Table, designs: dict[str, Design]) -> None:
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
-    from gearwright.render.pages.comparison import comparison
+    from gearwright.render.pages.studies.comparison import comparison
     from gearwright.reviews import review_of
     from gearwright.sizing import size
     from gearwright.spec import edited

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
 
-from gearwright.catalogue.fits import standard_tolerance
+from gearwright.catalogue.standard_parts.fits import standard_tolerance
 from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem
 from gearwright.units import Length

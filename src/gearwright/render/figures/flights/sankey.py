@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from gearwright.mission import Balance, Flight
-from gearwright.render.figures.flight import LOSSES
+from gearwright.render.figures.flights.flight import LOSSES
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes

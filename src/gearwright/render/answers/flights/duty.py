@@ -9,7 +9,7 @@ from gearwright.mission import DutySpectrum, MeasuredDuty
 from gearwright.mission.lives import torque_cycles
 from gearwright.parts.shafts import Residue
 from gearwright.render.tables.duty import RESIDUES, RULE, DutyClass, TorqueCycle, cycle_rows, duty_classes
-from gearwright.render.words.duty import notes, work
+from gearwright.render.words.flights.duty import notes, work
 from gearwright.units import Quantity, Speed, Time, Torque
 
 

@@ -10,7 +10,7 @@ from typing import Any, Literal
 from markupsafe import Markup
 
 from gearwright.render import solids
-from gearwright.render.pages.solid_parts import labels_of, parted, parts_of
+from gearwright.render.pages.designs.solid_parts import labels_of, parted, parts_of
 from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment

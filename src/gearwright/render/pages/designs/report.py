@@ -21,7 +21,8 @@ from gearwright.render.figures.sizing import (
 )
 from gearwright.render.grid.table import Table
 from gearwright.render.pages.appendices import inputs
-from gearwright.render.pages.dynamics_sections import dynamics_sections
+from gearwright.render.pages.designs.dynamics_sections import dynamics_sections
+from gearwright.render.pages.designs.report_parts import assumptions, key_numbers, warnings
 from gearwright.render.pages.page import (
     UNSTAMPED,
     Figure,
@@ -35,7 +36,6 @@ from gearwright.render.pages.page import (
     judged_by_sizing,
     set_page,
 )
-from gearwright.render.pages.report_parts import assumptions, key_numbers, warnings
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
