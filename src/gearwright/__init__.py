@@ -145,7 +145,7 @@ _VERBS = {
     "read_mission": "spec",
     "read_mix": "spec",
     "read_study": "spec",
-    "report": "render.pages.report",
+    "report": "render.pages.designs.report",
     "response": "dynamics.vibration",
     "review": "reviews",
     "rotor": "catalogue",
