@@ -58,7 +58,7 @@ SHOWN_ELSEWHERE = (
 """Verbs of the how-to pages and of the commands beside those of the reference."""
 
 
-INNER = {"compiled", "compiled_callback", "refuse_not_finite", "common_period"}
+INNER = {"compiled", "refuse_not_finite", "common_period"}
 """What layers export for each other and no page shows."""
 
 

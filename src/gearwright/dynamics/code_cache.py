@@ -9,8 +9,6 @@ from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
 from numba import njit
-from numba.core import sigutils
-from numba.core.ccallback import CFunc
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
@@ -29,23 +27,6 @@ def compiled(function: Callable[Given, Result]) -> Callable[Given, Result]:
     dispatcher: Any = njit(error_model="numpy")(function)
     dispatcher._cache = CodeCache(function)
     return dispatcher  # type: ignore[no-any-return]
-
-
-def compiled_callback(signature: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return what compiles a function for calls through a pointer, or takes it from the cache.
-
-    Args:
-        signature: numba's, of the function.
-    """
-
-    def made(function: Callable[..., Any]) -> Any:
-        kinds = sigutils.normalize_signature(signature)  # type: ignore[no-untyped-call]
-        callback: Any = CFunc(function, kinds, locals={}, options={"error_model": "numpy"})
-        callback._cache = CodeCache(function)
-        callback.compile()
-        return callback
-
-    return made
 
 
 class CodeCache:

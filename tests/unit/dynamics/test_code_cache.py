@@ -9,10 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numba import types
 
 from gearwright.dynamics import kept_code
-from gearwright.dynamics.code_cache import compiled, compiled_callback
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.codegen import assembler
 from gearwright.dynamics.codegen.assembler import machine_code
 from gearwright.dynamics.kept_code import VARIABLE
@@ -48,18 +47,6 @@ def test_other_kinds_of_arguments_have_code_of_their_own(cache):
     function = compiled(doubled)
     assert function(np.ones(3)) == function(np.ones(3, dtype=np.float32)) == 6.0
     assert len(list(cache.glob("code-*/doubled-*"))) == 2
-
-
-def test_a_callback_is_kept_too(cache):
-    def made():
-        return compiled_callback(types.float64(types.float64))(halved)
-
-    assert [made().cache_hits, made().cache_hits] == [0, 1]
-    assert made().ctypes(3.0) == 1.5
-
-
-def halved(value):
-    return 0.5 * value
 
 
 @pytest.mark.parametrize("where", [0, 20, 60, -1])

@@ -13,7 +13,6 @@ from gearwright.machines.power import (
     Rated,
     at_rest,
     engine_of,
-    engine_state,
     entering,
     enthalpy,
     fuelled,
@@ -126,7 +125,5 @@ def test_beyond_its_ceiling_an_engine_says_so(power):
 
 
 def test_more_fuel_than_the_gas_bears_is_refused():
-    with pytest.raises(ValueError, match="2000 K"):
-        engine_state(engine(), STANDARD, 3000.0, 0.3)
     with pytest.raises(ValueError, match="2000 K"):
         fuelled(engine(), STANDARD, 3000.0, 0.3, 1200.0)

@@ -43,14 +43,12 @@ from gearwright.parts.shafts import (
     diagram,
     din743_safety,
     endurance_limit,
-    fatigue_notch_factor,
     goodman_safety,
     influence,
     lumped_shaft,
     section_stress,
     stress_concentration,
     supported,
-    tension_notch_factor,
     yield_limits,
     yield_safety,
 )
@@ -398,16 +396,6 @@ def test_without_a_force_along_it_a_section_is_what_it_was_and_a_pull_never_help
         held = [din743_safety(load, CUT, TURNED, greatest=load, overload=overload, axial=pull) for pull in pulls]
         assert all(safety.fatigue < free for safety in held)
         assert held[0] == held[2]
-
-
-def test_a_shoulder_is_sharper_in_tension_than_in_bending():
-    """DIN 743-2: α = 1 + 1/√(0.62 r/t + 7 r/d (1 + 2 r/d)²) by hand, and the support of bending."""
-    shoulder = Shoulder(0.042, 0.050, 0.005)
-    step, slim = 5 / 4, 5 / 42
-    alpha = 1 + 1 / math.sqrt(0.62 * step + 7 * slim * (1 + 2 * slim) ** 2)
-    support = stress_concentration(shoulder).bending / fatigue_notch_factor(shoulder, 900e6).bending
-    assert tension_notch_factor(shoulder, 900e6) == pytest.approx(alpha / support)
-    assert tension_notch_factor(shoulder, 900e6) > fatigue_notch_factor(shoulder, 900e6).bending
 
 
 def test_a_press_fit_loosens_at_the_speed_of_din_7190():

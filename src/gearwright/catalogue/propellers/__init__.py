@@ -3,7 +3,7 @@
 The methods themselves are machines' and are not here; flights read maps and do not make them.
 """
 
-from gearwright.catalogue.propellers.blade_files import blade_angle_of, read_blades
+from gearwright.catalogue.propellers.blade_files import read_blades
 from gearwright.catalogue.propellers.charts import charted_point, hamilton_standard_charts
 from gearwright.catalogue.propellers.in_flight import FlightPoint, PropellerLoads, propeller_loads
 from gearwright.catalogue.propellers.made import ANGLES, RATIOS, MadePropeller, RatioRow, carried_on, propeller
@@ -24,7 +24,6 @@ __all__ = [
     "RotorRow",
     "RotorTrim",
     "TailRotor",
-    "blade_angle_of",
     "carried_on",
     "charted_point",
     "compressed",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path
@@ -107,17 +106,3 @@ def _shape(number: int, table: Mapping[str, Floats]) -> BladeShape:
         thickness=along("thickness_ratio"),
         hub=float(edges[0]),
     )
-
-
-def blade_angle_of(path: str | Path) -> float:
-    """Return the blade angle at three quarters of the radius that a blade file states [rad].
-
-    Args:
-        path: Of the file.
-
-    Raises:
-        ValueError: The file lacks the columns.
-    """
-    rows = numbers_of(text_of(path, "blades"), STATIONS)
-    radius, _, angle = np.array(rows).T
-    return math.radians(float(np.interp(OUTERMOST, radius, angle)))

@@ -38,8 +38,6 @@ _GENERIC: tuple[tuple[str, float, float], ...] = (
     ("number", 2, 12), ("activity_factor", 50.0, 250.0), ("design_lift", 0.0, 0.9)
 )  # fmt: skip
 """What a generic blade is made for."""
-HIGHEST_TIP_MACH = 1.0
-"""Mach number of the tips' rotation beyond which the sections' rules say nothing [-]."""
 
 _COEFFICIENT = Quantity("number")
 

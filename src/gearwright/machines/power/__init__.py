@@ -13,7 +13,7 @@ from gearwright.machines.power.cells import (
     resistance_factor,
     straight,
 )
-from gearwright.machines.power.equilibrium import engine_state, state_for, steady_state
+from gearwright.machines.power.equilibrium import state_for, steady_state
 from gearwright.machines.power.exhaust import Breathing, Exhaust, air_flow, exhaust_heat, exhaust_of, mixed
 from gearwright.machines.power.free_turbine import Held, RotorGovernor, held_rotor, turbine_torque
 from gearwright.machines.power.gases import (
@@ -83,7 +83,6 @@ __all__ = [
     "compressed_to",
     "cranked",
     "engine_of",
-    "engine_state",
     "entering",
     "enthalpy",
     "entropy",

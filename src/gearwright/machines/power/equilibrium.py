@@ -1,4 +1,4 @@
-"""What a turboshaft does at a fuel flow, at rest at a speed, and at rest with a power."""
+"""What a turboshaft does at rest at a speed, and at rest with a power."""
 
 from __future__ import annotations
 
@@ -6,32 +6,6 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.machines.power.turboshaft import HOTTEST, EngineState, Inlet, Turboshaft, state_at
-
-
-def engine_state(engine: Turboshaft, inlet: Inlet, speed: float, fuel: float) -> EngineState:
-    """Return an engine with a speed of its gas generator and a fuel flow, at rest or not.
-
-    Args:
-        engine: The engine.
-        inlet: The air before it.
-        speed: N1 [rad/s].
-        fuel: Fuel flow [kg/s].
-
-    Raises:
-        ValueError: The gas would be hotter than 2000 K, or the fire goes out.
-    """
-
-    from scipy.optimize import brentq  # a third of the time that studies and flights take to load
-
-    def lacking(hot: float) -> float:
-        return state_at(engine, inlet, speed, hot).fuel_flow - fuel
-
-    low = state_at(engine, inlet, speed, HOTTEST).compressor_exit + 1.0
-    if lacking(HOTTEST) < 0.0 or lacking(low) > 0.0:
-        raise ValueError(
-            f"{fuel:.4g} kg/s at {speed / engine.rated.speed:.3f} of N1 burns beyond {HOTTEST:g} K, or not"
-        )
-    return state_at(engine, inlet, speed, float(brentq(lacking, low, HOTTEST, xtol=1e-9, rtol=1e-14)))
 
 
 def steady_state(engine: Turboshaft, inlet: Inlet, speed: float) -> EngineState:

@@ -49,7 +49,6 @@ from gearwright.parts.shafts.notch import (
     felt_concentration,
     notch_sensitivity,
     stress_concentration,
-    tension_notch_factor,
 )
 from gearwright.parts.shafts.rainflow import LoadCycle, Residue, rainflow, reversals
 from gearwright.parts.shafts.shaft import (
@@ -117,7 +116,6 @@ __all__ = [
     "stress_concentration",
     "supported",
     "surface_factors",
-    "tension_notch_factor",
     "torsional_stiffness",
     "yield_limits",
     "yield_safety",

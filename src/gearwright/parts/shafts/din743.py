@@ -102,7 +102,7 @@ class ShaftSection(NamedTuple):
     hardening: float = 1.0
     """K_V, above 1 for shot-peened, rolled or case-hardened surfaces [-]."""
     tension_notch: float | None = None
-    """β_σ in tension [-]; None: that of bending, as hubs have it (`tension_notch_factor` for shoulders)."""
+    """β_σ in tension [-]; None: that of bending, as hubs have it."""
     hard_surface: bool = False
     """Whether it is hard: K_F = 1 (its roughness is in K_V), K_2F = 1 and γ_F = 1 (its core does not yield first)."""
 

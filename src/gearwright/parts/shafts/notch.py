@@ -97,22 +97,6 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
     return Concentration(*(peak / factor for peak, factor in zip(alpha, factors, strict=True)))
 
 
-def tension_notch_factor(shoulder: Shoulder, yield_strength: float) -> float:
-    """Return the fatigue notch factor β_σ of a shoulder in tension [-].
-
-    Args:
-        shoulder: [m].
-        yield_strength: σ_S of the real section [Pa].
-
-    Source: DIN 743-2:2012: α with A = 0.62, B = 3.5, C = 0; the stress gradient is that of bending.
-
-    Raises:
-        DesignError: If the shoulder cannot be made.
-    """
-    support = stress_concentration(shoulder).bending / fatigue_notch_factor(shoulder, yield_strength).bending
-    return _alpha(shoulder, (0.62, 3.5, 0.0), 1.0) / support
-
-
 def notch_sensitivity(radius: float, ultimate_strength: float) -> Concentration:
     """Return Neuber's notch sensitivity q of steel [-].
 

@@ -16,8 +16,6 @@ GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "lubrication", "
 """Groups of parts, in the order of tables."""
 CROWDED = "what the room between pin and rim holds: less than (C/c)^1.5 for load and life"
 """Formula of a planet's bearing that does not fit."""
-WITHIN = 0.68
-"""Probability of the band of one standard deviation [-]."""
 
 
 @dataclass(frozen=True)

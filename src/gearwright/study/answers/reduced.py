@@ -24,8 +24,6 @@ from gearwright.units import shown, unit
 
 SECTIONS = 24
 """Sections of an axis along which results are followed [-]: equal shares of its samples."""
-MOST_REASONS = 20
-"""Reasons of failed cases that are told apart [-]."""
 _SECTION = 1 << 42
 """More than any bucket: section and bucket become one number."""
 Counts = Counter[int]

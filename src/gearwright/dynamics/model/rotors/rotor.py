@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 
@@ -70,13 +69,6 @@ class Rotor:
         """[kg]."""
         shaft = sum(segment.density * segment.area * segment.length for segment in self.segments)
         return shaft + sum(disc.mass for disc in self.discs.values())
-
-
-class _Block(NamedTuple):
-    """Matrices of one kind of motion of a whole rotor."""
-
-    mass: Floats
-    stiffness: Floats
 
 
 @verb

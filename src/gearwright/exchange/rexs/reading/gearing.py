@@ -13,7 +13,6 @@ from gearwright.spec import GROUND
 
 Table = dict[str, Any]
 GEARS = ("cylindrical_gear", "ring_gear", "bevel_gear")
-FLANKS = ("cylindrical_gear_flank", "flank_geometry", "bevel_gear_flank")
 _SQUARE = math.radians(20.0)
 SAME = 1e-6
 """Relative difference below which numbers of gears in mesh are the same [-]."""
