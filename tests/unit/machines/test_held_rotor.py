@@ -35,7 +35,7 @@ def rotor(integral, load, gain=2.0, times=(12.0, 0.02), highest=math.inf):
     speed, state = state_for(ENGINE, STANDARD, LOW, GUESS)
     start = at_rest(ENGINE, STANDARD, speed, state, CONTROL)
     governor = RotorGovernor(2.0, N2, gain, integral, highest)
-    return held_rotor(ENGINE, (CONTROL, governor), STANDARD, start=start, load=load, times=times)
+    return held_rotor(ENGINE, CONTROL, governor, STANDARD, start=start, load=load, times=times)
 
 
 def stepped(time, speed):

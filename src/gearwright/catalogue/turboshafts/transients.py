@@ -163,7 +163,7 @@ def _slammed(engine: Turboshaft, inlet: Inlet, slam: Slam) -> EngineTransient:
         raise ValueError(f"it would turn at {max(slow, fast) / rated.speed:.3g} of its rated N1, at most {SPARE:g}")
     start, times = at_rest(engine, inlet, slow, rest, control), (slam.duration, STEP)
     if slam.rotor is not None:
-        return _held(engine, inlet, slam, (control, start), times)
+        return _held(engine, inlet, slam, control, start=start, times=times)
     run = spool(engine, control, inlet, start=start, demand=lambda time: fast, times=times)
     there = np.abs(run.power - slam.after) <= 0.05 * abs(slam.after - slam.before)
     rows = _rows(run.time, run.speed / rated.speed, None, (run.power, run.fuel, run.between))
@@ -172,10 +172,10 @@ def _slammed(engine: Turboshaft, inlet: Inlet, slam: Slam) -> EngineTransient:
 
 
 def _held(
-    engine: Turboshaft, inlet: Inlet, slam: Slam, at: tuple[FuelControl, SpoolStep], times: tuple[float, float]
+    engine: Turboshaft, inlet: Inlet, slam: Slam, control: FuelControl, *, start: SpoolStep, times: tuple[float, float]
 ) -> EngineTransient:
     """Return a rotor that is loaded between 0.5 and 1 s, its torque as the square of its speed."""
-    (control, start), rotor = at, slam.rotor
+    rotor = slam.rotor
     assert rotor is not None  # asked before
     scale = engine.rated.speed / rotor.speed
     governor = RotorGovernor(
@@ -187,7 +187,7 @@ def _held(
         power = slam.before + part * (slam.after - slam.before)
         return power / rotor.speed * (speed / rotor.speed) ** 2
 
-    run = held_rotor(engine, (control, governor), inlet, start=start, load=load, times=times)
+    run = held_rotor(engine, control, governor, inlet, start=start, load=load, times=times)
     turns, speed = run.rotor / rotor.speed, run.speed / engine.rated.speed
     rows = _rows(run.time, speed, turns, (run.torque * run.rotor, run.fuel, run.between))
     pressure = np.array([inlet.pressure * compressed_to(engine, inlet, one)[1] for one in run.speed.tolist()])

@@ -66,7 +66,8 @@ def turbine_torque(engine: Turboshaft, state: EngineState, rotor: float, speed: 
 
 def held_rotor(
     engine: Turboshaft,
-    controls: tuple[FuelControl, RotorGovernor],
+    control: FuelControl,
+    governor: RotorGovernor,
     inlet: Inlet,
     *,
     start: SpoolStep,
@@ -77,7 +78,8 @@ def held_rotor(
 
     Args:
         engine: The engine.
-        controls: Fuel control of the gas generator, and the rotor with its governor.
+        control: Of the gas generator's fuel.
+        governor: The rotor with its governor.
         inlet: The air before the engine.
         start: The gas generator to begin with; the rotor turns at the speed that is held.
         load: Time [s], N2 [rad/s] -> torque that the rotor takes [N m].
@@ -87,9 +89,9 @@ def held_rotor(
         e = ω_0 - ω, which the fuel control follows within its limits (`spool`); the integral rests while it is beyond
         the highest N1. Beyond the highest N2 it asks for none.
     """
-    (control, governor), (duration, step) = controls, times
+    duration, step = times
     now, rotor, summed, base = start, governor.speed, 0.0, start.speed
-    rows = [_row(engine, 0.0, (rotor, now, load(0.0, rotor)), governor)]
+    rows = [_row(engine, 0.0, now, rotor=rotor, load=load(0.0, rotor), governor=governor)]
     for k in range(round(duration / step)):
         time, error = k * step, governor.speed - rotor
         wanted = base + governor.gain * error + governor.integral * (summed + error * step)
@@ -97,24 +99,22 @@ def held_rotor(
             summed += error * step
         if rotor >= governor.highest:
             wanted = 0.0
-        then = stepped(engine, control, inlet, (now, wanted), step)
-        first = _gain(engine, now, (rotor, load(time, rotor)), governor)
+        then = stepped(engine, control, inlet, now, demanded=wanted, step=step)
+        first = _gain(engine, now, rotor=rotor, load=load(time, rotor), governor=governor)
         ahead = rotor + first * step
-        second = _gain(engine, then, (ahead, load(time + step, ahead)), governor)
+        second = _gain(engine, then, rotor=ahead, load=load(time + step, ahead), governor=governor)
         now, rotor = then, rotor + 0.5 * step * (first + second)
-        rows.append(_row(engine, time + step, (rotor, now, load(time + step, rotor)), governor))
+        rows.append(_row(engine, time + step, now, rotor=rotor, load=load(time + step, rotor), governor=governor))
     return Held(*np.array(rows).T)
 
 
-def _gain(engine: Turboshaft, now: SpoolStep, at: tuple[float, float], governor: RotorGovernor) -> float:
+def _gain(engine: Turboshaft, now: SpoolStep, *, rotor: float, load: float, governor: RotorGovernor) -> float:
     """Return dω/dt at a speed [rad/s] under a load [N m], in rad/s²."""
-    rotor, load = at
     return (turbine_torque(engine, now.state, rotor, governor.speed) - load) / governor.inertia
 
 
 def _row(
-    engine: Turboshaft, time: float, at: tuple[float, SpoolStep, float], governor: RotorGovernor
+    engine: Turboshaft, time: float, now: SpoolStep, *, rotor: float, load: float, governor: RotorGovernor
 ) -> tuple[float, ...]:
-    rotor, now, load = at
     torque = turbine_torque(engine, now.state, rotor, governor.speed)
     return (time, rotor, now.speed, now.fuel, torque, load, now.state.between)

@@ -139,7 +139,7 @@ def spool(
     count, now = round(duration / step), start
     rows = [_row(0.0, inlet, now)]
     for k in range(count):
-        now = stepped(engine, control, inlet, (now, demand((k + 0.5) * step)), step)
+        now = stepped(engine, control, inlet, now, demanded=demand((k + 0.5) * step), step=step)
         rows.append(_row((k + 1) * step, inlet, now))
     return Spooled(*np.array(rows).T)
 
@@ -151,7 +151,7 @@ def _row(time: float, inlet: Inlet, now: SpoolStep) -> tuple[float, ...]:
 
 
 def stepped(
-    engine: Turboshaft, control: FuelControl, inlet: Inlet, at: tuple[SpoolStep, float], step: float
+    engine: Turboshaft, control: FuelControl, inlet: Inlet, now: SpoolStep, *, demanded: float, step: float
 ) -> SpoolStep:
     """Return a gas generator after a step of time.
 
@@ -159,13 +159,14 @@ def stepped(
         engine: The engine.
         control: Its fuel control.
         inlet: The air before it.
-        at: As it is, and the N1 that is demanded [rad/s].
+        now: As it is.
+        demanded: N1 [rad/s].
         step: [s].
 
     Source: midpoint rule; valve of first order, exact over a step; the integral rests at a limit.
     """
-    (now, wanted), inertia = at, engine.rated.inertia
-    error = min(wanted, control.highest_speed) - now.speed
+    inertia = engine.rated.inertia
+    error = min(demanded, control.highest_speed) - now.speed
     asked = control.gain * error + control.integral * (now.integral + error * step)
     let = limited_fuel(control, now.state, inlet, asked)
     summed = now.integral + error * step if let == asked else now.integral  # no winding up at a limit

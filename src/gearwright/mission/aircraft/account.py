@@ -88,8 +88,8 @@ def _phases(flight: Flight, aircraft: Aircraft) -> Iterator[PhaseForces]:
         flown, phase, mass = list(group), mission.phases[name], aircraft.mass - burnt
         engines = phase.engines or mission.engines
         sums = list[_Row]()
-        for (k, moment), stage in zip(flown, _stages(flight, aircraft, flown), strict=True):
-            sums.append(_row(flight, aircraft, (k, moment), (stage, aircraft.mass - burnt)))
+        for (k, moment), stage in zip(flown, _stages(flight, aircraft, [moment for _, moment in flown]), strict=True):
+            sums.append(_row(flight, aircraft, k, moment, stage=stage, mass=aircraft.mass - burnt))
             burnt += float(flight.history.fuel_flow[k]) * moment.duration * engines
         total = _Row(*(sum(column) for column in zip(*sums, strict=True)))
         starts, ends = (_at_end(flown[place][1], sense) for place, sense in ((0, -1.0), (-1, 1.0)))
@@ -114,19 +114,18 @@ def _at_end(moment: Moment, sense: float) -> float:
     return moment.true_airspeed + sense * 0.5 * moment.acceleration * moment.duration
 
 
-def _stages(flight: Flight, aircraft: Aircraft, flown: list[tuple[int, Moment]]) -> tuple[str, ...]:
+def _stages(flight: Flight, aircraft: Aircraft, flown: list[Moment]) -> tuple[str, ...]:
     """Return what the aircraft does in the intervals of a phase: on its wheels where no wing bears it."""
-    name, weight = flown[0][1].phase, aircraft.mass * GRAVITY
+    name, weight = flown[0].phase, aircraft.mass * GRAVITY
     if name in flight.paths:
         return flight.paths[name].stages
     highest = (aircraft.highest_lift or USUAL_LIFT) * aircraft.wing_area
-    lifts = (highest * 0.5 * moment.air.density * moment.true_airspeed**2 for _, moment in flown)
+    lifts = (highest * 0.5 * moment.air.density * moment.true_airspeed**2 for moment in flown)
     return tuple("flight" if lift >= weight else "roll" for lift in lifts)
 
 
-def _row(flight: Flight, aircraft: Aircraft, at: tuple[int, Moment], then: tuple[str, float]) -> _Row:
-    """Return an interval's share of the sums; `then` is what the aircraft does, and its mass [kg]."""
-    (k, moment), (stage, mass) = at, then
+def _row(flight: Flight, aircraft: Aircraft, k: int, moment: Moment, *, stage: str, mass: float) -> _Row:
+    """Return the share of the k-th interval in the sums: what the aircraft does there, and its mass [kg]."""
     phase, weight, duration = flight.mission.phases[moment.phase], mass * GRAVITY, moment.duration
     slope = moment.climb / moment.true_airspeed if moment.true_airspeed else 0.0
     rolls = {"roll": 1.0, "rotation": 0.5}.get(stage, 0.0)

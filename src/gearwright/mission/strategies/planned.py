@@ -109,14 +109,13 @@ def _needs(flown: Flown, plan: Mapping[int, float]) -> list[Need]:
         asked = Asked(flown.supply.parts(phase), wanted, gain)
         if phase.strategy is not None:
             phase, asked = shared(flown, moment, asked, Then(phase, before, charge, plan.get(k, 0.0)))
-        need, before = _need(flown, moment, phase, (asked, before))
+        need, before = _need(flown, moment, phase, asked, before)
         burnt += float(_fuel(flown, need, np.array([need.share]))[0]) * (phase.engines or mission.engines)
         needs.append(need)
     return needs
 
 
-def _need(flown: Flown, moment: Moment, phase: Phase, at: tuple[Asked, Point | None]) -> tuple[Need, Point]:
-    asked, before = at
+def _need(flown: Flown, moment: Moment, phase: Phase, asked: Asked, before: Point | None) -> tuple[Need, Point]:
     loads = loaded(flown, moment, asked, before)
     share = sum(asked.parts.get(name, 0.0) for name in flown.supply.motors)
     power = sum(loads.powers[name] for name in (*flown.supply.engines, *flown.supply.motors))
