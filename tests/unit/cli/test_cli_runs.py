@@ -122,7 +122,8 @@ def test_files_of_certificates_must_be_there_and_belong_to_the_address(folder: P
         assert ("goes with --tls" in str(found.exception)) == address.startswith("tcp")
 
 
-def test_a_cluster_that_is_not_there_is_said(folder: Path) -> None:
+def test_a_cluster_that_is_not_there_is_said(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gearwright.study.running.cluster.PATIENCE", 0.5)
     installed = importlib.util.find_spec("distributed") is not None
     found = CliRunner().invoke(app, ["study", str(folder / "study.toml"), "--cluster", "tcp://127.0.0.1:1"])
     assert isinstance(found.exception, DesignError)
