@@ -1,0 +1,91 @@
+"""Pieces that a draw of faults showed to be thinly tested, each against a calculation by hand."""
+
+import math
+
+import pytest
+
+from gearwright.identity import Kind, PartId
+from gearwright.parts.gears import CylindricalGear, GearPair
+from gearwright.parts.gears.internal_interference import passing_tip, tip_halves
+from gearwright.sizing import size
+from gearwright.sizing.arranged import Body, Station
+from gearwright.sizing.places.coaxial import _meet
+from gearwright.sizing.shafts import holders_of
+from gearwright.spec import parse
+from shipped_work import sized
+
+HELICAL = """
+schema = 1
+name = "a helical pair with shifts"
+level = "concept"
+shafts = ["fast", "slow"]
+[motors.drive]
+shaft = "fast"
+power_kw = 200
+speed_rpm = 6000
+[propellers.load]
+shaft = "slow"
+speed_rpm = 2000
+diameter_m = 2
+[pairs.only]
+pinion = "fast"
+wheel = "slow"
+pinion_teeth = 20
+wheel_teeth = 60
+module_mm = 4
+pinion_shift = 0.4
+wheel_shift = -0.4
+[gears]
+helix_angle_deg = 20
+"""
+
+
+def test_a_tip_is_as_thick_in_the_normal_section_as_on_its_circle_times_the_cosine_of_the_helix():
+    """DIN 3960: s_at = d_a (π/(2 z) + 2 x tan α_n/z + inv α_t − inv α_at), s_an ≈ s_at cos β."""
+    helix, teeth, shift = math.radians(20.0), 20, 0.4
+    transverse = math.atan(math.tan(math.radians(20.0)) / math.cos(helix))
+    pitch = teeth / math.cos(helix)
+    tip = pitch + 2.0 * (1.0 + shift)
+    at_tip = math.acos(pitch * math.cos(transverse) / tip)
+    half = (math.pi / 2.0 + 2.0 * shift * math.tan(math.radians(20.0))) / teeth
+    thick = tip * (half + math.tan(transverse) - transverse - math.tan(at_tip) + at_tip)
+    check = next(check for check in size(parse(HELICAL)).checks if check.mode == "tip thickness")
+    assert check.value == pytest.approx(thick * math.cos(helix), rel=1e-9)
+
+
+@pytest.mark.parametrize(("j", "passes"), [(0, True), (2, True), (3, False), (5, False)])
+def test_a_tip_that_stays_within_the_tip_circle_of_its_ring_passes_nothing(j, passes):
+    """z 20/−60, m 2: r_a 22 and 58, a 40. Beyond it stands while 40 + 22 cos φ > √(58² − 22² sin² φ): cos φ > 0.725."""
+    pair = GearPair(CylindricalGear(20, 2e-3, 0.02), CylindricalGear(-60, 2e-3, 0.02))
+    halves = tip_halves(pair)
+    angle = 2.0 * math.pi * j / 20 + halves[0]
+    assert (math.cos(angle) > (58.0**2 - 40.0**2 - 22.0**2) / (2.0 * 40.0 * 22.0)) is passes
+    assert bool(passing_tip(pair, j, halves).reaches) is passes
+
+
+@pytest.mark.parametrize("along", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.6, 0.0, -0.8)])
+@pytest.mark.parametrize(
+    ("ahead", "meets"), [(0.0, True), (0.039, True), (0.041, False), (-0.019, True), (-0.021, False)]
+)
+def test_rods_on_one_axis_meet_where_their_lengths_overlap_whichever_way_it_points(along, ahead, meets):
+    """40 mm long the first, 20 mm the second."""
+
+    def rod(name, start, length):
+        origin = tuple(0.3 + start * part for part in along)
+        stations = (Station(0.0, 0.03), Station(length, 0.03))
+        return Body(PartId(Kind.SHAFT, name), name, "", origin, along, stations)
+
+    assert _meet(rod("a", 0.0, 0.04), rod("b", ahead, 0.02)) is meets
+
+
+def test_covers_lie_on_the_face_of_the_bearing_that_they_hold_and_press_what_it_presses():
+    sizing = sized("ec120b")
+    bearings = {bearing.name: bearing for bearing in sizing.bearings}
+    covers = [holder for holder in holders_of(sizing) if holder.kind == "cover"]
+    assert covers
+    for holder in covers:
+        bearing = bearings[holder.beside]
+        faces = {bearing.position + way * bearing.width / 2.0 for way in (-1, 1)}
+        assert min(abs(end - face) for end in (holder.start, holder.end) for face in faces) < 1e-12
+    others = [holder for holder in holders_of(sizing) if holder.kind not in ("cover", "end plate")]
+    assert all((holder.force, holder.capacity) == (0.0, 0.0) for holder in others)
