@@ -23,10 +23,16 @@ def sized(design):
     return gw.size(gw.read(design))
 
 
+def coarse(mission, **changes):
+    """Return a shipped mission in intervals of at most 40 s for 10 s: what holds of each holds of fewer."""
+    return gw.edited_mission(gw.read_mission(mission), {"step_s": 40.0, **changes})
+
+
 def both(design, mission, monkeypatch):
     """Return a flight flown at once, and the same flown one by one."""
     if isinstance(mission, str):
-        mission = gw.read_mission(mission)
+        name, _, coarser = mission.partition(" ")
+        mission = coarse(name) if coarser else gw.read_mission(name)
     used = []
 
     def watched(flown):
@@ -55,12 +61,12 @@ def apart(one, other):
     [
         ("in-line-h2", "thesis"),
         ("in-line-h2", "thesis-chapter-4"),
-        ("in-line-h1", "thesis"),
+        ("in-line-h1", "thesis coarse"),
         ("off-set-h2", "equal-power"),
         ("mixed-h2", "equal-power"),
-        ("in-line", "regional-250nm"),
-        ("in-line", "regional-aircraft"),
-        ("in-line-h2", "hybrid-reserves"),
+        ("in-line", "regional-250nm coarse"),
+        ("in-line", "regional-aircraft coarse"),
+        ("in-line-h2", "hybrid-reserves coarse"),
     ],
 )
 def test_intervals_at_once_are_those_one_by_one(design, mission, monkeypatch):
@@ -78,14 +84,14 @@ def test_the_energies_close():
 
 
 def test_strategies_are_followed_at_once(monkeypatch):
-    together, alone, at_once = both("in-line-h2", "strategies", monkeypatch)
+    together, alone, at_once = both("in-line-h2", coarse("strategies"), monkeypatch)
     assert at_once
     assert apart(together, alone)[0] < 1e-10  # shares agree to 1e-12, and what tops up a battery adds up
     assert together.fuel == pytest.approx(alone.fuel, rel=CLOSE)
 
 
 def test_motors_that_brake_are_followed_at_once(monkeypatch):
-    mission = gw.edited_mission(gw.read_mission("strategies"), {"strategies.burn.rule": "regenerate"})
+    mission = coarse("strategies", **{"strategies.burn.rule": "regenerate"})
     together, alone, at_once = both("in-line-h2", mission, monkeypatch)
     assert at_once and apart(together, alone)[0] < 1e-10  # as above
 
@@ -98,7 +104,7 @@ def test_a_plan_is_flown_one_by_one(monkeypatch):
 
 def test_cells_follow_from_interval_to_interval(monkeypatch):
     cells = {"battery.cells": {}}
-    mission = gw.edited_mission(gw.read_mission("thesis"), cells)
+    mission = coarse("thesis", **cells)
     together, alone, at_once = both("in-line-h2", mission, monkeypatch)
     assert at_once and together.history.battery_temperature is not None
     assert apart(together, alone) < (2e-11, "")  # the current of cells is found by rounds, to 1e-12 of itself
@@ -107,7 +113,7 @@ def test_cells_follow_from_interval_to_interval(monkeypatch):
 
 def test_another_friction_of_teeth_and_gears_that_dip(monkeypatch):
     changes = {"oil.friction": "iso-tr-14179-1", "oil.windage": "dawson", "oil.seals": "simrit"}
-    mission = gw.edited_mission(gw.read_mission("thesis"), {**changes, "oil.dip": {"second.sun": 0.3}})
+    mission = coarse("thesis", **changes, **{"oil.dip": {"second.sun": 0.3}})
     together, alone, at_once = both("in-line-h2", mission, monkeypatch)
     assert at_once and together.history.churning_loss.max() > 0.0
     assert apart(together, alone)[0] < CLOSE
@@ -123,7 +129,7 @@ def test_another_friction_of_teeth_and_gears_that_dip(monkeypatch):
     ],
 )
 def test_aircraft_that_cannot_fly_are_refused_in_the_same_words(mission, changes, monkeypatch):
-    mission = gw.edited_mission(gw.read_mission(mission), changes)
+    mission = coarse(mission, **changes)
     with pytest.raises(DesignError) as together:
         gw.fly(sized("in-line"), mission)
     monkeypatch.setattr(flying, "log_at_once", lambda flown: None)
@@ -140,7 +146,7 @@ def test_aircraft_that_cannot_fly_are_refused_in_the_same_words(mission, changes
     ],
 )
 def test_flights_that_follow_have_the_bits_that_each_has_alone(design, mission, key, values):
-    scattered = [gw.edited_mission(gw.read_mission(mission), {key: value}) for value in values]
+    scattered = [coarse(mission, **{key: value}) for value in values]
     for flight, alone in zip(fly_each(sized(design), scattered), scattered, strict=True):
         flown = gw.fly(sized(design), alone)
         assert all(
@@ -159,7 +165,7 @@ def test_flights_that_follow_have_the_bits_that_each_has_alone(design, mission, 
     ],
 )
 def test_what_cannot_be_flown_is_refused_in_the_same_words(changes, monkeypatch):
-    mission = gw.edited_mission(gw.read_mission("thesis"), changes)
+    mission = coarse("thesis", **changes)
     with pytest.raises(DesignError) as together:
         gw.fly(sized("in-line-h2"), mission)
     monkeypatch.setattr(flying, "log_at_once", lambda flown: None)
