@@ -70,7 +70,7 @@ COMMANDS = (
     Command("compare in-line star"),
     Command("architectures pair.toml --stages 1 --close 0 --workers 0"),
     Command("optimise hybrid.toml --free carriers.fill=0.4..0.8 --screened 0 --evaluations 24 --workers 0"),
-    Command("close pair.toml --life-h 1000"),
+    Command("close pair.toml --life-h 1000 --as-sized"),
     Command("study"),
     Command("study small.toml --workers 0"),
     Command("status journal"),

@@ -28,6 +28,7 @@ PURE = (
     "gearwright.replays.wang.claims:split_torque_claims",
     "gearwright.reviews:review_of",
     "gearwright.sizing:size",
+    "gearwright.study.cases.evaluate:results_of",
     "gearwright.study.cases.sampling:unit_sample",
     "gearwright.validate.case:check",
 )
