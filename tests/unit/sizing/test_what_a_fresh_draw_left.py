@@ -1,16 +1,20 @@
 """Pieces that a draw of faults showed to be thinly tested, each against a calculation by hand."""
 
 import math
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.internal_interference import passing_tip, tip_halves
+from gearwright.parts.gears.transverse_form import TransverseTooth, _cut_by_shaper
 from gearwright.sizing import size
 from gearwright.sizing.arranged import Body, Station
 from gearwright.sizing.places.coaxial import _meet
 from gearwright.sizing.shafts import holders_of
+from gearwright.sizing.shafts.holding import _is_integral
 from gearwright.spec import parse
 from shipped_work import sized
 
@@ -89,3 +93,21 @@ def test_covers_lie_on_the_face_of_the_bearing_that_they_hold_and_press_what_it_
         assert min(abs(end - face) for end in (holder.start, holder.end) for face in faces) < 1e-12
     others = [holder for holder in holders_of(sizing) if holder.kind not in ("cover", "end plate")]
     assert all((holder.force, holder.capacity) == (0.0, 0.0) for holder in others)
+
+
+def test_a_gear_is_integral_by_its_own_joint_whatever_joins_the_others():
+    """Of two gears on shafts one is cut into its shaft and one is keyed; a bearing's ring has no teeth."""
+    joints = [SimpleNamespace(part="a", kind="integral"), SimpleNamespace(part="b", kind="key")]
+    sizing = SimpleNamespace(joints=joints, gears=[SimpleNamespace(name="a"), SimpleNamespace(name="b")])
+    assert [_is_integral(sizing, seat) for seat in ("a", "b", "c")] == [True, False, False]
+    assert not _is_integral(SimpleNamespace(joints=joints, gears=[]), "a")
+
+
+def test_the_fillet_of_a_ring_whose_tips_lie_within_its_base_circle_ends_at_the_base_circle():
+    """No involute lies within r_b: z 26, x 0.8, m 1 mm; tips at 13 − 1.8 mm, r_b = 13 cos 20° = 12.2 mm."""
+    ring = TransverseTooth(26, 1e-3, profile_shift=0.8, side=-1, shaper=20)
+    assert ring.tip_radius < ring.base_radius
+    radius, half = _cut_by_shaper(ring)
+    assert radius.max() == pytest.approx(ring.root_radius, rel=1e-9)
+    assert np.all(radius > ring.base_radius) and np.all(np.isfinite(half))
+    assert half[-1] == pytest.approx(float(ring.half_angles(radius[-1:])[0]), abs=2e-3)
