@@ -1,6 +1,7 @@
 import io
 import re
 
+import pytest
 from rich.console import Console
 
 from gearwright.dynamics import Outputs, simulate
@@ -9,12 +10,13 @@ from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
 from gearwright.render.answers.plain import plain
 from gearwright.render.tables.dynamic_load import dynamic_table
-from gearwright.render.words.text import (
-    modes_text,
-    sizing_text,
-    summary,
-    trace_text,
-)
+from gearwright.render.words.masses import summary
+from gearwright.render.words.text import modes_text, sizing_text, trace_text
+from gearwright.shipped import shipped_design
+from gearwright.sizing import size
+from gearwright.sizing.mass import complete_mass
+from gearwright.spec import read
+from gearwright.units import text
 
 
 def on_screen(what, width=100) -> str:
@@ -45,6 +47,16 @@ def test_a_narrow_terminal_shows_every_number_whole(in_line_h2) -> None:
 def test_motors_are_named_only_where_there_are_some(designs) -> None:
     assert "Motors" in summary(designs["mixed"])
     assert "Motors" not in summary(designs["star"])
+
+
+def test_groups_that_are_named_add_up_to_the_mass_that_is_told_and_the_complete_one_comes_first() -> None:
+    sizing = size(read(shipped_design("hybrid-turboprop")))
+    words = summary(sizing)
+    complete = complete_mass(sizing)
+    assert words.startswith(f"Complete mass {text(complete.total, 'mass', 3)}, 68 % from ")
+    whole, *groups = (float(number) for number in re.findall(r"([\d.]+) kg", words.split("Train ")[1].split(")")[0]))
+    assert len(groups) == 4
+    assert sum(groups) == pytest.approx(whole, rel=1e-3)
 
 
 def test_the_answer_of_a_sizing_has_units_in_its_keys(in_line_h2) -> None:

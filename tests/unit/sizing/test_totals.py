@@ -56,3 +56,15 @@ def test_the_mass_breakdown_is_the_whole_and_heaviest_first(sizing):
     assert all(part.total == pytest.approx(part.count * part.each) for part in parts)
     assert [part.total for part in parts] == sorted((part.total for part in parts), reverse=True)
     assert {part.group for part in parts} == {"gears", "shafts", "carriers"}
+
+
+def test_a_preliminary_breakdown_has_the_bearings_of_planets_and_adds_up():
+    from gearwright.sizing import mass_parts
+
+    sizing = size(read(shipped_design("hybrid-turboprop")))
+    parts = mass_parts(sizing)
+    turning = [part for part in parts if part.group == "planet bearings"]
+    assert sum(part.total for part in turning) == pytest.approx(sizing.planet_bearing_mass)
+    assert sizing.planet_bearing_mass > 0.0
+    assert sum(part.total for part in parts) == pytest.approx(sizing.mass)
+    assert sum(part.share for part in parts) == pytest.approx(1.0)

@@ -12,12 +12,12 @@ from gearwright.checks import ROUNDING, Check
 from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.render.tables.sizing.overview import NOT_IN_THE_MASS
+from gearwright.render.tables.sizing.overview import not_in_the_mass
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
 
-_GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
+_GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN, "planet bearings": theme.SKY}
 _ROW = 5.2
 """Height of one bar [mm]."""
 _FRAME = 22.0
@@ -51,13 +51,13 @@ def mass_figure(sizing: Sizing) -> Figure:
     for place, part in enumerate(parts):
         axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
                        va="center", fontsize=7.5)  # fmt: skip
-    totals = {"gears": sizing.gear_mass, "carriers": sizing.carrier_mass, "shafts": sizing.shaft_mass}
-    for group, total in totals.items():
+    for group, colour in _GROUP_COLOURS.items():
+        total = sum(part.total for part in parts if part.group == group)
         if total:
-            axes.barh([0], [0.0], color=_GROUP_COLOURS[group], label=f"{group}  {total:.2f} kg")
+            axes.barh([0], [0.0], color=colour, label=f"{group}  {total:.2f} kg")
     axes.legend("lower right")
     axes.invert_yaxis()
-    axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {NOT_IN_THE_MASS}")
+    axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(sizing)}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
     axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     axes.only_grid("x")

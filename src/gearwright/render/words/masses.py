@@ -1,13 +1,57 @@
-"""Words on complete masses beside the statistics of real gearboxes, for designs of one requirement."""
+"""What gearboxes weigh, in words: the train by its groups, everything with its band, and beside real gearboxes."""
 
 from __future__ import annotations
 
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import band_of, requirement_of
+from gearwright.sizing.mass import band_of, complete_mass, requirement_of
+from gearwright.spec.design import CONCEPT, PRELIMINARY
 from gearwright.study import Table
 from gearwright.units import text
 
 _ROWS = ("complete_mass.low", "complete_mass.high")
+
+
+def train_mass(sizing: Sizing) -> str:
+    """Return the mass of the train with its groups, which add up to it unless it is given.
+
+    Args:
+        sizing: As sized.
+    """
+    gears = "gears" if sizing.level in (CONCEPT, PRELIMINARY) else "gears as discs of their pitch circles"
+    groups = {gears: sizing.gear_mass, "shafts": sizing.shaft_mass, "carriers": sizing.carrier_mass}
+    if sizing.level == PRELIMINARY:
+        groups["planet bearings"] = sizing.planet_bearing_mass
+    parts = ", ".join(f"{what} {text(mass, 'mass')}" for what, mass in groups.items() if mass)
+    if "gearbox.mass" in sizing.given:
+        return f"{text(sizing.mass, 'mass')}, given, in place of the {text(sizing.parts_mass, 'mass')} of {parts}"
+    return f"{text(sizing.mass, 'mass')} ({parts})"
+
+
+def complete_words(sizing: Sizing) -> str:
+    """Return the complete mass with its band, nothing at level ``concept`` or where a mass is given.
+
+    Args:
+        sizing: As sized.
+    """
+    if sizing.level == CONCEPT or "gearbox.mass" in sizing.given:
+        return ""
+    mass = complete_mass(sizing)
+    low, high = (text(limit, "mass", 3) for limit in mass.band)
+    return f"{text(mass.total, 'mass', 3)}, 68 % from {low} to {high}"
+
+
+def summary(sizing: Sizing) -> str:
+    """Return mass and power density in a few sentences; above level ``concept`` the complete mass comes first.
+
+    Args:
+        sizing: As sized.
+    """
+    complete = complete_words(sizing)
+    turning = 0.0 if sizing.level == PRELIMINARY else sizing.planet_bearing_mass
+    beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
+    told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
+    first = f"Complete mass {complete}. Train " if complete else ""
+    return f"{first}{train_mass(sizing)}, {text(sizing.power_density, 'specific_power')}.{told}"
 
 
 def beside_statistics(table: Table, sizing: Sizing) -> str:

@@ -12,6 +12,7 @@ from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.render.grid.table import written
 from gearwright.render.words.headline import energy_text, headline, sizing_headline
+from gearwright.render.words.masses import complete_words, train_mass
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement.envelope import envelope
@@ -54,10 +55,11 @@ def run_verdict(sizing: Sizing, review: Review | None) -> tuple[str, ...]:
 
 
 def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
-    masses = (("gears", sizing.gear_mass), ("shafts", sizing.shaft_mass), ("carriers", sizing.carrier_mass))
-    parts = ", ".join(f"{what} {text(mass, 'mass')}" for what, mass in masses if mass)
+    complete = complete_words(sizing)
     flow, box = sizing.reference, envelope(sizing)
-    yield "mass", f"{text(sizing.mass, 'mass')} ({parts})"
+    if complete:
+        yield "complete mass", complete
+    yield "mass of the train" if complete else "mass", train_mass(sizing)
     yield "power", f"{text(sizing.rated_power, 'power')}, {text(sizing.power_density, 'specific_power')}"
     speeds = [f"{machine.name} {abs(shown(flow.speeds[machine.shaft], 'speed')):.0f}" for machine in sizing.machines]
     yield "speeds", f"{', '.join(speeds)} rpm"

@@ -16,8 +16,8 @@ from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.headline import headline, implied_text, sizing_headline
+from gearwright.render.words.masses import summary
 from gearwright.sizing import Sizing, remarks
-from gearwright.units import text
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Modes, Trace
@@ -97,30 +97,6 @@ def methods_text(sizing: Sizing) -> RenderableType:
         sizing: As sized.
     """
     return Group(*map(table_text, method_tables(sizing).values()))
-
-
-def summary(sizing: Sizing) -> str:
-    """Return mass and power density in one or two sentences.
-
-    Args:
-        sizing: As sized.
-    """
-    parts = ", ".join(
-        f"{what} {text(mass, 'mass')}"
-        for what, mass in (
-            ("gears", sizing.gear_mass),
-            ("shafts", sizing.shaft_mass),
-            ("carriers", sizing.carrier_mass),
-        )
-    )
-    chosen = sizing.bearing_mass + sizing.planet_bearing_mass
-    bearings = f" Bearings {text(chosen, 'mass')}." if chosen else ""
-    motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
-    whole = f"{text(sizing.mass, 'mass')} ({parts})"
-    if "gearbox.mass" in sizing.given:
-        train = text(sizing.gear_mass + sizing.shaft_mass + sizing.carrier_mass, "mass")
-        whole = f"{text(sizing.mass, 'mass')}, given, in place of the {train} of {parts}"
-    return f"{whole}, {text(sizing.power_density, 'specific_power')}.{bearings}{motors}"
 
 
 def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.ranking import largest_first
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.result import PRELIMINARY, Sizing
 from gearwright.units import Length, Mass, Origin, Quantity, Speed
 
 KEPT = 1e-9
@@ -21,7 +21,7 @@ class MassPart:
 
     part: str
     group: str
-    """gears, shafts or carriers."""
+    """gears, shafts, carriers or planet bearings."""
     count: int
     """How many of it [-]."""
     each: Mass
@@ -29,7 +29,7 @@ class MassPart:
     total: Mass
     """Of all [kg]."""
     share: Annotated[float, Quantity("percent")]
-    """Of the mass of gears, shafts and carriers [-]."""
+    """Of the sum of these parts [-]."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class BearingForce:
 
 
 def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
-    """Return the mass breakdown of gears, shafts and carriers, heaviest first.
+    """Return the mass breakdown of gears, shafts, carriers and weighed planet bearings, heaviest first.
 
     Args:
         sizing: As sized.
@@ -67,6 +67,9 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
     parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
     parts += [(str(carrier.part), "carriers", 1, carrier.mass) for carrier in sizing.carriers]
+    if sizing.level == PRELIMINARY:
+        parts += [(f"{gear.name} bearing", "planet bearings", gear.bodies, gear.runs_on.mass)
+                  for gear in sizing.gears if gear.runs_on]  # fmt: skip
     rows = [
         MassPart(part, group, count, mass, count * mass, count * mass / sizing.parts_mass)
         for part, group, count, mass in parts

@@ -14,7 +14,7 @@ from gearwright.render.pages.designs.solid_parts import labels_of, parted, parts
 from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
-from gearwright.render.words.text import summary
+from gearwright.render.words.masses import summary
 from gearwright.shape import Scene, glb, scene
 from gearwright.sizing import Sizing
 from gearwright.units import text

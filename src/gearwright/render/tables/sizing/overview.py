@@ -18,7 +18,6 @@ from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, 
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
-NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
 _KEPT = (
     "Whole teeth give them. A speed is kept, met exactly, of the first machine that [speeds] keep names: left out, a"
     " turbine's, else a motor's."
@@ -27,6 +26,17 @@ _PASSING = "Backwards: with every torque turned; what gives nothing then is self
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _THICKEST = "d of a shaft with steps is its thickest; the stress is of a section, listed with its own d under strength."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
+
+
+def not_in_the_mass(sizing: Sizing) -> str:
+    """Return what the mass of the train leaves out.
+
+    Args:
+        sizing: As sized.
+    """
+    weighed = any(part.group == "planet bearings" for part in mass_parts(sizing))
+    bearings = "bearings of shafts" if weighed else "bearings"
+    return f"Not in the mass: housing, {bearings}, oil system, accessories, motors."
 
 
 def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
@@ -103,7 +113,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
-                      note=NOT_IN_THE_MASS),
+                      note=not_in_the_mass(sizing)),
     }  # fmt: skip
 
 
