@@ -89,6 +89,7 @@ from gearwright.catalogue.turboshafts import (
     read_engine_deck,
     turboshaft,
 )
+from gearwright.catalogue.undercuts import Undercut, undercut, undercuts
 
 __all__ = [
     "ALL_STATES",
@@ -133,6 +134,7 @@ __all__ = [
     "StandardKey",
     "StartRules",
     "TailRotor",
+    "Undercut",
     "all_series",
     "bearing",
     "bearing_friction",
@@ -188,6 +190,8 @@ __all__ = [
     "standard_tolerance",
     "thickness_allowances",
     "turboshaft",
+    "undercut",
+    "undercuts",
     "weighed_gearboxes",
     "with_ratings",
 ]

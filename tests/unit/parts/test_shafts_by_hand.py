@@ -244,7 +244,7 @@ def test_equivalent_stresses_and_safeties_are_those_of_chapter_7():
 @pytest.mark.parametrize("shoulder", [Shoulder(0.04, 0.05, 2e-3), Shoulder(0.03, 0.06, 0.9e-3)])
 def test_shoulders_raise_stress_by_din_743(shoulder):
     """α of DIN 743-2:2012; n with 10^−(0.33 + σ_S/712); φ counts only where d/D is above 0.67."""
-    d, big, r = shoulder
+    d, big, r, _ = shoulder
     t = (big - d) / 2.0
     shape = 0.62 * r / t + 2.0 * 5.8 * r / d * (1.0 + 2.0 * r / d) ** 2 + 0.2 * (r / t) ** 3 * d / big
     bending = 1.0 + 1.0 / math.sqrt(shape)
@@ -276,6 +276,24 @@ def test_fillets_hold_from_three_hundredths_of_the_step():
     assert stress_concentration(Shoulder(0.04, 0.06, 0.31e-3)).bending > 1.0
     with pytest.raises(DesignError, match=r"0\.29 mm given; the formulas hold from 0\.3 mm on"):
         stress_concentration(Shoulder(0.04, 0.06, 0.29e-3))
+
+
+def test_an_undercut_raises_stress_between_its_shoulder_and_its_groove():
+    """d = 39.6 mm, d_1 = 40 mm, D = 60 mm, r = 1.2 mm: α_A + (α_R − α_A) √(0.4/20.4), here with α_R by hand."""
+    cut = Shoulder(0.0396, 0.060, 1.2e-3, 0.2e-3)
+    found, plain = stress_concentration(cut), stress_concentration(cut._replace(undercut=0.0))
+    slender, share = 1.2 / 39.6, math.sqrt(0.4 / 20.4)
+    for k, (a, b) in enumerate(((0.2, 2.75), (0.7, 10.3))):
+        groove = 1.0 + 1.0 / math.sqrt(a * 1.2 / 0.2 + 2.0 * b * slender * (1.0 + 2.0 * slender) ** 2)
+        assert found[k] == pytest.approx(plain[k] + share * (groove - plain[k]), rel=1e-12)
+    support = 10.0 ** -(0.33 + 500.0 / 712.0)
+    assert fatigue_notch_factor(cut, 500e6).torsion == pytest.approx(found.torsion / (1.0 + support / math.sqrt(1.2)))
+    # As shallow as nothing it is the shoulder, as deep as the step the groove.
+    assert stress_concentration(cut._replace(undercut=1e-15)) == pytest.approx(plain, rel=1e-6)
+    whole = stress_concentration(cut._replace(larger=0.04000001)).bending
+    assert whole == pytest.approx(1.0 + 1.0 / math.sqrt(1.2 + 5.5 * slender * (1.0 + 2.0 * slender) ** 2), rel=1e-4)
+    with pytest.raises(DesignError, match=r"shoulder\.undercut: 11 mm given; it is less deep than the step, 10\.2 mm"):
+        stress_concentration(cut._replace(undercut=11e-3))
 
 
 def test_notch_sensitivity_is_neubers():

@@ -228,8 +228,19 @@ def inked(words):
 def test_no_text_covers_another(every):
     for sheet in every:
         boxes = [(words.text, inked(words)) for words in words_of(sheet)]
-        for (text, one), (other, two) in itertools.combinations(boxes, 2):
+        for k, j in meeting([box for _, box in boxes]):
+            (text, one), (other, two) = boxes[k], boxes[j]
             assert apart(one, two), f"{sheet.title}: {text!r} and {other!r}"
+
+
+def meeting(boxes):
+    """Return the pairs of turned rectangles whose upright boxes meet: no others can cover each other."""
+    corners = np.array(boxes)
+    both = np.triu(np.ones((len(boxes), len(boxes)), dtype=bool), 1)
+    for part in (corners.real, corners.imag):
+        low, high = part.min(axis=1), part.max(axis=1)
+        both &= (low[:, None] < high) & (low < high[:, None])
+    return np.argwhere(both).tolist()
 
 
 def test_no_line_runs_through_a_text(every):
@@ -481,7 +492,9 @@ def test_bores_of_the_housing_have_their_bearings_sizes_and_what_they_must_keep(
     assert "".join(rows.values()) == "ABCDEFGH" and not rows["input-axial"] and not rows["intermediate-axial"]
     # IT6 of 52 mm: 19 µm coaxial to A; js7 of 213.669 mm: IT7, 46 µm, to the axis A-B.
     assert {"Ø0.019", "Ø0.046"} <= set(texts_of)
-    assert true_to(sizing, "input") is None and true_to(sizing, "mast") is None
+    assert true_to(sizing, "input") is None
+    # IT6 of the 295 mm between the mast's bearings, 32 µm, square to the axis of the bevel pinion.
+    assert true_to(sizing, "mast") == Tolerance("perpendicularity", pytest.approx(0.032), "intermediate")
     assert true_to(sizing, "tail") == Tolerance("position", pytest.approx(0.030), "input")
 
 
@@ -500,6 +513,32 @@ def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():
     values = measured(sheet)
     for value in (23.9, 215.5, 216.8):
         assert any(math.isclose(value, each, rel_tol=1e-9) for each in values), value
+
+
+def test_an_undercut_is_named_in_its_place_and_drawn_ten_times_as_large_with_its_sizes():
+    """DIN 509 - F 1.6 x 0.3: f = 4, t_1 = 0.3, t_2 = 0.2; also as the DXF file measures them."""
+    (sheet,) = sheets(sized("ec120b"), ["shaft-mast"])
+    said = [words.text for words in words_of(sheet)]
+    assert said.count("DIN 509 - F 1.6 x 0.3") == 2 + 1 and "R1.6" in said and "R1.25" not in said
+    detail = [mark for mark in sheet.entities if isinstance(mark, Distance) and mark.scale == 10.0]
+    assert sorted(mark.measured for mark in detail) == pytest.approx([0.2, 0.3, 4.0])
+    found = written(sheet).modelspace().query("DIMENSION")
+    factors = [each.override().get("dimlfac") for each in found]
+    enlarged = [
+        each for each, factor in zip(found, factors, strict=True) if factor == pytest.approx(sheet.scale / 10.0)
+    ]
+    read = sorted(float(each.get_measurement()) * sheet.scale / 10.0 for each in enlarged)
+    assert read == pytest.approx([0.2, 0.3, 4.0])
+
+
+def test_fillets_beside_teeth_stand_in_the_table_too():
+    """The weakest section of the intermediate shaft: R2.5 at the small end of the bevel pinion."""
+    (sheet,) = sheets(sized("ec120b"), ["shaft-intermediate"])
+    (grid,) = [grid for content in contents(sized("ec120b")) if content.name == "shaft-intermediate"
+               for grid in content.grids if grid.title == "Fillets at shoulders"]  # fmt: skip
+    weakest = next(shaft for shaft in sized("ec120b").built_shafts if shaft.name == "intermediate").weakest
+    assert f"R{millimetres(1e3 * weakest.fillet)}" in {row[0] for row in grid.rows}
+    assert any(words.text == "R2.5" for words in words_of(sheet))
 
 
 def test_a_first_sizing_has_no_sheet_of_bores():

@@ -21,7 +21,7 @@ from gearwright.sizing.shafts.joints import Seat, keyway_depth, size_joint
 from gearwright.sizing.shafts.sections import Section, Strength, sections_of, strengths
 from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
 from gearwright.spec import parse
-from gearwright.spec.design import BearingSeat, Joint
+from gearwright.spec.design import BearingSeat, Joint, ShaftRules
 from mounted_designs import HELICOPTER, PAIR, ROTOR, sized
 
 STEEL = materials()["carburised-9310"]
@@ -170,7 +170,8 @@ def test_every_step_hub_and_load_is_a_section():
     ]
     forces = forces_of([0.0, 0.03, 0.07, 0.12], [0.0, 10.0, 5.0, 0.0], [0.0, 1.0, 1.0, 0.0], {"m": 0.11, "n": 0.0})
     stations = [0.0, 0.03, 0.07, 0.12]
-    found = sections_of(stretches, forces, {"hub": "spline"}, {"hub": 0.046}, stations=stations, fillet_ratio=0.02)
+    rules = ShaftRules(fillet_ratio=0.02)
+    found = sections_of(stretches, forces, {"hub": "spline"}, {"hub": 0.046}, stations=stations, rules=rules)
     assert [(section.place, section.owner, round(section.position, 9)) for section in found] == [
         ("at n", "after", 0.0), ("shoulder at a", "after", 0.02), ("seat of a", "a", 0.03),
         ("shoulder at hub", "after a", 0.06), ("spline at hub", "hub", 0.06), ("spline at hub", "hub", 0.07),
@@ -183,10 +184,14 @@ def test_every_step_hub_and_load_is_a_section():
     assert fillets == pytest.approx([0.02 * 0.030, 0.02 * 0.0405, 0.02 * 0.05])
     steep = [Stretch("a", "bearing", 0.0, 0.1, 0.040, 0.0, 1e-4), Stretch("after a", "between", 0.1, 0.2, 0.060)]
     idle = forces_of([0.0, 0.2], [0.0, 0.0], [0.0, 0.0], {"m": 0.0})
-    found = sections_of(steep, idle, {}, {}, stations=[0.0, 0.2], fillet_ratio=0.02)
+    found = sections_of(steep, idle, {}, {}, stations=[0.0, 0.2], rules=rules)
     (only,) = [section for section in found if section.shoulder is not None]
     assert only.shoulder == Shoulder(0.040, 0.060, pytest.approx(0.03 * 0.01))
     assert only.place == "shoulder at a"
+    found = sections_of(steep, idle, {}, {}, stations=[0.0, 0.2], rules=ShaftRules(shoulders="undercut"))
+    (only,) = [section for section in found if section.shoulder is not None]
+    assert (only.place, only.diameter) == ("undercut at a", pytest.approx(0.0396))
+    assert only.shoulder == pytest.approx(Shoulder(0.0396, 0.060, 1.2e-3, 0.2e-3))
 
 
 def judged(section, moment, torque, *, text=PAIR, bore=0.0):

@@ -13,9 +13,18 @@ from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.entities import Words
 from gearwright.shape import solid_masses
 from gearwright.sizing.making import spanner_checks
-from gearwright.sizing.shafts import cut_steps, groove_checks, grooves, held_rings, holders_of, holding_checks
+from gearwright.sizing.shafts import (
+    cut_steps,
+    groove_checks,
+    grooves,
+    held_rings,
+    holders_of,
+    holding_checks,
+    undercuts_of,
+)
 from gearwright.sizing.shafts.grooves import groove_strengths
 from gearwright.sizing.shafts.holders import clamped_plate
+from gearwright.spec import edited
 from shipped_work import sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
@@ -102,7 +111,19 @@ def test_grooves_are_cut_into_the_shaft_and_weighed():
     assert all(low[1] == high[0] for low, high in pairwise(steps))
     whole = sum(math.pi / 4.0 * step.diameter**2 * (step.end - step.start) for step in tail.steps)
     cut = sum(math.pi * radius**2 * (high - low) for low, high, radius in steps)
-    assert whole - cut == pytest.approx(math.pi / 4.0 * (0.020**2 - 0.019**2) * 1.3e-3, rel=1e-6)
+    taken = (0.020**2 - 0.019**2) * 1.3e-3 + (0.020**2 - 0.0196**2) * 2.5e-3 + (0.012**2 - 0.0116**2) * 2e-3
+    assert whole - cut == pytest.approx(math.pi / 4.0 * taken, rel=1e-6)
+
+
+def test_undercuts_lie_in_the_seats_of_bearings_beside_their_shoulders():
+    """DIN 509 - F 1.6 x 0.3 of 60 and 75 mm; none where a spacer lies on a shaft that is as thick."""
+    sizing = sized("ec120b")
+    cuts = {shaft.name: list(undercuts_of(sizing, shaft)) for shaft in sizing.built_shafts}
+    assert [(cut.place, cut.edge, cut.bottom) for cut in cuts["mast"]] == [
+        pytest.approx((0.044, 0.040, 0.0594)), pytest.approx((0.3015, 0.3055, 0.0744))]  # fmt: skip
+    assert [round(1e3 * cut.place, 6) for cut in cuts["intermediate"]] == [233.5]
+    plain = gw.size(edited(gw.read("ec120b"), {"shafting.shoulders": "fillet"}))
+    assert not any(list(undercuts_of(plain, shaft)) for shaft in plain.built_shafts)
 
 
 def test_a_groove_where_torque_passes_is_as_weak_as_shigley_says():

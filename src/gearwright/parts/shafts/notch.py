@@ -1,4 +1,4 @@
-"""How a shoulder of a shaft raises stress: stress concentration, and what of it the material feels."""
+"""How a shoulder of a shaft raises stress, or an undercut at its foot, and what of it the material feels."""
 
 from __future__ import annotations
 
@@ -34,6 +34,8 @@ class Shoulder(NamedTuple):
     """D [m]."""
     radius: float
     """Of the fillet r [m]."""
+    undercut: float = 0.0
+    """Depth t of an undercut at its foot, whose bottom then is the smaller diameter [m]."""
 
 
 def _check_shoulder(shoulder: Shoulder) -> None:
@@ -42,6 +44,9 @@ def _check_shoulder(shoulder: Shoulder) -> None:
     if step <= 0.0:
         message = f"{1e3 * shoulder.larger:g} mm is not above the smaller diameter, {1e3 * shoulder.diameter:g} mm"
         raise DesignError([Problem("shoulder.larger", message)])
+    if not 0.0 <= shoulder.undercut < step:
+        message = f"{1e3 * shoulder.undercut:g} mm given; it is less deep than the step, {1e3 * step:.3g} mm"
+        raise DesignError([Problem("shoulder.undercut", message)])
     if shoulder.radius < LEAST_RADIUS * step:
         smallest = 1e3 * LEAST_RADIUS * step
         message = f"{1e3 * shoulder.radius:g} mm given; the formulas hold from {smallest:.3g} mm on, 0.03 of the step"
@@ -55,7 +60,9 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
         shoulder: [m].
 
     Source: DIN 743-2:2012: 1 + 1/√(A r/t + 2 B r/d (1 + 2 r/d)² + C (r/t)^z d/D), bending A = 0.62, B = 5.8,
-        C = 0.2, z = 3; torsion A = 3.4, B = 19, C = 1, z = 2.
+        C = 0.2, z = 3; torsion A = 3.4, B = 19, C = 1, z = 2. With an undercut of bottom d in a shaft of d_1:
+        (α_R − α_A) √((d_1 − d)/(D − d)) + α_A, of the shoulder and of a round groove, whose bending has A = 0.2,
+        B = 2.75, torsion A = 0.7, B = 10.3, C = 0.
 
     Valid for: r/t ≥ 0.03, d/D ≤ 0.98.
 
@@ -63,7 +70,18 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
         DesignError: If the shoulder cannot be made.
     """
     _check_shoulder(shoulder)
-    return Concentration(_alpha(shoulder, (0.62, 5.8, 0.2), 3.0), _alpha(shoulder, (3.4, 19.0, 1.0), 2.0))
+    bending = _alpha(shoulder, (0.62, 5.8, 0.2), 3.0), (0.2, 2.75, 0.0)
+    torsion = _alpha(shoulder, (3.4, 19.0, 1.0), 2.0), (0.7, 10.3, 0.0)
+    return Concentration(*(_undercut(shoulder, plain, groove) for plain, groove in (bending, torsion)))
+
+
+def _undercut(shoulder: Shoulder, plain: float, groove: tuple[float, float, float]) -> float:
+    """Return α between that of the shoulder and that of the round groove that its undercut would be alone."""
+    if not shoulder.undercut:
+        return plain
+    alone = shoulder._replace(larger=shoulder.diameter + 2.0 * shoulder.undercut)
+    share = math.sqrt((alone.larger - alone.diameter) / (shoulder.larger - shoulder.diameter))
+    return plain + share * (_alpha(alone, groove, 1.0) - plain)
 
 
 def _alpha(shoulder: Shoulder, shape: tuple[float, float, float], exponent: float) -> float:
@@ -82,7 +100,8 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
         yield_strength: σ_S of the real section [Pa].
 
     Source: DIN 743-2:2012: β = α/n, n = 1 + √(G′ mm) 10^−(0.33 + σ_S/712 MPa); G′ = 2.3 (1 + φ)/r in bending and
-        1.15/r in torsion, φ = 1/(4 √(t/r) + 2) for d/D > 0.67, else 0.
+        1.15/r in torsion, φ = 1/(4 √(t/r) + 2) for d/D > 0.67, else 0. Those of an undercut are assumed to be those of
+        a groove, 2 (1 + φ)/r and 1/r, which support it less.
 
     Raises:
         DesignError: If the shoulder cannot be made.
@@ -92,7 +111,7 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
     slender = shoulder.diameter / shoulder.larger > 0.67
     phi = 1.0 / (4.0 * math.sqrt(step / shoulder.radius) + 2.0) if slender else 0.0
     support = math.pow(10.0, -(0.33 + yield_strength / _MPA / 712.0))
-    gradients = (2.3 * (1.0 + phi), 1.15)
+    gradients = (2.0 * (1.0 + phi), 1.0) if shoulder.undercut else (2.3 * (1.0 + phi), 1.15)
     factors = (1.0 + math.sqrt(gradient / (shoulder.radius * _MM)) * support for gradient in gradients)
     return Concentration(*(peak / factor for peak, factor in zip(alpha, factors, strict=True)))
 

@@ -105,7 +105,7 @@ def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
     parts = extent([mark for mark in entities if isinstance(mark, Path | Arc) and mark.layer is Layer.OUTLINE])
     entities += _distances(sizing, plane, scale, list(segments(entities)))
     dots = [(item.anchor - arm, item.anchor + arm) for item in items for arm in (DOT, 1j * DOT)]
-    entities += _machines(sizing, plane, scale, [*segments(entities), *dots])
+    entities += _machines(sizing, plane, scale, [*segments(entities), *dots], parts)
     entities += _balloons(items, extent(entities), texts(entities))
     entities += _overall(parts, entities, scale, tall=plane.exact and not plane.notes)
     return [[*([end_view(sizing, scale)] if _has_end_view(sizing, plane) else []), entities]]
@@ -127,8 +127,11 @@ def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity]
     return entities, items
 
 
-def _machines(sizing: Sizing, plane: Positions, scale: float, lines: Sequence[Segment]) -> Iterator[Entity]:
-    """Yield the name of every machine, clutch and damper where it joins its shaft, clear of lines and other names."""
+def _machines(sizing: Sizing, plane: Positions, scale: float, lines: Sequence[Segment], parts: Box) -> Iterator[Entity]:
+    """Yield the name of every machine, clutch and damper where it joins its shaft, clear of lines and other names.
+
+    Those within the parts stand above or below them, where that is not too far.
+    """
     seats = dict(sizing.train.machines) | {link.name: link.driving for link in sizing.train.links}
     names: list[Words] = []
     for name, shaft in seats.items():
@@ -138,7 +141,7 @@ def _machines(sizing: Sizing, plane: Positions, scale: float, lines: Sequence[Se
         if first < x < last:
             ways = [complex(aside, -way * (14.0 + 4.0 * k))
                     for aside in (4.0, 12.0, 20.0, 28.0) for k in range(3 * _TRIES) for way in (1.0, -1.0)]  # fmt: skip
-            knees = [axis.at(x) + way for way in ways]
+            knees = sorted((axis.at(x) + way for way in ways), key=lambda knee: parts[1] < knee.imag < parts[3])
             wanted = [Words(knee + complex(1.0, -SMALL / 2.0), name, SMALL) for knee in knees]
             words = _clear(wanted, names, lines)
             yield Path((axis.at(x), knees[wanted.index(words)]), Layer.SYMBOL)
@@ -161,7 +164,8 @@ def _beyond(name: str, end: complex, outwards: complex) -> list[Words]:
 
 def _clear(wanted: Sequence[Words], names: Sequence[Words], lines: Sequence[Segment]) -> Words:
     """Return the first of several places of a name where it covers no other one, and no line where that can be."""
-    apart = [words for words in wanted if not any(overlap(extent([words]), extent([other])) for other in names)]
+    boxes = [extent([other]) for other in names]
+    apart = [words for words in wanted if not any(overlap(extent([words]), box) for box in boxes)]
     return next((words for words in apart if clear_of([words], lines)), apart[0] if apart else wanted[0])
 
 

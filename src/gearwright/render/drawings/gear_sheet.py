@@ -13,7 +13,18 @@ from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, crossings, segments
 from gearwright.render.drawings.sheet.dimensions import arrow, corner_leader, corner_words, words_corners
-from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words, trimmed
+from gearwright.render.drawings.sheet.entities import (
+    GAP,
+    TEXT,
+    Corner,
+    Distance,
+    Entity,
+    Layer,
+    Path,
+    Words,
+    trimmed,
+    words_length,
+)
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import texture, texture_length
 from gearwright.render.drawings.sheet.tolerances import (
@@ -59,6 +70,8 @@ FACE_GRADE = 5
 """Of the run-out of a gear's faces; assumed."""
 LEAST_ACROSS = 20.0
 """Diameter on paper below which that of a hub stands in the notes alone [mm]."""
+CORNER = 2.0
+"""Radius between web, rim and hub [mm]; assumed."""
 ASIDE = 9.0
 """From a part to its nearest dimension line [mm]."""
 
@@ -95,6 +108,7 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         share = f"; both leave {ratio:g} of the solid disc" if gear.role is Role.WHEEL and ratio < 1.0 else ""
         wide, inside, outside = (trimmed(size, 2) for size in (hub.web.width, 2.0 * hub.web.rim, 2.0 * hub.web.hub))
         yield f"Web {wide} thick in the middle, rim inside Ø{inside}, hub Ø{outside}: as weighed{share}."
+        yield f"Inner corners R{CORNER:g} (assumed; not weighed)."
     if hub.bore and kind_of(sizing, gear.stage) == "bevel":
         yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
@@ -132,7 +146,7 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
         if hub.bore:
             suffix = f" {hub.tolerance}" if hub.tolerance else ""
             entities.append(_across(axis, hub.bore / 2.0, span[0], -ASIDE, suffix))
-            entities += _against_bore(axis, hub.bore / 2.0, MM * teeth.root_radius, span[0])
+            entities += _against_bore(axis, hub.bore / 2.0, MM * teeth.root_radius, span)
     if span[1] > 1.5 * MM * gear.face_width:
         middle, root = span[1] / 2.0, MM * teeth.root_radius
         entities += [
@@ -141,6 +155,10 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     entities.append(_across(axis, outer, span[1], ASIDE + 16.0))
     if hub.web is not None and not internal and 2.0 * axis.scale * hub.web.hub > LEAST_ACROSS:
         entities += [_across(axis, hub.web.hub, span[1], ASIDE), _across(axis, hub.web.rim, span[1], ASIDE + 8.0)]
+        middle, half = (span[0] + span[1]) / 2.0, hub.web.width / 2.0
+        for named in _thickness(axis, (middle - half, middle + half), (hub.web.hub, hub.web.rim)):
+            aside = -3.0 - words_length(named.text, TEXT) / 2.0
+            entities.append(replace(named, text_at=complex(axis.at(span[0]).real + aside, named.line.imag + GAP)))
     entities.append(_width(axis, span, outer))
     left = hub.web is not None and not internal
     entities += _flank(
@@ -151,16 +169,30 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     return entities
 
 
-def _against_bore(axis: Axis, bore: float, root: float, x: float) -> Iterator[Entity]:
-    """Yield the bore as a datum, and what a face may run out against it, where sheet and gear have room for both."""
-    foot = axis.at(x, -bore) - ASIDE
+def _thickness(axis: Axis, web: tuple[float, float], radii: tuple[float, float]) -> Iterator[Distance]:
+    """Yield the thickness of a web where the sheet has room between rim and hub."""
+    if axis.scale * (radii[1] - radii[0]) > LEAST_ACROSS:
+        low, high = (axis.at(x, sum(radii) / 2.0) for x in web)
+        yield Distance(low, high, low, 0.0, axis.scale)
+
+
+def _against_bore(axis: Axis, bore: float, root: float, span: tuple[float, float]) -> Iterator[Entity]:
+    """Yield the bore as a datum, and what a face may run out against it: beside the datum, or on the other face."""
+    foot = axis.at(span[0], -bore) - ASIDE
     yield from datum(foot, -1j, "A")
-    level = (axis.at(x, -bore) - 1j * (TRIANGLE + 2.0 + 2.0 * HIGH)).imag
+    level = (axis.at(span[0], -bore) - 1j * (TRIANGLE + 2.0 + 2.0 * HIGH)).imag
     tolerance = face_runout(root)
-    if tolerance is not None and level > axis.at(x, -root).imag:
-        face = complex(axis.at(x).real, level)
+    if tolerance is None:
+        return
+    if level > axis.at(span[0], -root).imag:
+        face = complex(axis.at(span[0]).real, level)
         yield from (Path((face, face - ASIDE), Layer.SYMBOL), arrow(face, 1 + 0j, Layer.SYMBOL))
         yield from tolerance_frame(face - ASIDE - frame_length(tolerance), tolerance)
+    else:
+        face = axis.at(span[1], -(bore + root) / 2.0)
+        start = face + ASIDE + 24.0
+        yield from (Path((face, start), Layer.SYMBOL), arrow(face, -1 + 0j, Layer.SYMBOL))
+        yield from tolerance_frame(start, tolerance)
 
 
 def face_runout(root: float) -> Tolerance | None:
@@ -245,6 +277,10 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     if hub.boss is not None:
         outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
         entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
+        front, back = hub.way[-1], hub.way[1]
+        radii = (hub.boss.diameter / 2.0, min(front.imag, back.imag))
+        if front.real < back.real:
+            entities += _thickness(axis, (front.real, back.real), radii)
     return entities
 
 

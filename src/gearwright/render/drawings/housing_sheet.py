@@ -89,9 +89,10 @@ def _axis_of(sizing: Sizing, own: Sequence[BearingSizing], letters: Mapping[str,
 
 
 def true_to(sizing: Sizing, shaft: str) -> Tolerance | None:
-    """Return where the axis of a shaft's bores may stand to that of the shaft before it; None of the first.
+    """Return how the axis of a shaft's bores may stand to that of the shaft before it; None of the first.
 
-    The zone of a position is as wide as the centre distance may vary both ways.
+    The zone of a position is as wide as the centre distance may vary both ways. Axes of a bevel pair at 90° are square,
+    over the length of the shaft between its bearings.
 
     Args:
         sizing: What was sized.
@@ -101,11 +102,22 @@ def true_to(sizing: Sizing, shaft: str) -> Tolerance | None:
     for mesh in sizing.meshes:
         nodes = next(row.nodes[:2] for row in sizing.train.meshes if row.name == mesh.name)
         others = [name for name in nodes if name != shaft and name in order[: order.index(shaft)]]
-        if shaft in nodes and others and kind_of(sizing, mesh.stage) == "cylindrical":
+        if not others or shaft not in nodes:
+            continue
+        if kind_of(sizing, mesh.stage) == "bevel" and _is_square(sizing, mesh.stage):
+            seats = [one.position for one in sizing.bearings if one.shaft == shaft]
+            square = standard_tolerance(max(seats) - min(seats), BORE_GRADE)
+            return Tolerance("perpendicularity", MM * square, others[0])
+        if kind_of(sizing, mesh.stage) == "cylindrical":
             fit = sizing.design.rules(mesh.stage).centre_allowance or CENTRE_FIT
             allowance = centre_allowance(mesh.centre_distance, fit)
             return Tolerance("position", MM * 2.0 * allowance, others[0])
     return None
+
+
+def _is_square(sizing: Sizing, stage: str) -> bool:
+    angle = sizing.design.pairs[stage].axis_angle
+    return angle is None or math.isclose(angle, math.pi / 2.0)
 
 
 def _view(
@@ -206,5 +218,6 @@ def _notes() -> Iterator[str]:
     grade = f"IT{BORE_GRADE}"
     yield f"Coaxiality and perpendicularity {grade}, flatness of faces for covers {grade}/2 (usual; assumed)."
     yield f"Position of axes: as far as centre distances may vary, {CENTRE_FIT} (DIN 3964) where nothing is given."
+    yield f"Axes of a bevel pair are square to {grade} of the distance of its bearings (assumed)."
     yield "Free bores have 1 mm more than their bearings, which bear no radial load. Frames at bores mean their axes."
     yield f"Walls and shoulders as wide as drawn ({LIP:g} mm) are not sized; the housing around them is not drawn."

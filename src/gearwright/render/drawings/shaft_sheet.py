@@ -25,6 +25,7 @@ from gearwright.render.drawings.views.marks import ACROSS, Mark, marked
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
 from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.render.drawings.views.undercut_view import undercut_detail
 from gearwright.render.drawings.views.weights import mass_with_gears
 from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
@@ -97,7 +98,8 @@ def _views(body: ShaftBody, seats: Sequence[Piece], cuts: Sequence[Groove], scal
         reach = slot.diameter / 2.0 * scale + 2.0
         main += cutting_plane(axis.at((slot.start + slot.end) / 2.0), reach, letter, looking=1 + 0j)
         sections.append(_section(slot, body.bore, letter, scale))
-    return [[main], *([sections] if sections else [])]
+    details = [undercut_detail(standard) for standard in dict.fromkeys(cut.standard for cut in body.undercuts)]
+    return [[main, *details], *([sections] if sections else [])]
 
 
 def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
@@ -115,14 +117,15 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
         if not piece.tolerance and piece.diameter in beside:
             continue
         x = _middle(body, piece)
-        conical = piece.diameters[0] != piece.diameters[1]
-        if conical:
+        if piece.conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
         suffix = f" {piece.tolerance}" if piece.tolerance else ""
         yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
     for toothing in body.splines:
         x = toothing.start + 0.75 * (toothing.end - toothing.start)
         yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
+    for cut in body.undercuts:
+        yield Mark(MM * (cut.place + cut.edge) / 2.0, MM * cut.bottom / 2.0, "", cut.standard.designation)
 
 
 def _middle(body: ShaftBody, piece: Piece) -> float:
@@ -199,8 +202,9 @@ def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
     """Return the fillets at shoulders that the strength was judged with; equal ones in a row."""
     places: dict[str, list[str]] = {}
     for x, radius in body.fillets:
-        if not any(piece.toothed and piece.start - 1e-6 <= x <= piece.end + 1e-6 for piece in body.pieces):
-            places.setdefault(f"R{millimetres(radius)}", []).append(millimetres(x))
+        cone = next((piece for piece in body.pieces if piece.conical and piece.start < x < piece.end), None)
+        at = x if cone is None else min(cone.start, cone.end, key=lambda end: abs(end - x))
+        places.setdefault(f"R{millimetres(radius)}", []).append(millimetres(at))
     rows = tuple((radius, ", ".join(at)) for radius, at in places.items())
     return (Grid("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
 

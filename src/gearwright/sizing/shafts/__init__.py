@@ -11,10 +11,12 @@ from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.retention import ENDS, Retention, ends, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
+from gearwright.sizing.shafts.undercuts import Cut, undercuts_of
 
 __all__ = [
     "ENDS",
     "Built",
+    "Cut",
     "Groove",
     "Held",
     "Holder",
@@ -41,4 +43,5 @@ __all__ = [
     "size_carriers",
     "size_shafts",
     "strengths",
+    "undercuts_of",
 ]

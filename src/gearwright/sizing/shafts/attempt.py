@@ -105,8 +105,8 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
         for joint in joints
         if joint.kind in ("key", "spline", "press-fit")
     }
-    fillet_ratio = task.context.design.shafting.fillet_ratio
-    sections = sections_of(stretches, task.forces, hubs, roots, stations=task.stations, fillet_ratio=fillet_ratio)
+    rules = task.context.design.shafting
+    sections = sections_of(stretches, task.forces, hubs, roots, stations=task.stations, rules=rules)
     return Attempt(stretches, chosen, bore, sections, borne(sections, task.forces, task.judge, bore=bore), joints)
 
 

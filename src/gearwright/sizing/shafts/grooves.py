@@ -19,6 +19,7 @@ from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts.holding import holders_of
 from gearwright.sizing.shafts.retention import Retention, ends
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
+from gearwright.sizing.shafts.undercuts import undercuts_of
 
 GROOVE_RADIUS = 0.1
 """At the bottom of a ring's groove over the thickness of the ring, at most: DIN 471 [-]."""
@@ -64,20 +65,22 @@ def grooves(sizing: Sizing) -> Iterator[Groove]:
 
 
 def cut_steps(sizing: Sizing, shaft: BuiltShaft) -> tuple[tuple[float, float, float], ...]:
-    """Return the steps of a shaft with the grooves of its rings, as start, end and radius [m].
+    """Return the steps of a shaft with its undercuts and the grooves of its rings, as start, end and radius [m].
 
     Args:
         sizing: As sized.
         shaft: One of its built shafts.
     """
     own = [groove for groove in grooves(sizing) if groove.shaft == shaft.name and not groove.is_thread]
+    taken = [(groove.start, groove.end, groove.diameter) for groove in own]
+    taken += [(*sorted((cut.place, cut.edge)), cut.bottom) for cut in undercuts_of(sizing, shaft)]
     steps = []
     for step in shaft.steps:
         edges = {step.start, step.end}
-        edges |= {edge for groove in own for edge in (groove.start, groove.end) if step.start < edge < step.end}
+        edges |= {edge for start, end, _ in taken for edge in (start, end) if step.start < edge < step.end}
         places = sorted(edges)
         for low, high in pairwise(places):
-            cut = [groove.diameter for groove in own if groove.start < high - _NEAR and groove.end > low + _NEAR]
+            cut = [left for start, end, left in taken if start < high - _NEAR and end > low + _NEAR]
             steps.append((low, high, min([step.diameter, *cut]) / 2.0))
     return tuple(steps)
 

@@ -43,10 +43,10 @@ from gearwright.parts.shafts import (
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.shafts.stretches import Stretch
+from gearwright.sizing.shafts.undercuts import BLUNTEST, foot_of
 from gearwright.spec import Design
+from gearwright.spec.design import ShaftRules
 
-BLUNTEST = 0.98
-"""Thinner over thicker diameter above which a step is no notch [-] (DIN 743-2:2012)."""
 THINNEST = 0.97
 """Bore over diameter beyond which a section counts as if it had this wall, until it has grown [-]."""
 NO_LIMIT = 99.0
@@ -112,7 +112,7 @@ def sections_of(
     roots: Mapping[str, float],
     *,
     stations: Sequence[float],
-    fillet_ratio: float,
+    rules: ShaftRules,
 ) -> tuple[Section, ...]:
     """Return every section of a shaft that may break, in order along it.
 
@@ -122,10 +122,10 @@ def sections_of(
         hubs: Hub -> how it notches the shaft.
         roots: Hub -> diameter that is left under it, of a spline [m].
         stations: Where anything acts, each once, in order [m].
-        fillet_ratio: Fillet over the thinner diameter where no bearing asks for less [-].
+        rules: Fillets or undercuts at shoulders.
     """
     blank = max(stretch.diameter for stretch in stretches)
-    sections = list(_shoulders(stretches, fillet_ratio, blank))
+    sections = list(_shoulders(stretches, rules, blank))
     for hub in (stretch for stretch in stretches if hubs.get(stretch.name)):
         root, kind = roots.get(hub.name, hub.diameter), hubs[hub.name]
         inside = (at for at in stations if hub.start < at < hub.end)
@@ -157,12 +157,17 @@ def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
     return f"at {min(places, key=lambda part: abs(places[part] - position))}"
 
 
-def _shoulders(stretches: Sequence[Stretch], fillet_ratio: float, blank: float) -> Iterator[Section]:
+def _shoulders(stretches: Sequence[Stretch], rules: ShaftRules, blank: float) -> Iterator[Section]:
     for left, right in pairwise(stretches):
         thin, thick = (left, right) if left.diameter < right.diameter else (right, left)
-        if thin.diameter < BLUNTEST * thick.diameter:
+        cut = foot_of(thin.diameter, thick.diameter, rules) if thin.kind == "bearing" else None
+        if cut is not None:
+            bottom = thin.diameter - 2.0 * cut.depth
+            shoulder = Shoulder(bottom, thick.diameter, cut.radius, cut.depth)
+            yield Section(f"undercut at {thin.name}", thin.name, right.start, bottom, blank, shoulder)
+        elif thin.diameter < BLUNTEST * thick.diameter:
             sharpest = LEAST_RADIUS * (thick.diameter - thin.diameter) / 2.0
-            radius = max(thin.fillet or fillet_ratio * thin.diameter, sharpest)
+            radius = max(thin.fillet or rules.fillet_ratio * thin.diameter, sharpest)
             named = thin if thin.kind != "between" else thick
             shoulder = Shoulder(thin.diameter, thick.diameter, radius)
             yield Section(f"shoulder at {named.name}", thin.name, right.start, thin.diameter, blank, shoulder)

@@ -58,7 +58,7 @@ from gearwright.spec.design.rules import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.shafts import NOTHING_GIVEN, SIDE_ANGLES, KeepOut, ShaftLayout, Support
+from gearwright.spec.design.shafts import NOTHING_GIVEN, SIDE_ANGLES, KeepOut, ShaftLayout, ShaftRules, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.spectrum import (
     RATED,
@@ -148,6 +148,7 @@ __all__ = [
     "SealName",
     "Service",
     "ShaftLayout",
+    "ShaftRules",
     "Spectrum",
     "StageShifts",
     "Support",

@@ -51,6 +51,11 @@ class ShaftRules(Record):
     fillet_ratio: Ratio = Field(
         0.05, ge=0.01, le=0.3, description="Fillet radius over the thinner diameter where no bearing asks for less"
     )
+    shoulders: Literal["fillet", "undercut"] = Field(
+        "fillet",
+        description="At the shoulders of bearing seats: a fillet as the bearing allows, ground with the shoulder, or an"
+        " undercut DIN 509-F for increased fatigue strength",
+    )
 
 
 class CarrierRules(Record):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 from gearwright.errors import DesignError, Problem
 from gearwright.render.drawings.sheet.dimensions import extent
@@ -72,12 +73,13 @@ Room = tuple[float, float, float, float]
 
 def _fits(content: Content) -> Iterator[tuple[Size, float, Rows, Room]]:
     """Yield the sheets that hold the content, the best first."""
+    views = cache(content.views)
     for smallest_scale, tried in WISHES:
         for size in SIZES[: len(SIZES) if content.is_whole and smallest_scale < 1.0 else tried]:
             room = _room(content, size)
             for scale in SCALES:
                 if room is not None and smallest_scale <= scale <= content.largest_scale:
-                    rows = content.views(scale)
+                    rows = views(scale)
                     width, height = _rows_size(rows)
                     if width <= room[2] - room[0] and height <= room[3] - room[1]:
                         yield size, scale, rows, room

@@ -60,7 +60,23 @@ def crossings(words: Words, lines: Iterable[Segment]) -> int:
     corners = list(words_corners(words))
     middle, along = sum(corners) / 4.0, cmath.rect(1.0, words.turn)
     half = complex(words.length * (0.5 - EDGE), INKED * abs(corners[1] - corners[0]) / 2.0)
-    return sum(_meets((one - middle) / along, (other - middle) / along, half) for one, other in lines)
+    near = _beside(lines, corners)
+    return sum(_meets((one - middle) / along, (other - middle) / along, half) for one, other in near)
+
+
+def _beside(lines: Iterable[Segment], corners: Sequence[complex]) -> Iterator[Segment]:
+    """Yield the lines whose boxes meet that of some points: no other one can run between them."""
+    left, right = min(corner.real for corner in corners), max(corner.real for corner in corners)
+    low, high = min(corner.imag for corner in corners), max(corner.imag for corner in corners)
+    for line in lines:
+        one, other = line
+        if not (
+            (one.real < left and other.real < left)
+            or (one.real > right and other.real > right)
+            or (one.imag < low and other.imag < low)
+            or (one.imag > high and other.imag > high)
+        ):
+            yield line
 
 
 def clear_of(words: Iterable[Words], lines: Sequence[Segment]) -> bool:

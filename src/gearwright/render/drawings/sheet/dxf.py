@@ -177,6 +177,7 @@ def _add_words(space: Modelspace, words: Words, enlarged: float) -> None:
 
 
 def _add_distance(space: Modelspace, dimension: Distance, enlarged: float) -> None:
+    factor = 1.0 / (enlarged * dimension.scale)  # of a detail in another scale than its sheet
     centre = text_place(dimension) + cmath.rect(TEXT / 2.0, dimension.angle) * 1j
     added = space.add_linear_dim(
         base=_point(ends(dimension)[1], enlarged),
@@ -185,6 +186,7 @@ def _add_distance(space: Modelspace, dimension: Distance, enlarged: float) -> No
         angle=math.degrees(dimension.angle),
         text=f"{dimension.prefix}<>{dimension.suffix}",
         dimstyle=STYLE,
+        override={} if math.isclose(factor, 1.0) else {"dimlfac": factor},
         dxfattribs={"layer": dimension.layer.name},
     )
     added.set_location(_point(centre, enlarged))

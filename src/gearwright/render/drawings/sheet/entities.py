@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import lru_cache
 
 from gearwright.render.vector.words import POINT, text_width
 
@@ -214,6 +215,7 @@ def trimmed(value: float, digits: int) -> str:
     return f"{value:z.{digits}f}".rstrip("0").rstrip(".")
 
 
+@lru_cache(maxsize=8192)
 def words_length(text: str, height: float) -> float:
     """Return the length of a line of text [mm].
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
 from gearwright.identity import Role, gear_part
-from gearwright.render.drawings.sheet.entities import Entity, Layer, Path
+from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
 from gearwright.render.drawings.views.gear_view import bevel_section, cylinder_section, ring_section
@@ -32,7 +31,9 @@ from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
 
 LEAST_RING = 0.5
-"""Room between pin and planet below which nothing is drawn in it [mm]."""
+"""Room between pin and planet, and metal around a pin, below which nothing is drawn [mm]."""
+CARRIER_LEAN = math.radians(60.0)
+"""Of the hatching of carriers [rad]: unlike that of gears."""
 
 
 @dataclass(frozen=True)
@@ -254,12 +255,12 @@ def _towards(plane: Positions, shaft: str, middle: float, plate: float) -> float
 def _carrier(
     axis: Axis, carrier: CarrierSizing, cage: Cage, middle: float, *, half: float, side: float
 ) -> Iterator[Entity]:
-    """Yield the pins, and the plates beside the planets."""
+    """Yield the pins, uncut, and the plates beside the planets in section, from the hole for shafts outwards."""
     pin, outer = MM * carrier.pin_diameter / 2.0, MM * cage.plates[0].body.radius
     faces = []
     for way, plate in zip((side, -side), cage.plates, strict=False):
         near = middle + way * (half + PLATE_GAP)
-        faces.append((near, near + way * MM * plate.body.length))
+        faces.append((near, near + way * MM * plate.body.length, MM * plate.bore))
     far = faces[0][1]
     last = faces[1][1] if len(faces) > 1 else middle - side * half
     for sign in (1.0, -1.0):
@@ -268,8 +269,9 @@ def _carrier(
         yield Path(tuple(axis.at(x, radius + r) for x, r in pins), Layer.OUTLINE, closed=True)
         ends = (last - side * 3.0, far + side * 3.0)
         yield Path((axis.at(ends[0], radius), axis.at(ends[1], radius)), Layer.CENTRE)
-    for near, end in faces:
-        corners = [(near, -outer), (end, -outer), (end, outer), (near, outer)]
-        yield from (
-            Path((axis.at(*start), axis.at(*stop)), Layer.OUTLINE) for start, stop in pairwise([*corners, corners[0]])
-        )
+        for near, end, bore in faces:
+            around = ((bore, MM * carrier.radius - pin), (MM * carrier.radius + pin, outer))
+            for low, high in (room for room in around if room[1] - room[0] > LEAST_RING):
+                box = ((near, low), (end, low), (end, high), (near, high))
+                corners = tuple(axis.at(x, sign * r) for x, r in box)
+                yield from (Hatch(corners, CARRIER_LEAN, 1.5), Path(corners, Layer.OUTLINE, closed=True))

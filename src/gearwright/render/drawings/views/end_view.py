@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments
 from gearwright.render.drawings.sheet.dimensions import extent
@@ -105,6 +106,8 @@ def _names(named: Sequence[tuple[complex, str]], lines: Sequence[Segment]) -> li
                 for k in range(TRIES) for j in range(TRIES) for side in (1.0, -1.0)]  # fmt: skip
         ways += [complex(-way.real - wide, way.imag) for way in ways]
         wanted = [Words(middle + way, name, SMALL) for way in sorted(ways, key=abs)]
-        apart = [words for words in wanted if not any(overlap(extent([words]), extent([other])) for other in found)]
-        found.append(next((words for words in apart if clear_of([words], lines)), apart[0]))
+        boxes = [extent([other]) for other in found]
+        apart = (words for words in wanted if not any(overlap(extent([words]), box) for box in boxes))
+        nearest = next(apart)
+        found.append(next((words for words in chain([nearest], apart) if clear_of([words], lines)), nearest))
     return found

@@ -11,7 +11,7 @@ from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
-from gearwright.sizing.shafts import grooves
+from gearwright.sizing.shafts import Cut, grooves, undercuts_of
 
 MM = 1e3
 """Millimetres in a metre."""
@@ -45,6 +45,11 @@ class Piece:
     def toothed(self) -> bool:
         """True where teeth are cut in it."""
         return self.pitch is not None
+
+    @property
+    def conical(self) -> bool:
+        """True where its ends differ."""
+        return self.diameters[0] != self.diameters[1]
 
 
 @dataclass(frozen=True)
@@ -90,6 +95,7 @@ class ShaftBody:
     """Gears that are one piece with it."""
     fillets: tuple[tuple[float, float], ...] = ()
     """Shoulder along the axis, and radius of its fillet [mm]."""
+    undercuts: tuple[Cut, ...] = ()
 
     @property
     def length(self) -> float:
@@ -119,6 +125,8 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     for groove in grooves(sizing):
         if groove.shaft == name and not groove.is_thread:
             pieces = _overlaid(pieces, Piece(MM * groove.start, MM * groove.end, (MM * groove.diameter,) * 2))
+    cuts = tuple(undercuts_of(sizing, built))
+    feet = {(cut.place, cut.bottom) for cut in cuts}
     return ShaftBody(
         name,
         tuple(pieces),
@@ -126,8 +134,10 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         slots=tuple(_slot(joint) for joint in joints if joint.kind == "key"),
         splines=tuple(_toothing(joint) for joint in joints if joint.kind == "spline"),
         gears=tuple(joint.part for joint in integral),
-        fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections if section.fillet),
-    )
+        fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections
+                      if section.fillet and (section.position, section.diameter) not in feet),
+        undercuts=cuts,
+    )  # fmt: skip
 
 
 def _turned(sizing: Sizing, step: ShaftStep) -> Piece:

@@ -9,9 +9,13 @@ from typing import NamedTuple
 
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import CHAMFERS, MM, Piece, ShaftBody, Slot, Toothing
+from gearwright.render.drawings.views.undercut_view import undercut_profile
+from gearwright.sizing.shafts import Cut
 
 OVERSHOOT = 3.0
 """How far a centre line goes beyond what it belongs to [mm]."""
+NEAR = 1e-6
+"""Places that are nearer to each other are one [mm]."""
 _TURN = tuple(2.0 * math.pi * k / 96 for k in range(97))
 
 
@@ -88,15 +92,28 @@ def _profile(body: ShaftBody) -> list[tuple[float, float]]:
     points: list[tuple[float, float]] = []
     fillets = {round(x, 6): radius for x, radius in body.fillets}
     for before, piece in zip((None, *body.pieces), body.pieces, strict=False):
-        if before is not None and not (before.toothed or piece.toothed):
-            points += _fillet(before, piece, fillets.get(round(piece.start, 6), 0.0))
-        points += [(piece.start, piece.diameters[0] / 2.0), (piece.end, piece.diameters[1] / 2.0)]
+        start = [(piece.start, piece.diameters[0] / 2.0)]
+        if before is not None and not (before.conical or piece.conical):
+            cut = next((cut for cut in body.undercuts if abs(MM * cut.place - piece.start) < NEAR), None)
+            foot = _fillet(before, piece, fillets.get(round(piece.start, 6), 0.0)) if cut is None else _undercut(cut)
+            if foot and before.diameters[1] < piece.diameters[0]:
+                points[-1:] = foot
+            elif foot:
+                start = foot
+        points += [*start, (piece.end, piece.diameters[1] / 2.0)]
     first_chamfer, last_chamfer = end_chamfer(first), end_chamfer(last)
     if first_chamfer:
         points[:1] = [(first.start, points[0][1] - first_chamfer), (first.start + first_chamfer, points[0][1])]
     if last_chamfer:
         points[-1:] = [(last.end - last_chamfer, points[-1][1]), (last.end, points[-1][1] - last_chamfer)]
     return points
+
+
+def _undercut(cut: Cut) -> list[tuple[float, float]]:
+    """Return the points of an undercut, from left to right."""
+    way, radius = math.copysign(1.0, cut.edge - cut.place), MM * (cut.bottom / 2.0 + cut.standard.depth)
+    points = [(MM * cut.place + way * along, radius + above) for along, above in undercut_profile(cut.standard)]
+    return points if way < 0.0 else points[::-1]
 
 
 def _fillet(left: Piece, right: Piece, radius: float) -> list[tuple[float, float]]:
