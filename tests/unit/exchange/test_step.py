@@ -150,3 +150,20 @@ def test_a_helical_wheel_has_the_volume_of_its_teeth():
     BRepMesh_IncrementalMesh(made, 0.01, False, 0.1, False)
     BRepGProp.VolumeProperties_s(made, properties, False, False, True)
     assert 1e-9 * properties.Mass() == pytest.approx(surface_of(solid(60, 0.0), 720).volume, rel=4e-4)  # chords of both
+
+
+@pytest.mark.extra("OCP")
+def test_holes_are_bored_through_a_web():
+    from OCP.BRepCheck import BRepCheck_Analyzer
+
+    from gearwright.exchange.step.solids import made_of, volume_of
+
+    tooth = TransverseTooth(20, 3e-3)
+    blank = Blank(tooth.root_radius, 0.02, 0.008, 0.006, 0.02, 0.006)
+    loop = loop_of(transverse_form(tooth, fillet=3, flank=3), 20)
+    plain, bored = (
+        made_of(disc_gear(loop, [(-0.01, 0.0), (0.01, 0.0)], blank._replace(holes=holes))) for holes in (0, 5)
+    )
+    assert BRepCheck_Analyzer(bored).IsValid()
+    radius = blank._replace(holes=5).hole_radius
+    assert volume_of(plain) - volume_of(bored) == pytest.approx(5 * math.pi * radius**2 * 0.006, rel=1e-6)

@@ -122,6 +122,28 @@ def test_a_gear_has_the_volume_of_its_teeth_and_its_body(beta):
     assert solid.volume == pytest.approx(40 * outline_area(tooth) * 0.02 + math.pi * root**2 * 0.02 - body, rel=5e-4)
 
 
+@pytest.mark.parametrize("holes", [3, 5, 6, 12])
+@pytest.mark.parametrize("hub", [0.3, 0.7])
+def test_holes_in_a_web_are_closed_and_no_face_folds_over_them(holes, hub):
+    """Euler's number falls by 2 with every hole beside the bore; faces have the area of the web less the polygons."""
+    tooth = TransverseTooth(40, 2e-3)
+    root = tooth.root_radius
+    blank = Blank(root, 0.85 * root, hub * root, 0.25 * root, 0.02, 0.006)
+    loop, ends = loop_of(transverse_form(tooth, fillet=3, flank=4), 40), [(-0.01, 0.0), (0.01, 0.0)]
+    for segments in (30, 60, 720):
+        plain, bored = (
+            surface_of(disc_gear(loop, ends, blank._replace(holes=count)), segments) for count in (0, holes)
+        )
+        assert edges_of(bored) == (0, -2 * holes)
+        first, second, third = (bored.points[bored.triangles[:, k]] for k in range(3))
+        areas = np.cross(second - first, third - first) / 2.0
+        assert np.all(np.einsum("ij,ij->i", areas, bored.normals[bored.triangles[:, 0]]) > 0.0)
+        taken = holes * math.pi * blank._replace(holes=holes).hole_radius ** 2 * 0.006
+        near = 0.05 if segments < 720 else 5e-3  # polygons of 12 and of 180 corners; other circles differ a little, too
+        if segments % holes == 0:
+            assert plain.volume - bored.volume == pytest.approx(taken, rel=near)
+
+
 def test_a_ring_has_the_volume_of_its_wall_and_its_teeth():
     tooth = TransverseTooth(90, 2e-3, side=-1, shaper=30)
     loop = loop_of(transverse_form(tooth, fillet=20, flank=20), 90)

@@ -10,7 +10,7 @@ import pytest
 import gearwright as gw
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.sizing.arranged import Body, Point, Station
-from gearwright.sizing.mass import complete_mass, shell_around, wall_of
+from gearwright.sizing.mass import complete_mass, gear_blanks, shell_around, wall_of
 from gearwright.spec import edited
 
 STEEL = 7850.0
@@ -56,6 +56,29 @@ def test_a_blank_by_hand():
     """Rim 100/80, web 6 mm, hub 30/20, width 20 mm: π (3600·20 + 5500·6 + 500·20) mm³."""
     blank = Blank(0.100, 0.080, 0.030, 0.020, 0.020, 0.006)
     assert blank_volume(blank) == pytest.approx(math.pi * (3600 * 20 + 5500 * 6 + 500 * 20) * 1e-9, rel=1e-12)
+
+
+def test_holes_in_a_web_by_hand():
+    """Six of 30 mm, 0.6 of the 50 mm between rim and hub, on 55 mm; twelve are narrower, 0.6 of 110 mm sin 15°."""
+    blank = Blank(0.100, 0.080, 0.030, 0.020, 0.020, 0.006)
+    six, twelve = blank._replace(holes=6), blank._replace(holes=12)
+    assert (six.hole_radius, six.hole_circle) == (pytest.approx(15e-3), pytest.approx(55e-3))
+    assert blank_volume(blank) - blank_volume(six) == pytest.approx(6 * math.pi * 15e-3**2 * 6e-3, rel=1e-12)
+    assert twelve.hole_radius == pytest.approx(0.3 * 110e-3 * math.sin(math.radians(15.0)))
+    assert blank._replace(rim_radius=0.03, holes=6).hole_radius == 0.0
+
+
+def test_a_wheel_with_holes_weighs_less_and_keeps_a_share_that_is_given():
+    plain, bored = (sized("off-set", (("gears.web_holes", count),)) for count in (0, 6))
+    blank = gear_blanks(bored)["second.wheel"]
+    taken = STEEL * 6 * math.pi * blank.hole_radius**2 * blank.web_width
+    lighter = item(complete_mass(plain), "second.wheel").each - item(complete_mass(bored), "second.wheel").each
+    assert lighter == pytest.approx(taken) and taken > 1.0
+    assert gear_blanks(bored)["second.pinion"].holes == 0
+    shared = [sized("off-set", (("gears.web_ratio", 0.6), ("gears.web_holes", count))) for count in (0, 6)]
+    assert len({round(item(complete_mass(each), "second.wheel").each, 9) for each in shared}) == 1
+    webs = [gear_blanks(each)["second.wheel"].web_width for each in shared]
+    assert webs[1] > webs[0]
 
 
 def test_a_rim_that_reaches_the_hub_leaves_a_solid_disc():

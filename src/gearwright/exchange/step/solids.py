@@ -34,6 +34,8 @@ def made_of(solid: Solid | Chamber) -> Any:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     if not any(radius for _, radius in solid.profile):
         return _prism(solid)
+    if solid.holes is not None:
+        return _bored(made_of(solid._replace(holes=None)), solid)
     wires, wall = _wall(solid)
     behind = occ.BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
     flat = _is_flat(solid.sections[0])
@@ -54,6 +56,19 @@ def made_of(solid: Solid | Chamber) -> Any:
     mended = occ.ShapeFix_Shape(body)
     mended.Perform()
     return mended.Shape()
+
+
+def _bored(body: Any, solid: Solid) -> Any:
+    """Return a body with the holes of its web."""
+    assert solid.holes is not None
+    count, circle, radius = solid.holes
+    low, high = (end(place for place, _ in solid.profile) for end in (min, max))
+    for k in range(count):
+        x, y = (circle * turn(2.0 * math.pi * k / count) for turn in (math.cos, math.sin))
+        axis = occ.gp_Ax2(occ.gp_Pnt(MM * x, MM * y, MM * (low - PAST)), _up())
+        bored = occ.BRepPrimAPI_MakeCylinder(axis, MM * radius, MM * (high - low + 2.0 * PAST)).Shape()
+        body = occ.BRepAlgoAPI_Cut(body, bored).Shape()
+    return next(_parts(body, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
 
 
 def _chamber(chamber: Chamber) -> Any:

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+HOLE = 0.6
+"""Diameter of a hole in a web over the room between rim and hub, or between neighbours, an assumption [-]."""
+
 
 class Blank(NamedTuple):
     """A body of revolution under external teeth: three annuli one inside the other; lengths [m]."""
@@ -23,11 +26,26 @@ class Blank(NamedTuple):
     """Of rim and hub."""
     web_width: float
     """Of the web between them."""
+    holes: int = 0
+    """Evenly spaced ones in the web that lighten it [-]."""
 
     @property
     def is_solid(self) -> bool:
         """Whether rim and hub meet, so that there is no web."""
         return self.rim_radius <= self.hub_radius
+
+    @property
+    def hole_circle(self) -> float:
+        """Radius of the circle on which holes stand, in the middle of the web."""
+        return (self.rim_radius + self.hub_radius) / 2.0
+
+    @property
+    def hole_radius(self) -> float:
+        """Of one hole; 0 where there is none."""
+        if not self.holes or self.is_solid:
+            return 0.0
+        chord = 2.0 * self.hole_circle * math.sin(math.pi / self.holes)
+        return HOLE / 2.0 * min(self.rim_radius - self.hub_radius, chord)
 
 
 def blank_volume(blank: Blank) -> float:
@@ -36,12 +54,13 @@ def blank_volume(blank: Blank) -> float:
     Args:
         blank: Its radii and widths.
 
-    Source: annuli; one alone where rim and hub meet.
+    Source: annuli; one alone where rim and hub meet; less what is bored through the web.
     """
     root, bore = blank.root_radius, min(blank.bore_radius, blank.root_radius)
     inside = max(blank.rim_radius, blank.hub_radius)
     rim, hub = _annulus(root, inside), _annulus(blank.hub_radius, bore)
-    return (rim + hub) * blank.width + _annulus(inside, blank.hub_radius) * blank.web_width
+    web = _annulus(inside, blank.hub_radius) - blank.holes * math.pi * blank.hole_radius**2
+    return (rim + hub) * blank.width + web * blank.web_width
 
 
 def _annulus(outer: float, inner: float) -> float:

@@ -70,6 +70,8 @@ FACE_GRADE = 5
 """Of the run-out of a gear's faces; assumed."""
 LEAST_ACROSS = 20.0
 """Diameter on paper below which that of a hub stands in the notes alone [mm]."""
+LEAST_BETWEEN = 8.0
+"""Room on paper below which the thickness of a web stands in the notes alone [mm]."""
 CORNER = 2.0
 """Radius between web, rim and hub [mm]; assumed."""
 ASIDE = 9.0
@@ -108,6 +110,9 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         share = f"; both leave {ratio:g} of the solid disc" if gear.role is Role.WHEEL and ratio < 1.0 else ""
         wide, inside, outside = (trimmed(size, 2) for size in (hub.web.width, 2.0 * hub.web.rim, 2.0 * hub.web.hub))
         yield f"Web {wide} thick in the middle, rim inside Ø{inside}, hub Ø{outside}: as weighed{share}."
+        if hub.web.holes:
+            across, circle = (trimmed(2.0 * size, 2) for size in (hub.web.hole, hub.web.circle))
+            yield f"{hub.web.holes} holes Ø{across} through the web on Ø{circle}, evenly spaced; the section cuts them."
         yield f"Inner corners R{CORNER:g} (assumed; not weighed)."
     if hub.bore and kind_of(sizing, gear.stage) == "bevel":
         yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
@@ -156,7 +161,8 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     if hub.web is not None and not internal and 2.0 * axis.scale * hub.web.hub > LEAST_ACROSS:
         entities += [_across(axis, hub.web.hub, span[1], ASIDE), _across(axis, hub.web.rim, span[1], ASIDE + 8.0)]
         middle, half = (span[0] + span[1]) / 2.0, hub.web.width / 2.0
-        for named in _thickness(axis, (middle - half, middle + half), (hub.web.hub, hub.web.rim)):
+        beyond_hub = hub.web.circle - hub.web.hole if hub.web.holes else hub.web.rim
+        for named in _thickness(axis, (middle - half, middle + half), (hub.web.hub, beyond_hub)):
             aside = -3.0 - words_length(named.text, TEXT) / 2.0
             entities.append(replace(named, text_at=complex(axis.at(span[0]).real + aside, named.line.imag + GAP)))
     entities.append(_width(axis, span, outer))
@@ -171,7 +177,7 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
 
 def _thickness(axis: Axis, web: tuple[float, float], radii: tuple[float, float]) -> Iterator[Distance]:
     """Yield the thickness of a web where the sheet has room between rim and hub."""
-    if axis.scale * (radii[1] - radii[0]) > LEAST_ACROSS:
+    if axis.scale * (radii[1] - radii[0]) > LEAST_BETWEEN:
         low, high = (axis.at(x, sum(radii) / 2.0) for x in web)
         yield Distance(low, high, low, 0.0, axis.scale)
 
@@ -189,7 +195,7 @@ def _against_bore(axis: Axis, bore: float, root: float, span: tuple[float, float
         yield from (Path((face, face - ASIDE), Layer.SYMBOL), arrow(face, 1 + 0j, Layer.SYMBOL))
         yield from tolerance_frame(face - ASIDE - frame_length(tolerance), tolerance)
     else:
-        face = axis.at(span[1], -(bore + root) / 2.0)
+        face = axis.at(span[1], (bore + root) / 2.0)
         start = face + ASIDE + 24.0
         yield from (Path((face, start), Layer.SYMBOL), arrow(face, -1 + 0j, Layer.SYMBOL))
         yield from tolerance_frame(start, tolerance)

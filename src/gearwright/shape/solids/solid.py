@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
+from gearwright.shape.solids.holes import Holes, pierced
 from gearwright.shape.solids.surface import Surface, around_hole, circle, joined, revolved, strip
 
 
@@ -40,6 +41,8 @@ class Solid(NamedTuple):
     """Where outlines have corners."""
     inside: bool = False
     """Whether the body lies around its teeth, as a ring's does."""
+    holes: Holes | None = None
+    """Between the two faces of its profile on which they lie."""
 
 
 RING_CORNERS = 2
@@ -65,6 +68,8 @@ def surface_of(solid: Solid, segments: int) -> Surface:
     profile = solid.profile if solid.inside else _widened(solid.profile, segments)
     if not any(radius for _, radius in profile):
         corners = TOUCHING
+    if solid.holes is not None:  # they stand alike to the corners of circles
+        corners = solid.holes.count * math.ceil(corners / solid.holes.count)
     # The way begins at the last section of an external gear, and at the first one of a ring.
     order = (0, -1) if solid.inside else (-1, 0)
     ends = []
@@ -74,7 +79,8 @@ def surface_of(solid: Solid, segments: int) -> Surface:
         toothed_loop = (1 if solid.inside else 0) if solid.edges.any() else None
         ends.append(cap(outer, inner, facing(section, up=end == -1), up=end == -1, toothed=toothed_loop))
     toothed = wall(solid.sections, solid.edges, inside=solid.inside)
-    return joined([toothed, *(ends[::-1] if solid.inside else ends), revolved(profile, corners)])
+    behind = revolved(profile, corners) if solid.holes is None else pierced(profile, solid.holes, corners)
+    return joined([toothed, *(ends[::-1] if solid.inside else ends), behind])
 
 
 def _widened(profile: Sequence[tuple[float, float]], segments: int) -> list[tuple[float, float]]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.parts.gears import Blank
+from gearwright.shape.solids.holes import Holes
 from gearwright.shape.solids.solid import Section, Solid
 
 SAME = 1e-9
@@ -78,7 +79,8 @@ def disc_gear(loop: Loop, levels: Sequence[tuple[float, float]], blank: Blank) -
         levels: Place along the axis [m] and turn [rad] of its sections, from −b/2 to b/2.
         blank: The body under the teeth.
     """
-    return Solid(tuple(inner_profile(blank)), tuple(sections_of(loop, levels)), loop.edges)
+    bored = Holes(blank.holes, blank.hole_circle, blank.hole_radius) if blank.hole_radius else None
+    return Solid(tuple(inner_profile(blank)), tuple(sections_of(loop, levels)), loop.edges, holes=bored)
 
 
 def ring_gear(loop: Loop, levels: Sequence[tuple[float, float]], outside: float) -> Solid:

@@ -190,7 +190,10 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
     """
     teeth, rules = cylindrical_gear(sizing.design, gear), sizing.design.rules(gear.stage)
     blank = blank_by_rules(gear, rules, teeth.root_radius, seat=_seat(sizing, gear, seats))
-    return _lightened(blank, rules.web_ratio) if gear.role is Role.WHEEL and rules.web_ratio < 1.0 else blank
+    if gear.role is not Role.WHEEL:
+        return blank
+    blank = blank._replace(holes=rules.web_holes if _kind(sizing, gear) == "cylindrical" else 0)
+    return _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else blank
 
 
 def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:
@@ -220,18 +223,18 @@ def _kind(sizing: Sizing, gear: GearSizing) -> str:
 
 
 def _lightened(blank: Blank, share: float) -> Blank:
-    """Return a body with rim, hub and a web between them that weighs a share of the solid one."""
+    """Return a body with rim, hub and a web, bored where it is asked, that weighs a share of the solid one."""
     target = share * blank_volume(blank._replace(rim_radius=0.0))
     if blank.hub_radius >= blank.root_radius:
         return blank
     blank = blank._replace(rim_radius=max(blank.rim_radius, blank.hub_radius))
     web = blank.web_width
     bare = blank_volume(blank._replace(web_width=0.0))
-    ring = math.pi * (blank.rim_radius**2 - blank.hub_radius**2)
+    ring = math.pi * (blank.rim_radius**2 - blank.hub_radius**2 - blank.holes * blank.hole_radius**2)
     if target > bare + 0.5 * web * ring:
         return blank._replace(web_width=min((target - bare) / ring, blank.width))
-    # A rim by the rules weighs too much: a thinner one under half of the web.
-    web = 0.5 * web
+    # A rim by the rules weighs too much: a thinner one under half of the web, without holes.
+    web, blank = 0.5 * web, blank._replace(holes=0)
     hub = math.pi * (blank.hub_radius**2 - blank.bore_radius**2) * blank.width
     squared = math.pi * (blank.root_radius**2 * blank.width - blank.hub_radius**2 * web) + hub - target
     rim = math.sqrt(max(squared / (math.pi * (blank.width - web)), blank.hub_radius**2))

@@ -41,6 +41,12 @@ class Web(NamedTuple):
     """Radius outside of the hub."""
     width: float
     """Of what is left between them."""
+    holes: int = 0
+    """Through it, evenly spaced [-]."""
+    circle: float = 0.0
+    """Radius of the circle of their middles."""
+    hole: float = 0.0
+    """Radius of one."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +105,10 @@ def _web(sizing: Sizing, gear: GearSizing) -> Web | None:
     blank = made_of(sizing).blanks.get(gear.name)
     if blank is None or blank.is_solid or kind_of(sizing, gear.stage) != "cylindrical":
         return None
-    return Web(MM * blank.rim_radius, MM * blank.hub_radius, MM * halves_of(gear) * blank.web_width)
+    web = Web(MM * blank.rim_radius, MM * blank.hub_radius, MM * halves_of(gear) * blank.web_width)
+    if not blank.hole_radius:
+        return web
+    return web._replace(holes=blank.holes, circle=MM * blank.hole_circle, hole=MM * blank.hole_radius)
 
 
 def _bored(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:

@@ -31,13 +31,16 @@ def cylinder_section(
     entities: list[Entity] = []
     for side in (1.0, -1.0):
         inner = (hub.reach if side > 0.0 else _bottom(hub)) / 2.0
-        body = _box(span, inner, root, side) if hub.web is None else _webbed(span, hub.web, inner, root, side)
+        whole = _box(span, inner, root, side) if hub.web is None else _webbed(span, hub.web, inner, root, side)
+        bodies = [whole] if hub.web is None or not hub.web.holes else _bored(whole, hub.web, side)
         outline = _box(span, hub.bore / 2.0, tip, side)
         # Without a bore the two halves are one: no edge lies on the axis.
-        entities += [_hatched(axis, body, lean), _line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0)]
+        entities += [_hatched(axis, body, lean) for body in bodies]
+        entities.append(_line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0))
         entities.append(_line(axis, _along(span, side * root)))
         if hub.web is not None:
             entities += [_line(axis, recess) for recess in _recesses(span, hub.web, side)]
+            entities += _hole(axis, hub.web, (span[0] + span[1]) / 2.0, side)
         if inner > hub.bore / 2.0:
             entities.append(_line(axis, _along(span, side * inner)))
         entities.append(_pitch(axis, span, side * MM * teeth.pitch_radius))
@@ -60,6 +63,23 @@ def _webbed(span: tuple[float, float], web: Web, inner: float, root: float, side
     first, second = _recesses(span, web, side)
     return [complex(span[0], side * inner), *first, *_along(span, side * root), *second[::-1],
             complex(span[1], side * inner)]  # fmt: skip
+
+
+def _bored(body: list[complex], web: Web, side: float) -> list[list[complex]]:
+    """Return the two parts of a section through a hole of its web: around the hub, and around the rim."""
+    ends = [[complex(x, side * (web.circle + way * web.hole)) for x in (body[2].real, body[9].real)] for way in (-1, 1)]
+    inner = [*body[:3], *ends[0], *body[9:]]
+    outer = [ends[1][0], *body[3:9], ends[1][1]]
+    return [inner, outer]
+
+
+def _hole(axis: Axis, web: Web, middle: float, side: float) -> Iterator[Path]:
+    """Yield the edges of a hole in a web, and its centre line."""
+    half, more = web.width / 2.0, OVERSHOOT / axis.scale
+    for radius in (web.circle - web.hole, web.circle + web.hole) if web.holes else ():
+        yield _line(axis, _along((middle - half, middle + half), side * radius))
+    if web.holes:
+        yield _line(axis, _along((middle - half - more, middle + half + more), side * web.circle), Layer.CENTRE)
 
 
 def ring_section(

@@ -100,6 +100,11 @@ class GearRules(Record):
         le=1,
         description="Web over face width of gears in the complete mass, where rim and hub leave room; 1 is solid",
     )
+    web_holes: Literal[0, 3, 4, 5, 6, 8, 10, 12] = Field(
+        0,
+        description="Holes that lighten the webs of cylindrical wheels of pairs, as wide as 0.6 of the room between rim"
+        " and hub, or between neighbours",
+    )
     rim_thickness_ratio: Ratio = Field(
         3.95,
         ge=1,
