@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
+from gearwright.catalogue import housing_materials
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
 from gearwright.parts.bevel import BevelPair, bevel_way
@@ -21,6 +22,7 @@ from gearwright.parts.gears import (
 )
 from gearwright.shape import DETAILS, edges_of, scene, solid_masses
 from gearwright.shape.overlaps import overlaps
+from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import (
     Chamber,
     End,
@@ -37,6 +39,7 @@ from gearwright.shape.solids import (
     surface_of,
 )
 from gearwright.shipped import shipped_designs
+from gearwright.sizing.mass import complete_mass
 from shipped_work import sized
 
 NAMES = shipped_designs()
@@ -179,6 +182,16 @@ def test_a_shaft_has_the_volume_of_its_steps():
 
 NEAR = 5e-3
 """Of a mass, by which the solid may differ: straight lines between the points of flanks, spirals and plates [-]."""
+
+
+def test_bosses_around_sized_bearings_weigh_what_is_drawn():
+    sizing = sized("ec120b")
+    built = scene(sizing, detail="coarse")
+    bosses = [node for node in built.nodes if "boss of" in node.name]
+    volume = sum(triangles_of(built.solids[node.surface], 720).volume for node in bosses)
+    density = housing_materials()[sizing.design.housing.material].density
+    weighed = next(item.each for item in complete_mass(sizing).parts if item.part == "housing bosses")
+    assert len(bosses) == len(sizing.bearings) and volume * density == pytest.approx(weighed, rel=2e-4)
 
 
 @pytest.mark.parametrize("name", NAMES)

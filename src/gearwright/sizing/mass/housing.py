@@ -12,6 +12,7 @@ from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.mass.shell import Shell
+from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 
 SURE = 0.35
@@ -80,7 +81,9 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     bolts = shell.girth / (PITCH * bolt) * BOLT_VOLUME * bolt**3 * STEEL_DENSITY
     yield _item("bolts", bolts, "8 d³ ρ each, 5 d apart", "grip of a flange against its torque; ISO 898-1", flanges)
     yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
-    bosses = sum(_boss(item, material) for item in bearings if item.part not in planets)
+    sized = {bearing.name for bearing in sizing.bearings}
+    bosses = sum(_boss(item, material) for item in bearings if item.part not in planets | sized)
+    bosses += sum(_around(bearing, material) for bearing in sizing.bearings)
     yield _item("bosses", bosses, "wall of 0.12 D around bearings", "estimate")
 
 
@@ -97,6 +100,12 @@ def _boss(bearing: MassItem, material: HousingMaterial) -> float:
     outside = (bearing.each / room) ** (1.0 / 3.0)
     section = math.pi / 4.0 * ((1.0 + 2.0 * BOSS) ** 2 - 1.0) * outside**2
     return float(bearing.count * section * 0.25 * outside * material.density)
+
+
+def _around(bearing: BearingSizing, material: HousingMaterial) -> float:
+    """Return the mass of the boss around a sized bearing, as wide as that [kg]."""
+    section = math.pi / 4.0 * ((1.0 + 2.0 * BOSS) ** 2 - 1.0) * bearing.outer_diameter**2
+    return section * bearing.width * material.density
 
 
 def bolt_of(torque: float, girth: float) -> float:
