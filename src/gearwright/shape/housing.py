@@ -13,15 +13,18 @@ from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
-from gearwright.shape.solids import Chamber, End, Solid, chamber_volume, round_hole, tube
+from gearwright.shape.solids import Chamber, End, Opening, Solid, chamber_volume, has_room, round_hole, tube
 from gearwright.shape.stands import Axes, axes_at, middle_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.mass import (
     BOSS,
     FLANGE,
+    Leaving,
     Stretch,
     bolt_of,
+    housed,
+    leaving_of,
     outline_of,
     reaction_torque,
     shell_around,
@@ -29,11 +32,14 @@ from gearwright.sizing.mass import (
     wall_of,
 )
 from gearwright.sizing.places import Run
+from gearwright.sizing.shafts import holders_of
 
 SAME = 1e-4
 """Steps of a wall that are less are none [m]."""
 LIP = 2e-4
 """How far a plate stands inside of its own wall [m]."""
+SAME_WAY = 1e-9
+"""How far directions of one line may differ [-]."""
 NEAR = 1e-7
 """Corners that are nearer are one [m]."""
 LEAST = 2.0
@@ -46,8 +52,8 @@ AROUND = 1.06
 
 STEPS, ALIKE = 8, 1e-3
 """How often a wall is tried, and how near the metal is to what is weighed [-]."""
-Hole = tuple[float, Floats, float]
-"""Place along the first shaft, middle across it and radius of a hole [m]."""
+Hole = tuple[tuple[float, float], Floats, float]
+"""Where along the first shaft plates may stand that it goes through, middle across it and radius of a hole [m]."""
 
 
 class Piece(NamedTuple):
@@ -71,17 +77,29 @@ def housing_nodes(
         inside: Bodies on shafts and carriers, about their own axes, with their solids.
     """
     still = dict.fromkeys(sizing.flows, 0.0)
-    bodies = [*sizing.arrangement.bodies, *(_envelope(node, solid) for node, solid in inside)]
+    bodies = [*housed(sizing), *(_envelope(node, solid, _within(sizing, node)) for node, solid in inside)]
     for piece in _pieces(sizing, drawn, bodies) if sizing.design.housing.own else ():
         yield Node(piece.name, HOUSING, "housing", piece.key, piece.axes, 0.0, still), piece.solid
 
 
-def _envelope(node: Node, solid: Solid) -> Body:
-    """Return the circles between which a body lies."""
+def _within(sizing: Sizing, node: Node) -> tuple[float, float]:
+    """Return between which places about its own z a body is in the housing: a shaft less the ends that leave [m]."""
+    low, high = -math.inf, math.inf
+    for leaving in leaving_of(sizing) if node.look == "shaft" else ():
+        if leaving.shaft == node.part.name:
+            frame = sizing.arrangement.frames[leaving.shaft]
+            middle = float((node.axes.origin - np.array(frame.origin)) @ np.array(frame.along))
+            low, high = (low, leaving.start - middle) if leaving.start else (leaving.end - middle, high)
+    return low, high
+
+
+def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
+    """Return the circles between which a body lies, as far as it is in the housing."""
     circles = list(solid.profile)
     for section in solid.sections[:: max(len(solid.sections) - 1, 1)]:
         radius = float(section.radius.max())
         circles += [(float(section.height.min()), radius), (float(section.height.max()), radius)]
+    circles = [(min(max(place, within[0]), within[1]), radius) for place, radius in circles]
     low = min(place for place, _ in circles)
     stations = tuple(Station(place - low, radius) for place, radius in sorted(circles))
     axis = node.axes.along
@@ -89,11 +107,12 @@ def _envelope(node: Node, solid: Solid) -> Body:
 
 
 def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
-    shell = shell_around(sizing.arrangement.bodies)
+    shell = shell_around(housed(sizing))
     wall = wall_of(sizing, shell).thickness
     stretches = _nested(_long_enough(list(stretches_around(bodies)), wall))
     metal = shell.area * wall if sizing.design.housing.wall is None else None
-    wall, chambers = _as_weighed(stretches, list(_leaving(sizing, drawn)), wall, metal)
+    through = [*_leaving(sizing, drawn), *_leaving_built(sizing)], list(_across(sizing))
+    wall, chambers = _as_weighed(stretches, through, wall, metal)
     axes = Axes(np.zeros(3), np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
     for k, chamber in enumerate(chambers):
         name = f"housing, {CHAMBER} {k + 1}"
@@ -110,7 +129,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
 
 
 def _as_weighed(
-    stretches: list[Stretch], leaving: list[Hole], wall: float, metal: float | None
+    stretches: list[Stretch], leaving: tuple[list[Hole], list[Opening]], wall: float, metal: float | None
 ) -> tuple[float, list[Chamber]]:
     """Return the wall with which the chambers have the metal that is weighed, A t of a thin shell, and the chambers.
 
@@ -155,7 +174,7 @@ def _nested(stretches: list[Stretch]) -> list[Stretch]:
     return found
 
 
-def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: list[Hole]) -> Chamber:
+def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: tuple[list[Hole], list[Opening]]) -> Chamber:
     """Return a chamber; the plate of a step belongs to its wider side, and stands beside what turns in it."""
     own, span, ends = stretches[k], [stretches[k].start, stretches[k].end], list[End | None]()
     for side, way in ((0, -1), (1, 1)):
@@ -168,13 +187,15 @@ def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: list[Hole])
             continue
         span[side] += way * wall
         holes = [] if beside is None else [_outline(np.minimum(_inside(own, wall) - LIP, _inside(beside, wall)))]
-        for place, middle, radius in leaving:
+        for (low, high), middle, radius in leaving[0]:
             through = beside is not None and _fits(beside.reach + wall, middle, -radius)
-            if abs(place - plane) < LEAST * wall and not through and _fits(_inside(own, wall), middle, radius):
+            is_there = low - LEAST * wall < plane < high + LEAST * wall
+            if is_there and not through and _fits(_inside(own, wall), middle, radius):
                 holes.append(round_hole(middle, radius))
         ends.append(End(wall, tuple(holes)))
     inside = _inside(own, wall)
-    return Chamber(_outline(inside + wall), _outline(inside), (span[0], span[1]), (ends[0], ends[1]))
+    found = Chamber(_outline(inside + wall), _outline(inside), (span[0], span[1]), (ends[0], ends[1]))
+    return found._replace(openings=tuple(opening for opening in leaving[1] if has_room(found, opening)))
 
 
 def _inside(own: Stretch, wall: float) -> Floats:
@@ -220,20 +241,52 @@ def _cleaned(loop: Floats) -> Floats:
 
 
 def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
-    """Yield place along the first shaft, middle and radius of the holes for shafts along it that join machines [m]."""
+    """Yield the holes for ends of shafts of a first sizing along the first one that join machines [m]."""
     ends: dict[tuple[float, ...], Hole] = {}
+    built = {shaft.name for shaft in sizing.built_shafts}
     for machine, shaft in sizing.train.machines.items():
+        if shaft in built:
+            continue
         frame, runs = sizing.arrangement.frames[shaft], [run for run in drawn if run.shaft == shaft]
-        if abs(frame.along.x) < 1.0 - 1e-9 or not runs:
+        if abs(frame.along.x) < 1.0 - SAME_WAY or not runs:
             continue
         steps = [step for run in runs for step in run.steps]
         low, high = min(steps), max(steps, key=lambda step: step[1])
         place = sizing.arrangement.plans[shaft].places[machine]
         end, radius = (low[0], low[2]) if place - low[0] < high[1] - place else (high[1], high[2])
-        found = (frame.origin.x + end * frame.along.x, np.array([frame.origin.y, frame.origin.z]), AROUND * radius)
-        key = tuple(np.round([found[0], *found[1]], 4))
+        place = frame.origin.x + end * frame.along.x
+        found = ((place, place), np.array([frame.origin.y, frame.origin.z]), AROUND * radius)
+        key = tuple(np.round([place, *found[1]], 4))
         ends[key] = max(ends.get(key, found), found, key=lambda one: one[2])  # one shaft within the other
     yield from ends.values()
+
+
+def _passing(sizing: Sizing) -> Iterator[tuple[Leaving, float]]:
+    """Yield the ends of shafts that leave, and the radius of what goes round there, rings and nuts too [m]."""
+    for leaving in leaving_of(sizing):
+        around = [holder.outer / 2.0 for holder in holders_of(sizing)
+                  if holder.shaft == leaving.shaft and holder.turns
+                  and holder.start > leaving.start - NEAR and holder.end < leaving.end + NEAR]  # fmt: skip
+        yield leaving, AROUND * max([leaving.radius, *around])
+
+
+def _leaving_built(sizing: Sizing) -> Iterator[Hole]:
+    """Yield the holes for ends of built shafts along the first one that leave towards machines [m]."""
+    for leaving, radius in _passing(sizing):
+        frame = sizing.arrangement.frames[leaving.shaft]
+        if abs(frame.along.x) > 1.0 - SAME_WAY:
+            places = sorted(frame.origin.x + at * frame.along.x for at in (leaving.start, leaving.end))
+            yield (places[0], places[1]), np.array([frame.origin.y, frame.origin.z]), radius
+
+
+def _across(sizing: Sizing) -> Iterator[Opening]:
+    """Yield the openings for ends of built shafts square to the first one that leave towards machines."""
+    for leaving, radius in _passing(sizing):
+        frame = sizing.arrangement.frames[leaving.shaft]
+        if abs(frame.along.x) < SAME_WAY:
+            sign, place = (1.0, leaving.start) if leaving.start else (-1.0, leaving.end)
+            along, origin = (np.array([one.y, one.z, one.x]) for one in (frame.along, frame.origin))
+            yield Opening(sign * along[:2], origin + place * along, radius)
 
 
 def _flanges(

@@ -26,12 +26,14 @@ from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import (
     Chamber,
     End,
+    Opening,
     bevel_gear,
     chamber_surface,
     chamber_volume,
     depth_in,
     disc_gear,
     face_wheel,
+    has_room,
     loop_of,
     ring_gear,
     round_hole,
@@ -61,7 +63,7 @@ def test_every_solid_of_a_shipped_design_is_closed(name, detail):
         assert edges.open == 0, label
         solid = built.solids[label]
         if isinstance(solid, Chamber):  # a ball with a room inside, which openings join: each but the first a handle
-            openings = sum(len(end.holes) if end else 1 for end in solid.ends)
+            openings = sum(len(end.holes) if end else 1 for end in solid.ends) + len(solid.openings)
             assert edges.euler == 4 - 2 * openings, label
         else:
             assert edges.euler in (0, 2), label  # a ring, or a shaft without a bore
@@ -242,6 +244,37 @@ def test_a_chamber_has_the_volume_of_its_wall_and_of_plates_with_holes():
     places = np.array([[0.0, 0.0, 0.002], [0.04, 0.04, 0.002], [0.08, 0.0, 0.004], [0.0, 0.0, 0.1], [0.0, 0.0, 0.298]])
     depths = [depth_in(place[None], chamber) for place in places]
     assert depths == pytest.approx([0.0, 0.0, 0.001, 0.0, 0.003])
+
+
+def test_a_shaft_square_to_a_wall_leaves_through_an_opening_in_its_side():
+    """A square tube with walls of 10 mm, a hole of 30 mm through one, by hand; a side that is too small has none."""
+    square = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    opening = Opening(np.array([0.0, 1.0]), np.array([0.02, 0.0, 0.1]), 0.03)
+    plain = Chamber(0.11 * square, 0.1 * square, (0.0, 0.3), (End(0.005, ()), None))
+    assert has_room(plain, opening)
+    assert not has_room(plain, opening._replace(middle=np.array([0.09, 0.0, 0.1])))
+    assert not has_room(plain, opening._replace(middle=np.array([0.02, 0.0, 0.03])))
+    chamber = plain._replace(openings=(opening,))
+    surface, hole = chamber_surface(chamber), 48 * math.tan(math.pi / 48) * 0.03**2
+    assert surface.volume == pytest.approx(chamber_volume(plain) - 0.01 * hole, rel=1e-12) == chamber_volume(chamber)
+    assert edges_of(surface) == (0, 0)
+    places = np.array([[0.02, 0.105, 0.1], [0.02, 0.105, 0.132], [0.02, -0.105, 0.1]])
+    assert [depth_in(place[None], chamber) for place in places] == pytest.approx([0.0, 0.002, 0.005])
+
+
+def test_the_mast_of_the_helicopter_leaves_its_housing():
+    """Its chamber ends a wall above the upper bearing, 181 mm short of the mast; the hole is 6 % wider than that."""
+    sizing = sized("ec120b")
+    built = scene(sizing, detail="coarse")
+    chambers = [solid for solid in built.solids.values() if isinstance(solid, Chamber)]
+    (chamber,) = (chamber for chamber in chambers if chamber.openings)
+    (opening,) = chamber.openings
+    mast = next(bearing for bearing in sizing.bearings if bearing.name == "mast-upper")
+    assert opening.radius == pytest.approx(1.06 * 0.0355)
+    frame = sizing.arrangement.frames["mast"]
+    face = frame.origin.z + frame.along.z * (mast.position + mast.width / 2.0)
+    wall = next(end.thickness for end in chamber.ends if end is not None)
+    assert face - chamber.outer[:, 1].min() == pytest.approx(wall, abs=1e-4)
 
 
 @pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set-h2", "twin-engine-helicopter"])

@@ -83,6 +83,11 @@ def _chamber(chamber: Chamber) -> Any:
         for hole in end.holes:
             through = _block(hole, place - end.thickness - PAST, place + end.thickness + PAST)
             found = occ.BRepAlgoAPI_Cut(found, through).Shape()
+    for opening in chamber.openings:
+        way, reach = (float(part) for part in opening.way), MM * float(np.abs(chamber.outer).max() * 2.0)
+        axis = occ.gp_Ax2(occ.gp_Pnt(*(MM * float(part) for part in opening.middle)), occ.gp_Dir(*way, 0.0))
+        through = occ.BRepPrimAPI_MakeCylinder(axis, MM * opening.radius, reach).Shape()
+        found = occ.BRepAlgoAPI_Cut(found, through).Shape()
     return next(_parts(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
 
 

@@ -3,7 +3,16 @@
 Which bodies a gearbox has, and where they stand, is for `shape`.
 """
 
-from gearwright.shape.solids.chambers import Chamber, End, chamber_surface, chamber_volume, depth_in, round_hole
+from gearwright.shape.solids.chambers import (
+    Chamber,
+    End,
+    Opening,
+    chamber_surface,
+    chamber_volume,
+    depth_in,
+    has_room,
+    round_hole,
+)
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube
 from gearwright.shape.solids.solid import Section, Solid, surface_of
@@ -16,6 +25,7 @@ __all__ = [
     "End",
     "Fineness",
     "Loop",
+    "Opening",
     "Section",
     "Solid",
     "Surface",
@@ -30,6 +40,7 @@ __all__ = [
     "disc_gear",
     "edges_of",
     "face_wheel",
+    "has_room",
     "loop_of",
     "ring_gear",
     "round_hole",

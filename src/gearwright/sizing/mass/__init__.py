@@ -9,6 +9,7 @@ from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.housing import BOSS, FLANGE, Wall, bolt_of, reaction_torque, wall_of
+from gearwright.sizing.mass.leaving import Leaving, housed, leaving_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
@@ -24,6 +25,7 @@ __all__ = [
     "Cage",
     "Calibration",
     "CompleteMass",
+    "Leaving",
     "MassGroup",
     "MassItem",
     "Plate",
@@ -40,6 +42,8 @@ __all__ = [
     "cage_of",
     "complete_mass",
     "gear_blanks",
+    "housed",
+    "leaving_of",
     "oil_flow",
     "outline_of",
     "reaction_torque",

@@ -8,6 +8,7 @@ from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.gears import gear_items
 from gearwright.sizing.mass.housing import housing_items
+from gearwright.sizing.mass.leaving import housed
 from gearwright.sizing.mass.oil_system import oil_items
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.record import CompleteMass, MassItem, ordered
@@ -49,7 +50,7 @@ def summed(sizing: Sizing, fitted: Calibration) -> CompleteMass:
     bores = planet_bores(sizing, duties)
     bearings = tuple(bearing_items(sizing, duties, bores))
     parts = [*gear_items(sizing, bores), *shaft_items(sizing), *carrier_items(sizing), *bearings]
-    shell = shell_around(sizing.arrangement.bodies)
+    shell = shell_around(housed(sizing))
     parts += housing_items(sizing, shell, bearings, fitted)
     parts += oil_items(sizing, shell.volume)
     parts += detail_items(sizing, parts, fitted)
