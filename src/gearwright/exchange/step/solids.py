@@ -12,7 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
-from gearwright.shape.solids import Chamber, Section, Solid
+from gearwright.shape.solids import Chamber, Section, Solid, rim_of
 
 Place = tuple[float, float]
 """z and radius [m]."""
@@ -84,21 +84,26 @@ def _chamber(chamber: Chamber) -> Any:
             through = _block(hole, place - end.thickness - PAST, place + end.thickness + PAST)
             found = occ.BRepAlgoAPI_Cut(found, through).Shape()
     for opening in chamber.openings:
-        way, reach = (float(part) for part in opening.way), MM * float(np.abs(chamber.outer).max() * 2.0)
-        axis = occ.gp_Ax2(occ.gp_Pnt(*(MM * float(part) for part in opening.middle)), occ.gp_Dir(*way, 0.0))
-        through = occ.BRepPrimAPI_MakeCylinder(axis, MM * opening.radius, reach).Shape()
-        found = occ.BRepAlgoAPI_Cut(found, through).Shape()
+        rims = [rim_of(opening, loop) for loop in (chamber.inner, chamber.outer)]
+        past = PAST * np.append(opening.way, 0.0)
+        found = occ.BRepAlgoAPI_Cut(found, _swept(rims[0] - past, rims[1][0] - rims[0][0] + 2.0 * past)).Shape()
     return next(_parts(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
 
 
 def _block(outline: Floats, low: float, high: float) -> Any:
     """Return what a polygon sweeps along z."""
+    corners = np.column_stack([outline, np.full(len(outline), low)])
+    return _swept(corners, np.array([0.0, 0.0, high - low]))
+
+
+def _swept(corners: Floats, way: Floats) -> Any:
+    """Return what a plane polygon sweeps along a straight way."""
     build = occ.BRepBuilderAPI_MakePolygon()
-    for x, y in outline:
-        build.Add(occ.gp_Pnt(MM * float(x), MM * float(y), MM * low))
+    for corner in corners:
+        build.Add(occ.gp_Pnt(*(MM * float(part) for part in corner)))
     build.Close()
     face = occ.BRepBuilderAPI_MakeFace(build.Wire(), True).Face()
-    return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(0.0, 0.0, MM * (high - low))).Shape()
+    return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(*(MM * float(part) for part in way))).Shape()
 
 
 def _prism(solid: Solid) -> Any:

@@ -11,6 +11,7 @@ from gearwright.shape.solids.chambers import (
     chamber_volume,
     depth_in,
     has_room,
+    rim_of,
     round_hole,
 )
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
@@ -42,6 +43,7 @@ __all__ = [
     "face_wheel",
     "has_room",
     "loop_of",
+    "rim_of",
     "ring_gear",
     "round_hole",
     "spiral_turn",

@@ -89,7 +89,7 @@ def chamber_surface(chamber: Chamber) -> Surface:
         for loop, span, turned in ((chamber.outer, chamber.span, False), (chamber.inner, inside, True)):
             side = _side(loop, (span[0], span[1]), opening)
             pieces.append(_turned(side) if turned else side)
-        pieces.append(_bore(opening, *(_rim(loop, opening) for loop in (chamber.inner, chamber.outer))))
+        pieces.append(_bore(opening, *(rim_of(opening, loop) for loop in (chamber.inner, chamber.outer))))
     return joined(pieces)
 
 
@@ -127,8 +127,13 @@ def has_room(chamber: Chamber, opening: Opening) -> bool:
     return bool(low < opening.middle[2] - wide and opening.middle[2] + wide < high)
 
 
-def _rim(loop: Floats, opening: Opening) -> Floats:
-    """Return the corners of an opening in a side of a loop, counter-clockwise from outside [m], shape (n, 3)."""
+def rim_of(opening: Opening, loop: Floats) -> Floats:
+    """Return the corners of an opening in a side of a loop, counter-clockwise from outside [m], shape (n, 3).
+
+    Args:
+        opening: Through the side that it is square to.
+        loop: Outline or inside of the wall [m], shape (n, 2).
+    """
     flat = around(around_hole(opening.radius, ROUND), 0.0, ROUND)[:, :2]
     foot = float(loop[side_of(loop, opening.way)] @ opening.way) * opening.way
     at = float(opening.middle[:2] @ opening.along)
@@ -138,7 +143,7 @@ def _rim(loop: Floats, opening: Opening) -> Floats:
 
 def _side(loop: Floats, span: tuple[float, float], opening: Opening) -> Surface:
     """Return a side of a wall with its opening, seen from outside."""
-    k, rim = side_of(loop, opening.way), _rim(loop, opening)
+    k, rim = side_of(loop, opening.way), rim_of(opening, loop)
     ends = loop[[k, (k + 1) % len(loop)]]
     corners = np.array([[*ends[0], span[0]], [*ends[1], span[0]], [*ends[1], span[1]], [*ends[0], span[1]]])
     points = np.concatenate([corners, rim])
