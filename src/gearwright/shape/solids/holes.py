@@ -21,7 +21,7 @@ LEAST = 12
 class Holes(NamedTuple):
     """Round holes through the web of a body, evenly spaced, the first about the angle 0."""
 
-    count: int
+    number: int
     """At least 3 [-]."""
     circle: float
     """Radius of the circle of their middles [m]."""
@@ -51,7 +51,7 @@ def pierced(profile: Sequence[tuple[float, float]], holes: Holes, segments: int)
 def _rims(holes: Holes, segments: int) -> Floats:
     """Return the corners of all holes across the axis [m], shape (holes, corners, 2)."""
     angle = circle(max(LEAST, segments // 4))
-    turn = np.exp(1j * circle(holes.count))[:, None]
+    turn = np.exp(1j * circle(holes.number))[:, None]
     corners = turn * (holes.circle + holes.radius * np.exp(1j * angle))
     return np.stack([corners.real, corners.imag], axis=2)
 
@@ -59,7 +59,7 @@ def _rims(holes: Holes, segments: int) -> Floats:
 def _face(height: float, radii: tuple[float, float], holes: Holes, segments: int, *, up: bool) -> Surface:
     """Return a face between two circles, open where holes are."""
     inner, outer = radii
-    step, each = 2.0 * math.pi / segments, segments // holes.count
+    step, each = 2.0 * math.pi / segments, segments // holes.number
     reach = min(math.ceil(BESIDE * holes.radius / holes.circle / step), each // 2)
     rims = _rims(holes, segments)
     count, corners = rims.shape[:2]

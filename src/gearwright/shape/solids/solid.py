@@ -69,7 +69,7 @@ def surface_of(solid: Solid, segments: int) -> Surface:
     if not any(radius for _, radius in profile):
         corners = TOUCHING
     if solid.holes is not None:  # they stand alike to the corners of circles
-        corners = solid.holes.count * math.ceil(corners / solid.holes.count)
+        corners = solid.holes.number * math.ceil(corners / solid.holes.number)
     # The way begins at the last section of an external gear, and at the first one of a ring.
     order = (0, -1) if solid.inside else (-1, 0)
     ends = []

@@ -73,7 +73,7 @@ def cut_steps(sizing: Sizing, shaft: BuiltShaft) -> tuple[tuple[float, float, fl
     """
     own = [groove for groove in grooves(sizing) if groove.shaft == shaft.name and not groove.is_thread]
     taken = [(groove.start, groove.end, groove.diameter) for groove in own]
-    taken += [(*sorted((cut.place, cut.edge)), cut.bottom) for cut in undercuts_of(sizing, shaft)]
+    taken += [(min(cut.place, cut.edge), max(cut.place, cut.edge), cut.bottom) for cut in undercuts_of(sizing, shaft)]
     steps = []
     for step in shaft.steps:
         edges = {step.start, step.end}
