@@ -6,6 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from designs import ONE_SET
+from gearwright.catalogue import bearing
 from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.internal_interference import passing_tip, tip_halves
@@ -15,6 +17,8 @@ from gearwright.sizing.arranged import Body, Station
 from gearwright.sizing.places.coaxial import _meet
 from gearwright.sizing.shafts import holders_of
 from gearwright.sizing.shafts.holding import _is_integral
+from gearwright.sizing.teeth import search
+from gearwright.sizing.teeth.front import Front
 from gearwright.spec import edited, parse, read
 from shipped_work import sized
 
@@ -120,3 +124,32 @@ def test_rows_of_whose_teeth_some_miss_the_speeds_are_still_searched_together():
     assert np.all(sizings.together)
     flows = sizings.at(0).flows.values()
     assert all(abs(flow.speeds["intermediate"] / (4500.0 * math.pi / 30.0) - 1.0) <= 0.003 for flow in flows)
+
+
+def test_of_too_many_choices_those_stay_from_which_the_lightest_trains_may_come(monkeypatch):
+    """3, 2 and 1 kg so far, and 0, 0.5 and 5 kg at the least to come: of two, the third cannot be."""
+    front = Front(
+        {}, {"slow": np.ones(3)}, {"gears": np.array([3.0, 2.0, 1.0])}, {"gears": np.ones(3)},
+        tally={"combinations": np.array([1.0, 2.0, 4.0])},
+    )  # fmt: skip
+    monkeypatch.setattr(search, "branches_of", lambda *_: [])
+    monkeypatch.setattr(search, "rest_of", lambda *_: np.array([0.0, 0.5, 5.0]))
+    asked = SimpleNamespace(design=None, nominal=None)
+    kept = search._narrowed(asked, search._Found(front), ["a stage"], 2)
+    assert (kept.front.mass.tolist(), kept.left_out, kept.proven) == ([3.0, 2.0], 4.0, False)
+    assert search._narrowed(asked, search._Found(front), ["a stage"], 3).proven
+    assert search._narrowed(asked, search._Found(front), [], 2).proven
+
+
+def test_speeds_of_a_planets_bearing_are_those_against_its_carrier():
+    """z 30/45/120 and the carrier at 1200 min⁻¹: 6000 of the sun, so (6000 − 1200) · 30/45 = 3200 of the planet."""
+    text = ONE_SET.format(speed=1200) + (
+        'sun = "fast"\nring = "ground"\ncarrier = "slow"\nsun_teeth = 30\nplanet_teeth = 45\nplanets = 3\n'
+        'module_mm = 3\nface_width_mm = 40\n[planetaries.set.planet_bearing]\nkind = "cylindrical"\n'
+        "[bearing_rules]\nlimits = true\n"
+    )
+    checks = {check.mode: check for check in size(parse(text)).checks if str(check.part) == "set.planet"}
+    assert checks["thermal reference speed"].value == pytest.approx(3200.0 * math.pi / 30.0, rel=1e-9)
+    fitted = bearing(checks["speed factor"].place)
+    middle = 500.0 * (fitted.bore + fitted.outer_diameter)
+    assert checks["speed factor"].value == pytest.approx(3200.0 * middle, rel=1e-9)
