@@ -8,6 +8,7 @@ from designs import PAIR
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.shipped import shipped_design
 from gearwright.sizing import MeshBeside, methods_beside, size
+from gearwright.sizing.insight.aspects import ASPECTS
 from gearwright.spec import edited, parse, read
 
 DESIGN = (
@@ -33,6 +34,17 @@ def test_a_column_is_what_sizing_by_that_method_finds():
 def test_the_table_does_not_ask_by_which_method_the_design_was_sized():
     ours, theirs = beside("iso6336"), beside("agma2001")
     assert ours.rows == theirs.rows
+
+
+def test_a_method_that_has_a_factor_has_its_column():
+    """Every place in a method's factors that a line names is there: ISO's under ISO, AGMA's under AGMA."""
+    families = ("iso6336", "agma2001", "lewis-hertz")
+    lines = {line.aspect: line.values for line in beside("iso6336").rows}
+    told = [aspect for aspect in ASPECTS if aspect.name in lines]
+    for aspect in told:
+        named = dict(zip(families, (aspect.iso, aspect.agma, aspect.lewis), strict=True))
+        assert {method for method in families if named[method]} == lines[aspect.name].keys() & set(families), aspect
+    assert len(told) > 30
 
 
 def test_every_difference_has_its_reason_and_equal_values_have_none():

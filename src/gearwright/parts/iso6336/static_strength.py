@@ -16,7 +16,7 @@ from gearwright.units import Origin, Quantity
 
 _PART2, _PART3 = "ISO 6336-2:2019", "ISO 6336-3:2019"
 _MPA = 1e6
-_SOFT, _HARD = 130.0, 470.0
+_SOFT = 130.0
 
 
 @dataclass(frozen=True)
@@ -107,8 +107,8 @@ def static_work_hardening(steel: GearSteel, mate: GearSteel) -> float:
     """
     if steel.treatment.is_cast_iron or steel.treatment.is_surface_hardened or not mate.treatment.is_surface_hardened:
         return 1.0
-    brinell = min(max(steel.hardness * BRINELL_PER_VICKERS, _SOFT), _HARD)
-    return max(1.0, 1.05 - (brinell - _SOFT) / 680.0)
+    above = max(steel.hardness * BRINELL_PER_VICKERS - _SOFT, 0.0)
+    return max(1.0, 1.05 - above / 680.0)
 
 
 def static_strength(

@@ -59,7 +59,7 @@ def best_way(axle: Axle) -> Way | None:
     tokens = axle.tokens
     first = _masks(len(tokens), axle.wished)
     usual = _masks(len(tokens), axle.usual)
-    last = {shaft: sum(1 << k for k, each in enumerate(tokens) if shaft in each.shafts) for shaft in _shafts(axle)}
+    last = {shaft: sum(1 << k for k, token in enumerate(tokens) if shaft in token.shafts) for shaft in _shafts(axle)}
     everything = (1 << len(tokens)) - 1
 
     @cache
@@ -162,8 +162,8 @@ def _at_set(token: Token, layers: Layers, passing: Layers, lasting: frozenset[st
         sign = -1 if turned else 1
         members = [member._replace(plane=sign * member.plane) for member in token.members]
         held = [sign * plane for plane in token.held]
-        before = sorted((member for member in members if member.shaft in came), key=lambda each: _depth(each, -1))
-        behind = sorted((member for member in members if member.shaft in lasting), key=lambda each: _depth(each, 1))
+        before = sorted((member for member in members if member.shaft in came), key=lambda member: _depth(member, -1))
+        behind = sorted((member for member in members if member.shaft in lasting), key=lambda member: _depth(member, 1))
         if tuple(member.shaft for member in before) != came:
             continue
         if not (_free(before, behind, held, -1) and _free(behind, before, held, 1)):

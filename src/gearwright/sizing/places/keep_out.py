@@ -38,7 +38,7 @@ def entries(design: Design, bodies: Sequence[Body]) -> Iterator[Entry]:
         space = _space(keep)
         rooms = [(body, solid_room(solid_of(body), space, enough=0.0)) for body in bodies]
         if rooms:
-            body, room = min(rooms, key=lambda each: each[1].gap)
+            body, room = min(rooms, key=lambda pair: pair[1].gap)
             yield Entry(name, keep.reason, body, room)
 
 

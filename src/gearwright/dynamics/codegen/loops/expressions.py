@@ -239,8 +239,8 @@ def _called(code: Expressions, node: ast.Call) -> Value:
     if name in code.known:
         *kinds, result = code.known[name]
         given = [
-            code.number(each) if kind.text == NUMBER else code.value(each).text
-            for each, kind in zip(node.args, kinds, strict=True)
+            code.number(argument) if kind.text == NUMBER else code.value(argument).text
+            for argument, kind in zip(node.args, kinds, strict=True)
         ]
         arguments = ", ".join(f"{kind.text} {text}" for kind, text in zip(kinds, given, strict=True))
         return _result(code, f"call {result.text} @{name}({arguments})", result)
@@ -272,13 +272,13 @@ def _floats(code: Expressions, given: list[ast.expr]) -> Value:
 
 def _extreme(relation: str) -> Callable[[Expressions, list[ast.expr]], Value]:
     def written(code: Expressions, given: list[ast.expr]) -> Value:
-        found = code.value(given[0])
-        for each in given[1:]:
-            other, best, kind = code.pair(code.value(each), found)
+        extreme = code.value(given[0])
+        for argument in given[1:]:
+            other, best, kind = code.pair(code.value(argument), extreme)
             test = f"fcmp o{relation}" if kind == NUMBER else f"icmp s{relation}"
             truth = code.name(f"{test} {kind} {other}, {best}")
-            found = Value(code.name(f"select i1 {truth}, {kind} {other}, {kind} {best}"), Kind(kind))
-        return found
+            extreme = Value(code.name(f"select i1 {truth}, {kind} {other}, {kind} {best}"), Kind(kind))
+        return extreme
 
     return written
 
