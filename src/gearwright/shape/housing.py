@@ -219,19 +219,22 @@ def _outline(reach: Floats) -> Floats:
     loop, ways = outline_of(reach), _ways(len(reach))
     if np.all(loop @ ways.T <= reach + NEAR):
         return _cleaned(loop)
-    loop = float(np.max(np.abs(reach))) * np.array([[2.0, -2.0], [2.0, 2.0], [-2.0, 2.0], [-2.0, -2.0]])
-    for way, limit in zip(ways, reach, strict=True):
-        far = loop @ way - limit
-        if np.all(far <= 0.0):
+    wide = 2.0 * float(np.max(np.abs(reach)))
+    corners = [complex(wide, -wide), complex(wide, wide), complex(-wide, wide), complex(-wide, -wide)]
+    for way, limit in zip((ways[:, 0] - 1j * ways[:, 1]).tolist(), reach.tolist(), strict=True):
+        far = [(corner * way).real - limit for corner in corners]
+        if max(far) <= 0.0:
             continue
-        kept: list[Floats] = []
-        for k in range(len(loop)):
-            here, there, onward = far[k], far[(k + 1) % len(loop)], loop[(k + 1) % len(loop)]
+        kept: list[complex] = []
+        for here, there, corner, onward in zip(
+            far, [*far[1:], far[0]], corners, [*corners[1:], corners[0]], strict=True
+        ):
             if here <= 0.0:
-                kept.append(loop[k])
+                kept.append(corner)
             if (here < 0.0 < there) or (there < 0.0 < here):
-                kept.append(loop[k] + here / (here - there) * (onward - loop[k]))
-        loop = np.array(kept)
+                kept.append(corner + here / (here - there) * (onward - corner))
+        corners = kept
+    loop = np.array([[corner.real, corner.imag] for corner in corners])
     return _cleaned(loop)
 
 
