@@ -18,6 +18,7 @@ from gearwright.closure.wishes import Wishes
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
 from gearwright.sizing.making import built_checks
+from gearwright.sizing.rating import remembering
 from gearwright.spec import Design
 from gearwright.spec.design import given_values
 from gearwright.verbs import verb
@@ -29,6 +30,7 @@ ABOVE = 1.01
 
 
 @verb
+@remembering()
 def close(
     design: Design,
     *,

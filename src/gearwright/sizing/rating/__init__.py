@@ -9,6 +9,8 @@ from gearwright.sizing.rating.context import (
     Known,
     context_of,
     demands_of,
+    remembered,
+    remembering,
     reverse_parts,
     row_ask,
 )
@@ -98,6 +100,8 @@ __all__ = [
     "push_angle",
     "rate_row",
     "rating_of",
+    "remembered",
+    "remembering",
     "reverse_parts",
     "rim_below_roots",
     "row_ask",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -22,6 +24,24 @@ _IDLE = 1e-6
 
 Known = dict[tuple[Any, ...], list[tuple[Rating, Any]]]
 """Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
+
+_REMEMBERED: ContextVar[Known | None] = ContextVar("remembered", default=None)
+
+
+@contextmanager
+def remembering() -> Iterator[None]:
+    """Let all sizings within share what meshes give: equal meshes give the same bits, whichever design they are of."""
+    token = _REMEMBERED.set(remembered())
+    try:
+        yield
+    finally:
+        _REMEMBERED.reset(token)
+
+
+def remembered() -> Known:
+    """Return what meshes have given so far where sizings share it; else nothing."""
+    shared = _REMEMBERED.get()
+    return {} if shared is None else shared
 
 
 class Demand(NamedTuple):
@@ -101,11 +121,11 @@ def context_of(
         teeth: Tooth number of every gear.
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
-        known: What meshes of the design have given with other teeth; left out: nothing yet.
+        known: What meshes of the design have given with other teeth; left out: what is remembered.
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
     values = {path: entry.value for path, entry in given.items()}
-    return Context(design, train, teeth, flows, values, ratings, {} if known is None else known)
+    return Context(design, train, teeth, flows, values, ratings, remembered() if known is None else known)
 
 
 def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Callable[[], Any]) -> Any:

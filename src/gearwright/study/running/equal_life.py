@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.reviews import Review, Verdict, review
 from gearwright.showing import Shown
 from gearwright.sizing.mass import Statistics, statistics_beside
+from gearwright.sizing.rating import remembering
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running.compare import comparison_of
 from gearwright.units import Life, Mass, Ratio
@@ -81,13 +82,19 @@ def equal_life(
     for name, design in chosen.items():
         say = None if tell is None else _named(tell, name)
         try:
-            closed = close(design, wishes=asked, tell=say)
-            rows.append(_row(name, closed))
-            if closed.outcome is Outcome.OPEN and (variant := nearest_variant(design, closed, tell=say).nearest):
-                rows.append(replace(_row(name, variant.closed), variant=variant.what))
+            with remembering():
+                rows += _rows(name, design, asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=_order))
+
+
+def _rows(name: str, design: Design, asked: Wishes, say: Callable[[str], None] | None) -> Iterator[EqualLife]:
+    """Yield a design closed, and its nearest variant where it does not close itself."""
+    closed = close(design, wishes=asked, tell=say)
+    yield _row(name, closed)
+    if closed.outcome is Outcome.OPEN and (variant := nearest_variant(design, closed, tell=say).nearest):
+        yield replace(_row(name, variant.closed), variant=variant.what)
 
 
 def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
