@@ -209,7 +209,7 @@ PLANETARY = Kind("planetary set", "planetary", 1, 2.9, 11.0, 1, _set("driving", 
 STAR = Kind("star", "star", 1, 1.9, 10.0, -1, _set("driving", "driven", GROUND))
 SOLAR = Kind("solar set", "solar", 1, 1.12, 1.52, 1, _set(GROUND, "driving", "driven"))
 STEPPED = Kind("stepped set", "stepped", 2, 2.8, 5.5, 1, _stepped("driven", GROUND))
-STEPPED_STAR = Kind("stepped star", "stepped-star", 2, 2.8, 5.5, -1, _stepped(GROUND, "driven"))
+STEPPED_STAR = Kind("stepped star", "steppedstar", 2, 2.8, 5.5, -1, _stepped(GROUND, "driven"))
 DIFFERENTIAL = Kind("differential", "differential", 1, 2.9, 11.0, 1, _differential, balanced=True)
 KINDS = {kind.name: kind for kind in (PAIR, SPLIT, PLANETARY, STAR, SOLAR, STEPPED, STEPPED_STAR, DIFFERENTIAL)}
 """By name. Ratios: 1 + z_r/z_s of planetary sets lies between 2.9 and 11, where three planets stand beside each other

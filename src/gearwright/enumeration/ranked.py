@@ -40,7 +40,7 @@ _FAR = 1.75
 _HOPELESS = 2.5
 """The same of the middle of its ranges, over the lightest of the fewest stages, above which it is left at that [-]."""
 _ANEW = 3
-"""Times as many as are closed get numbers anew, by what they lack [-]."""
+"""Times as many as are closed get numbers anew, by what they weigh and lack against fatigue [-]."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -71,6 +71,16 @@ class Ranking(Shown):
         """Those that pass of what the architectures are compared with, the lightest first."""
         own = {row.architecture.slug for row in self.candidates}
         return tuple(row for row in self.passing if row.design not in own)
+
+    def called(self, row: EqualLife) -> str:
+        """Return a closed design in words: its architecture, or the name of one that is compared with them.
+
+        Args:
+            row: Of those that were closed.
+        """
+        names = {one.architecture.slug: one.architecture.name for one in self.candidates}
+        variant = " (variant)" if row.variant else ""
+        return f"{names[row.design]}{variant}" if row.design in names else row.title
 
     @property
     def unborne(self) -> int:
@@ -109,8 +119,8 @@ def architectures(
     """Return every train of a few stages that can take the place of a design's own, ranked at equal life.
 
     Each architecture gets the ratios and the motor's speed with which it weighs least as a first sizing. Those that are
-    not far from the lightest are sized against fatigue, with everything in their mass; the lightest of those that lack
-    something there get other numbers by it. The most promising are closed: every free size is chosen so that an
+    not far from the lightest are sized against fatigue, with everything in their mass, by which the lightest of them
+    get other numbers. The most promising are closed: every free size is chosen so that an
     independent review of the written design passes. The answer does not depend on how many workers there are.
 
     Args:
@@ -197,8 +207,8 @@ def _ranked(task: _Task, every: Sequence[Architecture], anew: int) -> list[Candi
     task.run(partial(sketched, task.asked, most=most), longer, how)
     near = [row for row in _near([known[one.slug] for one in every]) if row.design is None]
     task.run(partial(rated, task.asked, life=task.life), near, "against fatigue")
-    short = [row for row in _short([known[one.slug] for one in every], anew) if not row.proportioned]
-    task.run(partial(proportioned, task.asked, life=task.life), short, "anew by what they lack")
+    light = [row for row in _light([known[one.slug] for one in every], anew) if not row.proportioned]
+    task.run(partial(proportioned, task.asked, life=task.life), light, "anew by what they weigh and lack there")
     return sorted((known[one.slug] for one in every), key=lambda row: row.order)
 
 
@@ -209,11 +219,10 @@ def _near(rows: Sequence[Candidate]) -> list[Candidate]:
     return [row for row in rows if masses.get(row.architecture.slug, math.inf) <= most]
 
 
-def _short(rows: Sequence[Candidate], count: int) -> list[Candidate]:
-    """Return the lightest of the architectures that were sized against fatigue, those of them that lack something."""
+def _light(rows: Sequence[Candidate], count: int) -> list[Candidate]:
+    """Return the lightest of the architectures that were sized against fatigue."""
     known = [row for row in rows if row.rated_mass is not None]
-    lightest = sorted(known, key=lambda row: (row.rated_mass or 0.0, row.architecture.slug))[:count]
-    return [row for row in lightest if row.lacks]
+    return sorted(known, key=lambda row: (row.rated_mass or 0.0, row.architecture.slug))[:count]
 
 
 def _weight(row: EqualLife) -> tuple[bool, float]:

@@ -1,4 +1,4 @@
-"""Every architecture with its best numbers: as a first sizing, then against fatigue, then by what it lacks there."""
+"""Every architecture with its best numbers: as a first sizing, against fatigue, then by what it weighs and lacks."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.identity import Role, gear_part
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
+from gearwright.sizing.rating import remembering
 from gearwright.spec import Design, at_level, edited
 
 _STEPS = (0.25, 0.12)
@@ -48,7 +49,7 @@ class Candidate:
     rated_mass: float | None = None
     """Complete, with its motor, before its numbers were chosen anew [kg]."""
     proportioned: bool = False
-    """Whether its numbers were chosen anew, by what it lacks against fatigue."""
+    """Whether its numbers were chosen anew, by what it weighs and lacks against fatigue."""
     refused: str = ""
     """Why it cannot be sized."""
 
@@ -95,6 +96,8 @@ def sketched(requirement: Requirement, architecture: Architecture, *, most: floa
         architecture: That is to serve it.
         most: Complete mass with its motor in the middle of its ranges, above which no other numbers are looked at [kg].
     """
+    if slowed := _slowed(requirement, architecture):
+        return Candidate(architecture, refused=slowed)
     middle = _middle(requirement, architecture) if most < math.inf else None
     if middle is not None and (middle.first_complete or 0.0) > most:
         return middle
@@ -105,6 +108,16 @@ def sketched(requirement: Requirement, architecture: Architecture, *, most: floa
     except GearwrightError as error:
         return Candidate(architecture, refused=_words(error))
     return Candidate(architecture, best.ratios, best.motor_speed, places, first, whole)
+
+
+def _slowed(requirement: Requirement, architecture: Architecture) -> str:
+    """Say where a differential turns the propeller more slowly than may be; empty where it does not."""
+    case, speed = requirement.slowed
+    tolerance = requirement.design.teeth.speed_tolerance
+    if speed >= 1.0 - tolerance or not any(kind.balanced for kind in architecture.members):
+        return ""
+    why = "its torques stand in a fixed ratio, and the motor gives less there"
+    return f"turns the propeller at {speed:.2f} of its speed in {case}: {why}; {1.0 - tolerance:.2f} is asked"
 
 
 def _middle(requirement: Requirement, architecture: Architecture) -> Candidate | None:
@@ -119,6 +132,7 @@ def _middle(requirement: Requirement, architecture: Architecture) -> Candidate |
     return Candidate(architecture, made.ratios, made.motor_speed, places, _first_mass(sizing), whole)
 
 
+@remembering()
 def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
     """Return a sketched architecture sized against fatigue, with everything in its mass.
 
@@ -134,6 +148,7 @@ def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate
         return replace(row, refused=_words(error))
 
 
+@remembering()
 def proportioned(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
     """Return an architecture whose numbers promise most against fatigue, of a star of points about those it has.
 

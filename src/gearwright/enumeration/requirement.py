@@ -65,6 +65,15 @@ class Requirement:
         return found
 
     @property
+    def slowed(self) -> tuple[str, float]:
+        """Case in which a differential turns the propeller slowest, and that speed over the asked one [-].
+
+        Its torques stand in a fixed ratio, so that a motor that gives less turns slower, and the propeller with it.
+        """
+        speeds = {case: (1.0 + added) / (1.0 + self.added) for case, added in self.added_in.items()}
+        return min(speeds.items(), key=lambda item: item[1], default=("", 1.0))
+
+    @property
     def helix(self) -> float | None:
         """Helix angle of its gears [rad]; None where the design states none."""
         return self.design.gears.helix_angle or None
@@ -102,7 +111,8 @@ def _problems(design: Design, fastest: float | None) -> Iterator[Problem]:
         count = len(getattr(design, table))
         if not least <= count <= most:
             asked = "one" if least else "at most one"
-            yield Problem(table, f"there are {count}; architectures are enumerated for {asked}: leave the others out")
+            fix = "state one" if count < least else "leave the others out"
+            yield Problem(table, f"there are {count}; architectures are enumerated for {asked}: {fix}")
     for table in ("rotors", "generators", "accessories", "loads"):
         if getattr(design, table):
             names = ", ".join(getattr(design, table))

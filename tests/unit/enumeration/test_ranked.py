@@ -92,6 +92,17 @@ def test_what_cannot_be_asked_is_refused_before_anything_is_computed(wrong, said
         gw.architectures(**{"design": small(), "life": LIFE, **wrong})
 
 
+def test_a_differential_that_turns_the_propeller_too_slowly_is_refused_and_one_that_does_not_is_sized():
+    """(1 + P_m/P_t) of a case over that of the rated powers: 1.45/1.961 in the cruise of the thesis."""
+    one = Architecture(("differential", "planetary set"), Place(Seat.RING, 0))
+    hybrid = gw.read("in-line-h2")
+    refused = sketched(requirement_of(hybrid), one)
+    assert refused.design is None and "0.74 of its speed in cruise" in refused.refused
+    steady = gw.edited(hybrid, {"cases.cruise.electric.rating": None, "cases.cruise.electric.power_kw": 1005.0})
+    assert requirement_of(steady).slowed[1] == pytest.approx(1.0)
+    assert "of its speed" not in sketched(requirement_of(steady), one).refused
+
+
 def test_a_gearbox_is_as_likely_lighter_than_its_equal_as_heavier():
     row = gw.equal_life({"in-line-star": gw.read("in-line-star")}, wishes=gw.Wishes(LIFE))[0]
     assert lighter(row, row) == 0.5

@@ -54,6 +54,11 @@ def test_no_two_architectures_are_one_graph():
     assert max(seen.values()) == 1
 
 
+def test_every_architecture_has_a_file_of_its_own():
+    slugs = Counter(one.slug for one in trains(16.5, stages=(1, 2, 3, 4), added=0.96))
+    assert len(slugs) > 4000 and max(slugs.values()) == 1
+
+
 def test_one_stage_of_five_is_a_pair_a_planetary_set_or_a_star():
     kinds = {one.kinds for one in trains(5.0, stages=(1,), motor=False)}
     assert kinds == {("pair",), ("planetary set",), ("star",)}

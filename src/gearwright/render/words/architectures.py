@@ -16,7 +16,7 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
         ranking: From `architectures`.
     """
     count, refused = len(ranking.candidates), ranking.refused
-    yield f"{count} architectures can give the ratio; {refused} of them cannot be sized, each with its reason."
+    yield f"{count} architectures can give the ratio; {refused} of them are refused, each with its reason."
     if ranking.unborne:
         fatigued = sum(row.design is not None for row in ranking.candidates)
         yield (
@@ -31,10 +31,10 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     best = passing[0]
     yield lightest_sentence(ranking)
     if len(passing) > 1:
-        yield f"The next, {_behind(best, passing[1])}"
+        yield f"The next, {ranking.called(passing[1])}, {_behind(best, passing[1])}"
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
-        yield f"The lightest of those compared with it, {_behind(best, others[0])}"
+        yield f"The lightest of those compared with it, {ranking.called(others[0])}, {_behind(best, others[0])}"
 
 
 def lightest_sentence(ranking: Ranking) -> str:
@@ -44,7 +44,8 @@ def lightest_sentence(ranking: Ranking) -> str:
         ranking: Of which one passes.
     """
     best = ranking.passing[0]
-    return f"The lightest that passes its review for {text(ranking.life, 'life', 3)}: {best.title}, {_weighs(best)}."
+    life = text(ranking.life, "life", 3)
+    return f"The lightest that passes its review for {life}: {ranking.called(best)}, {_weighs(best)}."
 
 
 def _behind(best: EqualLife, other: EqualLife) -> str:
@@ -54,7 +55,7 @@ def _behind(best: EqualLife, other: EqualLife) -> str:
     within = "within" if (other.with_machines or 0.0) <= most else "beyond"
     alike, apart = (f"{min(100.0 * lighter(best, other, apart=one), 99.9):.3g} %" for one in (False, True))
     return (
-        f"{other.title}, is {text(ahead, 'mass', 3)} heavier, {within} the band of the first; the first is lighter with"
+        f"is {text(ahead, 'mass', 3)} heavier, {within} the band of the first; the first is lighter with"
         f" a probability of {alike} if the rules of mass err of both alike, part by part, and of {apart} if they err of"
         " each by itself."
     )

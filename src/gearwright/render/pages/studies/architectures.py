@@ -81,21 +81,21 @@ def _verdict(ranking: Ranking, said: tuple[str, ...]) -> Verdict:
 def _numbers(ranking: Ranking) -> Iterator[Number]:
     """Yield the lightest that pass, with the band of the gearbox."""
     for row in ranking.passing[:_HEAD]:
-        yield quantity(f"{row.title}, with machines", row.with_machines or 0.0, "mass", digits=3)
+        yield quantity(f"{ranking.called(row)}, with machines", row.with_machines or 0.0, "mass", digits=3)
 
 
 def _drawn(ranking: Ranking, sized: dict[str, Sizing]) -> Iterator[Figure]:
     """Yield the skeletons of the lightest."""
     for row in [row for row in ranking.closed if row.title in sized][:DRAWN]:
         svg = theme.to_svg(schematic_figure(sized[row.title]), row.title)
-        yield Figure(svg, f"{row.title}: {_weight(row)}, {row.verdict}.")
+        yield Figure(svg, f"{ranking.called(row)}: {_weight(row)}, {row.verdict}.")
 
 
 def _link(ranking: Ranking, turning: str) -> Markup:
     """Return where the lightest turns."""
     if not turning or not ranking.passing:
         return Markup()
-    words = f"{ranking.passing[0].title} as solids that turn"
+    words = f"The lightest, {ranking.called(ranking.passing[0])}, as solids that turn"
     return Markup('<p><a href="{}">{}</a></p>').format(turning, words)
 
 

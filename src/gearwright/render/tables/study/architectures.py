@@ -15,8 +15,9 @@ SHOWN = 24
 _NOTE = (
     "Each with the ratios, and the speed of its motor, with which it weighs least as a first sizing, of as many planets"
     " as stand beside each other, five at most; those not far from the lightest then against fatigue for the life, with"
-    " everything in their mass, and the lightest of these with numbers chosen anew by what they lack. In the order in"
-    " which they are looked at further: by mass, and by the load that what fails lacks, which closing may bring or not."
+    " everything in their mass, and the lightest of these with numbers chosen anew by that mass and what they lack. In"
+    " the order in which they are looked at further: by mass, and by the load that what fails lacks, which closing may"
+    " bring or not."
 )
 _COLUMNS = (
     "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "with_machines", "lacks",
