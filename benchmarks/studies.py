@@ -6,6 +6,7 @@ sizing    the same in this process and two workers, and where the CPU time of a 
 scaling   the same cases with one worker and with two, in turn, seven times
 overhead  cases of 10 ms of CPU: CPU time of runner and worker over that of the cases, start apart; five times
 journal   rows a second into the journal, each transaction on disk before the next; five times
+merged    eight journals of 25 000 rows by ``gearwright merge … --into FILE --export FILE.parquet``, from its start
 
 It prints a table with medians and the spread from least to most, and how busy the machine was with other work: the
 CPU time of a case counts what other processes do not take. How safe studies are is told by the tests:
@@ -182,9 +183,38 @@ def _rows_a_second(count: int, batch: int) -> tuple[float, float]:
             return count / (time.perf_counter() - start), count / (cpu_time() - cpu)
 
 
+def merged(parts: int = 8, count: int = 25_000) -> str:
+    row = run(study_of(1), DESIGNS).rows[0]
+    with tempfile.TemporaryDirectory() as folder:
+        names = [f"{part}.journal" for part in range(parts)]
+        for part, name in enumerate(names):
+            begin(Path(folder) / name, study_of(parts * count), DESIGNS)
+            with opened(Path(folder) / name) as book:
+                book.begin_run(1)
+                book.append(blocks_of((own, _of(row, own)) for own in range(part, parts * count, parts)))
+        call = (sys.executable, "-c", "from gearwright.cli import main; main()", "merge", *names)
+        before, start = cpu_time(), time.perf_counter()
+        subprocess.run((*call, "--into", "all.journal", "--export", "all.parquet"), cwd=folder, check=True,
+                       capture_output=True)  # fmt: skip
+        seconds, cpu = time.perf_counter() - start, cpu_time() - before
+        sizes = [(Path(folder) / f"all.{kind}").stat().st_size / 1e6 for kind in ("journal", "parquet")]
+    return (
+        f"{parts} journals of {count} rows into one, and to Parquet | {seconds:.1f} s, {cpu:.1f} s of CPU;"
+        f" {sizes[0]:.1f} and {sizes[1]:.1f} MB"
+    )
+
+
+def _of(row: Row, number: int) -> Row:
+    """Return a row like another one, with numbers of its own."""
+    near = 1.0 + 1e-6 * number
+    inputs = {path: near * float(value) for path, value in row.inputs.items()}
+    results = {name: Named(near * float(named.value), named.dimension) for name, named in row.results.items()}
+    return Row(row.design, inputs, results)
+
+
 def main() -> None:
     known: dict[str, Callable[[], str]] = {
-        each.__name__: each for each in (command, sizing, scaling, overhead, journal)
+        each.__name__: each for each in (command, sizing, scaling, overhead, journal, merged)
     }
     print(f"Python {platform.python_version()}, {os.cpu_count()} cores\n\n| what | measured | processes at work |")
     print("| --- | --- | --- |")

@@ -2,8 +2,11 @@
 
 from pathlib import Path
 
+import h5py
 import pytest
+from typer.testing import CliRunner
 
+from gearwright.cli import app
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import edited, parse_study, read
@@ -81,3 +84,13 @@ def test_every_task_of_the_script_begins_or_goes_on_with_its_own_journal() -> No
     assert "#SBATCH --array=1-8" in script
     assert "gearwright study 'my study.toml' --shard $shard --journal 'my study'-$SLURM_ARRAY_TASK_ID.journal" in script
     assert "gearwright resume 'my study'-$SLURM_ARRAY_TASK_ID.journal --shard $shard" in script
+
+
+def test_merge_writes_the_table_of_what_is_there(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    run_study(study_of(), DESIGNS, journal=Path("1"), part=Part(1, 4))
+    run_study(study_of(), DESIGNS, journal=Path("2"), part=Part(2, 4))
+    said = CliRunner().invoke(app, ["merge", "1", "2", "--into", "all", "--export", "all.nc"])
+    assert (said.exit_code, "12 of 23 cases" in said.output, "wrote all.nc" in said.output) == (0, True, True)
+    with h5py.File("all.nc") as file:
+        assert file["mass"][:].tolist() == [row.shown("mass") for row in rows_of(Path("all"))]

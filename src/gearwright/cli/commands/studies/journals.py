@@ -148,17 +148,32 @@ def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Desi
 def merge(
     journals: Annotated[list[Path], typer.Argument(help="Journals of parts of one study", metavar="JOURNAL...")],
     into: Annotated[Path, typer.Option(help="Journal that gets what all of them have; made where there is none")],
+    export: ExportOption = None,
 ) -> None:
     """Make the journals of parts of one study a single one, which `resume` completes and shows."""
-    from gearwright.study.running import is_reduced, merge_reduced
+    from gearwright.study.running import is_reduced, merge_reduced, recorded, rows_of, table_of
     from gearwright.study.running import merge as merged
 
+    refuse_files(None, export, None)
     if all(path.is_file() and is_reduced(path) for path in journals):
+        _refuse_rows(export)
         show_reduced(merge_reduced(journals, into), json=False)
         return
     done, total = merged(journals, into)
     show(f"{done:,} of {total:,} cases in {into}")
+    if export is not None:
+        study = recorded(into).study
+        write_files(study, table_of(study, rows_of(into)), {}, export=export, report=None)
     show(f"next: gearwright resume {into}")
+
+
+def _refuse_rows(export: Path | None) -> None:
+    """Refuse a table of studies that keep no rows."""
+    from gearwright.errors import DesignError, Problem
+
+    if export is not None:
+        message = "needs rows, and states of studies with [reduced] have none; leave it out"
+        raise DesignError([Problem("--export", message)])
 
 
 def cluster(
