@@ -1,7 +1,7 @@
 """The search for the best: a million designs, planted optima, and its hypervolume beside pymoo's.
 
 python benchmarks/optimise.py million     10⁶ concept designs of In-Line H2 screened, then the rest of the search
-python benchmarks/optimise.py planted     50 small problems whose best a whole grid knows
+python benchmarks/optimise.py planted     50 small problems whose best a whole grid knows; a number behind draws others
 python benchmarks/optimise.py peers       hypervolume at equal evaluations, five seeds (extra optimisers)
 python benchmarks/optimise.py surrogate   designs until the least excitation is found, with a surrogate and without
 """
@@ -67,8 +67,8 @@ def million() -> None:
     print({name: round(best.shown(name), 3) for name in best.results}, dict(best.inputs))
 
 
-def planted() -> None:
-    generator, found, worst = np.random.default_rng(1), 0, -np.inf
+def planted(start: int = 1) -> None:
+    generator, found, worst = np.random.default_rng(start), 0, -np.inf
     for number in range(50):
         low, narrow = generator.uniform(3800, 4600), generator.uniform(6, 10)
         lists = {FIRST: [3, 4, 5], SECOND: [3, 4, 5], "gears.pressure_angle_deg": [20, 22.5, 25]}
@@ -85,7 +85,7 @@ def planted() -> None:
         keeps = grid.columns["worst_margin"] >= 1.0 - 1e-9
         least = float(np.nanmin(np.where(keeps, grid.columns[objective], np.nan)))
         asked = study(
-            axes, {objective: "minimum"}, screened=1024, evaluations=640, population=64, polished=3, seed=number
+            axes, {objective: "minimum"}, screened=4096, evaluations=1000, population=64, polished=3, seed=number
         )
         value = gw.optimise(asked).best.row.number(objective)
         worst = max(worst, value / least - 1.0)
@@ -213,7 +213,7 @@ def _whole(axes: dict, objectives: dict, seed: int) -> tuple[np.ndarray, float]:
     begun = time.process_time()
     with closing(Bench(own, {"in-line-h2": gw.read("in-line-h2")}, journal=None, workers=0)) as bench:
         course = followed(bench, own.search, workers=0, tell=lambda _: None)
-        _polished(bench, own.search, course.archive, course.number)
+        _polished(bench, own.search, course)
     return course.archive.judged.values, (time.process_time() - begun) / EVALUATIONS
 
 
@@ -233,4 +233,6 @@ def _compared(name: str, fronts: dict, costs: dict) -> None:
 
 
 if __name__ == "__main__":
-    {"million": million, "planted": planted, "peers": peers, "surrogate": surrogate}[sys.argv[1]]()
+    {"million": million, "planted": planted, "peers": peers, "surrogate": surrogate}[sys.argv[1]](
+        *map(int, sys.argv[2:])
+    )

@@ -20,7 +20,7 @@ settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--faults", type=int, default=2, help="Times that each fault of a study happens, at other moments")
+    parser.addoption("--faults", type=int, default=1, help="Times that each fault of a study happens, at other moments")
     parser.addoption("--extras", action="store_true", help="Run the tests that need an extra, alone; none is skipped")
 
 

@@ -7,13 +7,14 @@ from gearwright.optimum.asking import Search, search
 from gearwright.optimum.freedoms import DESIGN, is_continuous
 from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.optimise import optimise
-from gearwright.optimum.optimum import Best, Binding, Counts, Influence, Optimum, Price, Regret
+from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Influence, Optimum, Price, Regret
 
 __all__ = [
     "DESIGN",
     "Best",
     "Binding",
     "Counts",
+    "Fit",
     "Influence",
     "Optimum",
     "Price",

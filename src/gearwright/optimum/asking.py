@@ -16,8 +16,9 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.freedoms import DESIGN, freedoms_of
-from gearwright.optimum.guided import Fit, Guided, parents_of
+from gearwright.optimum.guided import parents_of
 from gearwright.optimum.judging import Judged, judged_rows
+from gearwright.optimum.optimum import Fit
 from gearwright.shipped import find_design
 from gearwright.showing import Shown
 from gearwright.sizing import Named
@@ -75,7 +76,7 @@ class Search(Shown):
     @property
     def fits(self) -> tuple[Fit, ...]:
         """How well the surrogate foretells each result that it is not told; empty without ``search.surrogate``."""
-        return self._parents.fits if isinstance(self._parents, Guided) else ()
+        return self._parents.fits
 
     def ask(self, count: int) -> list[dict[str, Value]]:
         """Return designs that are worth a look: first evenly spread ones, then children of the best that were told.

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Floats
 from gearwright.optimum.freedoms import freedoms_of
 from gearwright.optimum.judging import Judged
+from gearwright.optimum.optimum import Fit
 from gearwright.spec import Study
 from gearwright.study.answers import crowding
 from gearwright.study.running import children
@@ -56,9 +57,9 @@ class Parents:
         self.places, self.judged = places[best], judged.take(best)
 
     @property
-    def front(self) -> Bools:
-        """Which of them keep every constraint and no other one dominates."""
-        return np.asarray(self.judged.good & (self.judged.ranks == 0))
+    def fits(self) -> tuple[Fit, ...]:
+        """Of surrogates: there are none."""
+        return ()
 
     def children(self, count: int, generator: np.random.Generator) -> Floats:
         """Return so many children: tournaments, crossover, mutation.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,12 +10,14 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.breeding import Parents
-from gearwright.optimum.freedoms import freedoms_of
+from gearwright.optimum.freedoms import freedoms_of, is_continuous
 from gearwright.optimum.guided import Guided, parents_of
 from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.judging import Judged, judged_rows
+from gearwright.optimum.optimum import Fit
 from gearwright.optimum.polishing import ENOUGH
 from gearwright.optimum.screening import parts_of, screening, starts
+from gearwright.spec import Study
 from gearwright.spec.studies import Search
 from gearwright.study.answers import FAILED, Blocks, Row, blocks_of
 from gearwright.study.cases import goes_together
@@ -29,7 +31,8 @@ Tell = Callable[[str], None]
 class Archive:
     """Good designs that no other one dominates, of all that were looked at."""
 
-    def __init__(self, objectives: int, constraints: int) -> None:
+    def __init__(self, study: Study) -> None:
+        objectives, constraints = len(study.objectives), len(study.constraints)
         self.rows: list[Row] = []
         self.judged = Judged(np.zeros((0, objectives)), np.zeros((0, constraints)))
         self.refusal = ""
@@ -39,6 +42,9 @@ class Archive:
         self.least_broken = np.full(constraints, np.inf)
         """By how much each constraint is broken at least, over its bound [-]."""
         self._least = np.inf
+        self._listed = [path for path, axis in study.axes.items() if not is_continuous(axis)]
+        self._best: dict[Hashable, tuple[float, Row]] = {}
+        """Design and values of lists -> least first objective of those that are good, and its row."""
 
     def add(self, rows: Sequence[Row], own: Judged) -> None:
         """Take in designs, and keep those that no other one dominates.
@@ -49,12 +55,29 @@ class Archive:
         """
         self._miss(rows, own)
         self.refusal = self.refusal or next((row.problem for row in rows if row.problem), "")
+        for k in np.flatnonzero(own.good).tolist():
+            key, value = self._kind(rows[k]), float(own.values[k, 0])
+            if value < self._best.get(key, (np.inf,))[0]:
+                self._best[key] = value, rows[k]
         rows, judged = [*self.rows, *rows], self.judged.joined(own)
         good = np.flatnonzero(judged.good)
         best = good[judged.take(good).ranks == 0]
         _, first = np.unique(judged.values[best], axis=0, return_index=True)
         best = best[np.sort(first)]
         self.rows, self.judged = [rows[k] for k in best.tolist()], judged.take(best)
+
+    def beside(self, count: int) -> list[Row]:
+        """Return the best designs with other values of lists than the front has, one of each, by the first objective.
+
+        Args:
+            count: At most [-].
+        """
+        met = {self._kind(row) for row in self.rows}
+        ordered = sorted(self._best.items(), key=lambda item: item[1][0])
+        return [row for key, (_, row) in ordered if key not in met][:count]
+
+    def _kind(self, row: Row) -> Hashable:
+        return (row.design, *(row.inputs[path] for path in self._listed))
 
     def _miss(self, rows: Sequence[Row], own: Judged) -> None:
         """Take in by how much designs miss what is asked."""
@@ -72,6 +95,8 @@ class Course(NamedTuple):
     """Of the next evaluation."""
     growth: tuple[float, ...]
     still: bool
+    parents: Parents | Guided
+    """The best that were bred."""
 
 
 def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course:
@@ -85,7 +110,7 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     """
     study = bench.study
     first = len(study.designs) * rules.screened
-    archive = Archive(len(study.objectives), len(study.constraints))
+    archive = Archive(study)
     parents = parents_of(study, rules)
     if rules.screened and goes_together(study):
         blocks = _screened(bench, rules, workers, tell)
@@ -97,17 +122,16 @@ def followed(bench: Bench, rules: Search, *, workers: int, tell: Tell) -> Course
     for values, number in _bred(bench, rules, parents, archive, first):  # noqa: B007
         growth.append(values)
         still = stands_still(growth, rules)
-        tell(f"generation {len(growth)}: {len(archive.rows)} on the front, hypervolume {values:.4f}{_errors(parents)}")
+        size = f"{len(archive.rows)} on the front, hypervolume {values:.4f}"
+        tell(f"generation {len(growth)}: {size}{_errors(parents.fits)}")
         if still:
             break
-    return Course(archive, number, tuple(growth), still)
+    return Course(archive, number, tuple(growth), still, parents)
 
 
-def _errors(parents: Parents | Guided) -> str:
-    """Return words on how well a surrogate foretells what it is not told, where there is one."""
-    if not isinstance(parents, Guided):
-        return ""
-    return "; foretold wrong by " + ", ".join(f"{fit.result} {100 * fit.error:.0f} %" for fit in parents.fits)
+def _errors(fits: Sequence[Fit]) -> str:
+    """Return words on how well surrogates foretell what they are not told, where there are any."""
+    return "; foretold wrong by " + ", ".join(f"{fit.result} {100 * fit.error:.0f} %" for fit in fits) if fits else ""
 
 
 def stands_still(growth: Sequence[float], rules: Search) -> bool:

@@ -9,17 +9,15 @@ Welch 1998, J. Global Optim. 13, 455-492 (expected improvement).
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.optimum.breeding import Parents, key_of
 from gearwright.optimum.judging import Judged
+from gearwright.optimum.optimum import Fit
 from gearwright.optimum.process import Process, conditioned, fitted
 from gearwright.spec import Study
 from gearwright.spec.studies import Search
-from gearwright.units import Ratio
 
 POOL = 256
 """Children, and as many points without a plan, among which is chosen [-]."""
@@ -29,18 +27,6 @@ FAR = 3.0
 """Distance from the best beyond which a surrogate tells no values apart, over that of the median [-]."""
 AUGMENTED = 0.05
 """Weight of the sum of objectives beside the largest (Knowles 2006) [-]."""
-
-
-class Fit(NamedTuple):
-    """How well a surrogate foretells a result that it is not told."""
-
-    result: str
-    """Objective or constraint."""
-    error: Ratio
-    """Root mean square of what is foretold wrong of each design by all others, over the deviation of the values [-];
-    1 is no better than their mean."""
-    designs: int
-    """That it knows [-]."""
 
 
 class Guided:

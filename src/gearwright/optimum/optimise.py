@@ -12,7 +12,7 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.optimum.bench import Bench
 from gearwright.optimum.binding import best_of
-from gearwright.optimum.course import Archive, Course, Tell, followed, polishable
+from gearwright.optimum.course import Course, Tell, followed, polishable
 from gearwright.optimum.doubt import influences_of, regrets_of
 from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.keeping import Fixed, with_teeth
@@ -84,7 +84,7 @@ def _answered(bench: Bench, rules: Search, course: Course, tell: Tell) -> Optimu
     study, archive = bench.study, course.archive
     first = len(study.designs) * rules.screened
     tell(f"{len(archive.rows)} designs on the front; polishing with their teeth kept")
-    fixed, end = _polished(bench, rules, archive, course.number)
+    fixed, end = _polished(bench, rules, course)
     chosen = nearest(archive.judged.values)
     counts = Counts(first, course.number - first, end - course.number, len(course.growth))
     teeth = {id(row): True for row in fixed}
@@ -95,9 +95,10 @@ def _answered(bench: Bench, rules: Search, course: Course, tell: Tell) -> Optimu
     answer = Optimum(study, ordered, place, counts, course.growth, course.still)
     tell("what limits cost, and what is uncertain")
     values = archive.judged.values[order]
+    prices = () if rules.surrogate else prices_of(bench, answer, values)
     return Optimum(
         study, ordered, place, counts, course.growth, course.still,
-        prices_of(bench, answer, values), regrets_of(bench, answer, values), influences_of(bench, answer, values),
+        prices, regrets_of(bench, answer, values), influences_of(bench, answer, values), course.parents.fits,
     )  # fmt: skip
 
 
@@ -112,20 +113,23 @@ def nearest(values: Floats) -> int:
     return int(np.lexsort((away.sum(axis=1), away.max(axis=1)))[0])
 
 
-def _polished(bench: Bench, rules: Search, archive: Archive, number: int) -> tuple[list[Row], int]:
-    """Polish designs that are spread over the front; return the rows that came of it, and the next number."""
+def _polished(bench: Bench, rules: Search, course: Course) -> tuple[list[Row], int]:
+    """Polish designs that are spread over the front, and some beside it; return those with teeth kept, and the next
+    number."""
+    archive, number = course.archive, course.number
     most = len(bench.study.designs) * rules.screened + rules.evaluations
     count = polishable(rules, most - number)
     starts = [with_teeth(bench.study, bench.designs, archive.rows[k]) for k in _spread(archive.judged.values, count)]
     kept = [start for start in starts if start is not None]
-    if not kept:
+    every = [*kept, *(Fixed(row.design, row.inputs) for row in archive.beside(count - len(kept)))]
+    if not every:
         return [], number
-    rows = bench.rows([_case(number + k, start) for k, start in enumerate(kept)])
-    number += len(kept)
+    rows = bench.rows([_case(number + k, start) for k, start in enumerate(every)])
+    number += len(every)
     own = judged_rows(bench.study, rows)
     scale = np.maximum(np.ptp(archive.judged.values, axis=0), 1e-3 * np.abs(archive.judged.values).max(axis=0) + 1e-300)
     compasses = [
-        Compass(start, bench.study.axes, own.take(np.array([k])), scale) for k, start in enumerate(kept) if own.good[k]
+        Compass(start, bench.study.axes, own.take(np.array([k])), scale) for k, start in enumerate(every) if own.good[k]
     ]
     for going, tried in rounds(compasses, rules.seed):
         cases, number = _cases(going, tried, number)
@@ -136,10 +140,10 @@ def _polished(bench: Bench, rules: Search, archive: Archive, number: int) -> tup
         for compass, places in zip(going, tried, strict=True):
             found = [next(answers) for _ in places]
             compass.note(places, found, judged_rows(bench.study, found))
-    better = [compass.row for compass in compasses if compass.row is not None]
+    better = {compass: compass.row for compass in compasses if compass.row is not None}
     if better:
-        archive.add(better, judged_rows(bench.study, better))
-    return better, number
+        archive.add(list(better.values()), judged_rows(bench.study, list(better.values())))
+    return [row for compass, row in better.items() if compass.start in kept], number
 
 
 def _case(number: int, start: Fixed) -> Case:

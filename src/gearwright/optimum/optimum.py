@@ -102,6 +102,19 @@ class Counts:
     generations: int
 
 
+@dataclass(frozen=True)
+class Fit:
+    """How well a surrogate foretells a result that it is not told."""
+
+    result: str
+    """Objective or constraint."""
+    error: Ratio
+    """Root mean square of what is foretold wrong of each design by all others, over the deviation of the values [-];
+    1 is no better than their mean."""
+    designs: int
+    """That it knows [-]."""
+
+
 @dataclass(frozen=True, repr=False)
 class Optimum(Shown):
     """The best designs that a search found."""
@@ -119,6 +132,8 @@ class Optimum(Shown):
     prices: tuple[Price, ...] = ()
     regrets: tuple[Regret, ...] = ()
     influences: tuple[Influence, ...] = ()
+    fits: tuple[Fit, ...] = ()
+    """Of the surrogates that chose the designs; empty where none did."""
 
     @property
     def best(self) -> Best:

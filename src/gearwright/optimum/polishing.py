@@ -1,7 +1,8 @@
 """Polish: teeth are kept, and ranges followed downhill by a compass, all designs of a front at once.
 
-Each design goes the way on which all its objectives gain alike (Chebyshev's distance, augmented), so that it ends where
-it dominates what it was.
+Where a front has few designs, the best with other values of lists follow theirs, teeth chosen anew: they may lie in
+another valley. Each design goes the way on which all its objectives gain alike (Chebyshev's distance, augmented), so
+that it ends where it dominates what it was.
 Source: Kolda, Lewis, Torczon 2003, SIAM Review 45 (3), 385-482 (compass search); Miettinen 1999, Nonlinear
 Multiobjective Optimization, section 3.4 (augmented Chebyshev).
 """

@@ -1,29 +1,36 @@
-"""The first layer: points that fill the axes, sized together in columns, of which each part keeps its best alone.
+"""The first layer: points that fill the axes and their ends, sized together in columns, of which each part keeps few.
 
-What cannot be sized together is left out and counted: this layer only says where generations begin.
+What is kept is the front, the best of every section of every range, and the best with any values of lists: what is best
+in the end may lie in another valley than the best of the points. Every second point is drawn apart, so that ranges have
+points at their ends, where what is best often lies. What cannot be sized together is left out and counted: this layer
+only says where generations begin.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints
 from gearwright.errors import GearwrightError
-from gearwright.optimum.freedoms import freedoms_of
+from gearwright.optimum.freedoms import freedoms_of, is_continuous
 from gearwright.optimum.judging import Judged, judged, judged_columns
 from gearwright.sizing import in_lanes
 from gearwright.spec import Design, Study, edited, value_at
-from gearwright.spec.studies import Axis, Search
+from gearwright.spec.studies import Axis, Search, axis_length
 from gearwright.study.answers import Blocks, Row, block_of_columns, blocks_of, crowding, non_dominated
 
 LEAST, MOST = 4096, 131_072
 """Points that are sized at once: the more the quicker each, the fewer the less is lost when it is stopped [-]."""
 KEPT = 64
-"""Of each part, at most [-]."""
+"""Of the front of each part, and of its values of lists, at most [-]."""
+SECTIONS = 8
+"""Of every range, beside its two ends [-]."""
+APART = 1.5
+"""By which every second point is drawn apart: a sixth of them stands at either end of a range [-]."""
 NONE = "none of this part can be sized together with others, or all are refused"
 """Reason of the row that stands for a part without any."""
 
@@ -68,7 +75,8 @@ def screened(study: Study, designs: Mapping[str, Design], part: Part) -> Screene
         designs: Name -> design.
         part: Which points.
     """
-    columns = _columns(study, part)
+    places = _places(study, part)
+    columns = {path: _values(path, axis, places[:, k]) for k, (path, axis) in enumerate(study.axes.items())}
     try:
         base = edited(
             designs[part.design], {path: value for path, value in study.changes.items() if path not in columns}
@@ -83,7 +91,7 @@ def screened(study: Study, designs: Mapping[str, Design], part: Part) -> Screene
     if not len(place):
         return Screened(_none(part, columns, NONE), 0)
     own = judged_columns(study, {name: (found.values[name][place], found.dimensions[name]) for name in study.asked})
-    place = place[_best(own)]
+    place = place[_best(own, _cells(study, places[place]))]
     inputs = {path: [values[k] for k in place.tolist()] for path, values in columns.items()}
     results = {name: (found.values[name][place], found.dimensions[name]) for name in study.asked}
     return Screened(block_of_columns(part.design, place + part.number, inputs, results), int(sized.sum()))
@@ -94,21 +102,39 @@ def _none(part: Part, columns: Mapping[str, list[object]], why: str) -> Blocks:
     return blocks_of([(part.number, Row(part.design, inputs, {}, why))])  # type: ignore[arg-type]
 
 
-def _best(own: Judged) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
-    """Return the places of what is kept, in their order; of many those that stand freest."""
+def _best(own: Judged, cells: Sequence[Ints]) -> Ints:
+    """Return which are kept, in their order: the front (of a large one those that stand freest), the best of cells."""
     scale = np.maximum(np.ptp(own.values, axis=0), 1e-300)
     order = np.lexsort(((own.values / scale).sum(axis=1), own.violation))
     best = order[non_dominated(own.values[order], own.violation[order])]
     if len(best) > KEPT:
         best = best[np.argsort(-crowding(own.values[best], np.zeros(len(best), dtype=np.int64)), kind="stable")[:KEPT]]
-    return np.sort(best)
+    for cell in cells:
+        _, first = np.unique(cell[order], return_index=True)
+        best = np.union1d(best, order[np.sort(first)[:KEPT]])
+    return best
 
 
-def _columns(study: Study, part: Part) -> dict[str, list[object]]:
-    """Return the values of every axis at the points of a part."""
+def _cells(study: Study, places: Floats) -> list[Ints]:
+    """Return the section of every range in which points lie, ends apart, and the number of their values of lists."""
+    ranges, listed = list[Ints](), np.zeros(len(places), dtype=np.int64)
+    for (path, axis), own in zip(study.axes.items(), places.T, strict=True):
+        if is_continuous(axis):
+            ranges.append((np.floor(own * SECTIONS) + (own > 0.0)).astype(np.int64))
+        else:
+            length = axis_length(path, axis)
+            listed = listed * length + np.minimum(own * length, length - 1).astype(np.int64)
+    return [*ranges, listed]
+
+
+def _places(study: Study, part: Part) -> Floats:
+    """Return the points of a part in the unit cube, shape (points, axes)."""
     assert study.search is not None
     places = _points(len(study.axes), study.search.seed, part)
-    return {path: _values(path, axis, places[:, k]) for k, (path, axis) in enumerate(study.axes.items())}
+    ranges = [is_continuous(axis) and axis.distribution != "normal" for axis in study.axes.values()]
+    apart = np.clip(APART * (places[1::2] - 0.5) + 0.5, 0.0, 1.0)
+    places[1::2] = np.where(ranges, apart, places[1::2])
+    return places
 
 
 def _points(axes: int, seed: int, part: Part) -> Floats:

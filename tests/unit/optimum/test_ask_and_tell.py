@@ -1,12 +1,5 @@
 """Designs are asked for, evaluated and told; the journal keeps them, and any optimiser can drive."""
 
-import os
-import signal
-import subprocess
-import sys
-import time
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -110,36 +103,6 @@ def test_a_journal_gives_everything_back_and_goes_on(tmp_path, plain):
     rows, front, computed = driven(asked(), rounds=3, journal=file)
     assert (rows, front) == plain[:2]
     assert computed == 8
-
-
-def test_a_killed_driver_loses_nothing(tmp_path, plain):
-    file, script = tmp_path / "search.journal", tmp_path / "drive.py"
-    script.write_text(
-        "import sys\nfrom pathlib import Path\nsys.path[:0] = ['tests/unit/optimum']\n"
-        "from test_ask_and_tell import asked, driven\n"
-        f"driven(asked(), rounds=3, journal=Path({str(file)!r}))\n"
-    )
-    root = Path(__file__).parents[3]
-    process = subprocess.Popen([sys.executable, script], cwd=root, env={**os.environ, "PYTHONPATH": f"{root}/src"})
-    for _ in range(600):
-        time.sleep(0.05)
-        if file.exists() and gw.study is not None and _kept(file) >= 3:
-            break
-    process.send_signal(signal.SIGKILL)
-    process.wait()
-    kept = _kept(file)
-    rows, front, computed = driven(asked(), rounds=3, journal=file)
-    assert (rows, front) == plain[:2]
-    assert computed == 24 - kept
-
-
-def _kept(file):
-    from gearwright.study.running import status
-
-    try:
-        return status(file).done
-    except DesignError:
-        return 0
 
 
 def test_a_journal_of_another_driver_is_refused(tmp_path):

@@ -9,9 +9,11 @@ import gearwright as gw
 from gearwright.cli.freedoms import axis_of, bound_of
 from gearwright.errors import DesignError
 from gearwright.optimum import Optimum, hypervolume
+from gearwright.optimum.course import Archive
+from gearwright.optimum.judging import judged_rows
 from gearwright.optimum.optimise import nearest
 from gearwright.optimum.request import study_for
-from gearwright.optimum.screening import parts_of, screened
+from gearwright.optimum.screening import _places, parts_of, screened
 from gearwright.spec import Study
 
 SPEED, WIDTH = "motors.electric.speed_rpm", "gears.face_width_ratio"
@@ -116,6 +118,31 @@ def test_the_first_layer_keeps_the_best_of_its_points():
         others = search.evaluate(search.at(np.random.default_rng(0).random((40, 3))))
     good = [row.number("total_mass") for row in others if not row.problem and row.number("worst_margin") >= 1 - 1e-9]
     assert min(masses) < np.quantile(good, 0.1)
+
+
+def test_the_first_layer_looks_at_the_ends_of_ranges_and_keeps_the_best_of_every_section_and_list():
+    asked = study(objectives={"total_mass": "minimum"}, search=SMALL | {"screened": 512})
+    (part,) = parts_of(asked, asked.search)
+    places = _places(asked, part)
+    ends = (places == 0.0) | (places == 1.0)
+    assert 512 / 2 / 4 < ends[:, :2].any(axis=1).sum() < 512 / 2, "of every second point a sixth at either end"
+    assert not ends[:, 2].any() and not ends[0::2].any()
+    rows = [row for _, row in screened(asked, {"in-line-h2": gw.read("in-line-h2")}, part).blocks]
+    assert {row.inputs["planetaries.second.planets"] for row in rows} == {3, 4, 5}
+    speeds = np.array([row.inputs[SPEED] for row in rows])
+    assert len(np.unique(np.floor((speeds - 4000.0) / 125.0))) >= 8 and {4000.0, 5000.0} <= set(speeds.tolist())
+
+
+def test_the_best_with_other_values_of_lists_than_the_front_are_known():
+    asked = study(objectives={"total_mass": "minimum"})
+    archive = Archive(asked)
+    with gw.search(asked) as search:
+        rows = search.evaluate(search.at(np.random.default_rng(0).random((40, 3))))
+    archive.add(rows, judged_rows(asked, rows))
+    kinds = [row.inputs["planetaries.second.planets"] for row in [*archive.rows, *archive.beside(5)]]
+    assert sorted(kinds) == [3, 4, 5]
+    masses = [row.number("total_mass") for row in [*archive.rows, *archive.beside(5)]]
+    assert masses == sorted(masses)
 
 
 def test_a_stronger_flank_costs_mass_and_a_weaker_one_gives_it_back(found):

@@ -6,6 +6,9 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.optimum.process import conditioned, fitted
+from gearwright.render.answers.optimum import optimise_answer
+from gearwright.render.pages.optimum import optimum_page
+from gearwright.render.tables.study.optimum import fit_table
 from gearwright.spec import Study
 from gearwright.spec.studies import study_problems
 
@@ -81,3 +84,13 @@ def test_too_many_designs_for_a_surrogate_are_refused():
     assert problem.path == "search.evaluations"
     with pytest.raises(DesignError, match="a surrogate is for 1000 at most"):
         gw.search(asked(evaluations=5000))
+
+
+def test_the_answer_of_a_guided_search_tells_how_wrong_its_surrogates_are():
+    optimum = gw.optimise(asked(evaluations=24, screened=0))
+    assert [fit.result for fit in optimum.fits][:1] == ["total_mass"] and optimum.fits[0].designs <= 24
+    assert optimum.prices == (), "what limits cost takes as many designs again, many times"
+    (row, *_) = optimise_answer(optimum).fits
+    assert row == optimum.fits[0]
+    assert "How well surrogates foretell" in optimum_page(optimum)
+    assert f"{100 * row.error:.0f}"[:1] in str(fit_table(optimum).rows[0][1])

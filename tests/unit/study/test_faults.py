@@ -1,6 +1,6 @@
 """Studies that are really killed: workers, runners, a scheduler, disks that fill up; every case once, bit for bit.
 
-Each fault comes at a moment that is drawn at random from a fixed seed, ``--faults N`` times (twice if left out).
+Each fault comes at a moment that is drawn at random from a fixed seed, ``--faults N`` times (once if left out).
 """
 
 from __future__ import annotations

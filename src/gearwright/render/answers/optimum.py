@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gearwright.optimum import Binding, Counts, Optimum
+from gearwright.optimum import Binding, Counts, Fit, Optimum
 from gearwright.render.answers.plain import named
 from gearwright.sizing import Named
 from gearwright.units import Ratio
@@ -90,6 +90,8 @@ class OptimiseAnswer:
     regrets: tuple[RegretRow, ...]
     """The chosen one first; empty where nothing is uncertain."""
     influences: tuple[InfluenceRow, ...]
+    fits: tuple[Fit, ...]
+    """How well surrogates foretell each result that they are not told; empty where none chose the designs."""
 
 
 def optimise_answer(optimum: Optimum) -> OptimiseAnswer:
@@ -116,7 +118,15 @@ def optimise_answer(optimum: Optimum) -> OptimiseAnswer:
         for own in optimum.influences
     )
     return OptimiseAnswer(
-        optimum.study.name, optimum.counts, optimum.growth, optimum.still, front, prices, regrets, influences
+        optimum.study.name,
+        optimum.counts,
+        optimum.growth,
+        optimum.still,
+        front,
+        prices,
+        regrets,
+        influences,
+        optimum.fits,
     )
 
 

@@ -22,6 +22,7 @@ from gearwright.render.pages.page import (
 )
 from gearwright.render.tables.study.optimum import (
     binding_table,
+    fit_table,
     front_rows,
     influence_table,
     listed,
@@ -66,7 +67,8 @@ def _sections(optimum: Optimum, said: tuple[str, ...]) -> Iterator[Section]:
     if optimum.regrets:
         yield Section("How sure the choice is", (regret_table(optimum), influence_table(optimum)))
     growth = figure(growth_figure(optimum), "growth", "Hypervolume of the front after every generation.")
-    yield Section("How it was found", figures=(growth,))
+    fits = (fit_table(optimum),) if optimum.fits else ()
+    yield Section("How it was found", fits, (growth,))
 
 
 def _front(optimum: Optimum) -> Iterator[Figure]:

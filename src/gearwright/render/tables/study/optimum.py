@@ -158,6 +158,21 @@ def influence_table(optimum: Optimum) -> Table:
     return Table("Sensitivity to assumptions", (*columns, *_columns("chosen")), tuple(rows), note)
 
 
+def fit_table(optimum: Optimum) -> Table:
+    """Return how well surrogates foretell each result that they are not told.
+
+    Args:
+        optimum: From `optimise`, with surrogates.
+    """
+    rows = [(_words(heading(fit.result)), _number(100.0 * fit.error), Cell(fit.designs, str(fit.designs)))
+            for fit in optimum.fits]  # fmt: skip
+    note = (
+        "Root mean square of what is foretold wrong of each design by all others, over the deviation of the values:"
+        " 100 % is no better than their mean. Constraints that every design keeps need none."
+    )
+    return Table("How well surrogates foretell", _columns("result", "wrong by [%]", "designs"), tuple(rows), note)
+
+
 def optimum_tables(optimum: Optimum) -> Iterator[Table]:
     """Yield all tables that there is something in.
 
@@ -171,6 +186,8 @@ def optimum_tables(optimum: Optimum) -> Iterator[Table]:
     if optimum.regrets:
         yield regret_table(optimum)
         yield influence_table(optimum)
+    if optimum.fits:
+        yield fit_table(optimum)
 
 
 def _of_objectives(optimum: Optimum) -> tuple[Column, ...]:
