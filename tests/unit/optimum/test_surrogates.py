@@ -7,7 +7,7 @@ import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.optimum.process import conditioned, fitted
 from gearwright.render.answers.optimum import optimise_answer
-from gearwright.render.pages.optimum import optimum_page
+from gearwright.render.pages.studies.optimum import optimum_page
 from gearwright.render.tables.study.optimum import fit_table
 from gearwright.spec import Study
 from gearwright.spec.studies import study_problems
