@@ -277,7 +277,7 @@ def test_the_mast_of_the_helicopter_leaves_its_housing():
     assert face - chamber.outer[:, 1].min() == pytest.approx(wall, abs=1e-4)
 
 
-@pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set-h2", "twin-engine-helicopter"])
+@pytest.mark.parametrize("name", ["ec120b", "in-line-h1-star", "in-line-h2", "off-set-h2", "twin-engine-helicopter"])
 def test_nothing_that_turns_stands_in_the_housing(name):
     sizing = sized(name)
     built = scene(sizing, detail="coarse")

@@ -96,7 +96,7 @@ def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
         less = spans[shaft.name][1] - spans[shaft.name][0] - (high - low)
         if less > IN_LINE:
             words.append(
-                f"shaft {shaft.name} is drawn {1e3 * less:.3g} mm shorter than sized: another one in line stands there"
+                f"shaft {shaft.name} is drawn {1e3 * less:.3g} mm shorter than sized: another body stands there"
             )
     return tuple(found), tuple(words)
 
@@ -165,7 +165,26 @@ def _cleared(sizing: Sizing, spans: Mapping[str, Span]) -> dict[str, Span]:
             if high > taken[0] and taken[1] > core[1] and taken[0] >= core[1] - IN_LINE:
                 high = min(high, taken[0]) if taken[1] >= high else core[1]
             cut[name] = (min(low, core[0]), max(high, core[1]))
+        cut[name] = _before_plates(sizing, name, core, cut[name])
     return cut
+
+
+def _before_plates(sizing: Sizing, shaft: str, core: Span, span: Span) -> Span:
+    """Return a shaft that ends before plates of carriers beside it, beyond its own parts."""
+    frame, (low, high) = sizing.arrangement.frames[shaft], span
+    radius = next(one.diameter for one in sizing.shafts if one.name == shaft) / 2.0
+    for plate in (plate for stage in sizing.design.sets for plate in plates_of(sizing, stage)):
+        between = np.asarray(plate.origin) - np.asarray(frame.origin)
+        beside = float(np.linalg.norm(between - (between @ np.asarray(frame.along)) * np.asarray(frame.along)))
+        tilt = float(np.linalg.norm(np.cross(plate.direction, frame.along)))
+        if tilt > IN_LINE or not IN_LINE < beside < plate.radius + radius:
+            continue
+        near, far = along(sizing, shaft, plate)
+        if core[1] <= near + IN_LINE and near < high:
+            high = max(near, core[1])
+        if far - IN_LINE <= core[0] and low < far:
+            low = min(far, core[0])
+    return low, high
 
 
 def _hull(spans: Sequence[Span]) -> Span | None:
