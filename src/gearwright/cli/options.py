@@ -65,7 +65,7 @@ FreeOption = Annotated[
     str | None,
     typer.Option(
         help="What may be changed, too, also where the design gives it, while all becomes lighter: teeth, shifts,"
-        " planets, helix, material, with a comma; or all"
+        " planets, helix, material, rims, webs, with a comma; or all"
     ),
 ]
 

@@ -11,5 +11,7 @@ FREEDOMS: Mapping[str, str] = MappingProxyType({
     "planets": "number of planets, their load factor as the design states it",
     "helix": "helix angle of pairs",
     "material": "steel of the gears, and its grade",
+    "rims": "rims of wheels, planets and rings",
+    "webs": "webs of pairs",
 })  # fmt: skip
 """Name -> what may then be changed, also where the design gives it."""

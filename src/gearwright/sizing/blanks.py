@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, outline_area, widest_rounding
+from gearwright.sizing.rating import RIMMED
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec import Design
@@ -51,7 +52,8 @@ def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tup
         seat: Diameters of bore and hub [m].
     """
     height = 2.25 * gear.module
-    rim = root - (BACKUP if rules.rim_ratio is None else rules.rim_ratio) * height
+    stated = rules.rim_ratio if gear.role in RIMMED else None
+    rim = root - (BACKUP if stated is None else stated) * height
     bore = min(seat[0] / 2.0, root - WALL * gear.module)
     hub = max(min(seat[1] / 2.0, root), bore)
     return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)

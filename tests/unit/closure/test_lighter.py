@@ -86,4 +86,4 @@ def test_a_freedom_that_there_is_not_is_refused_with_the_nearest():
     with pytest.raises(DesignError, match="tooth") as found:
         Wishes(free=("tooth",))
     assert "teeth" in str(found.value)
-    assert set(FREEDOMS) == {"teeth", "shifts", "planets", "helix", "material"}
+    assert set(FREEDOMS) == {"teeth", "shifts", "planets", "helix", "material", "rims", "webs"}

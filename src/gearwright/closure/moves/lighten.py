@@ -1,4 +1,4 @@
-"""A settled design made lighter by what is free: modules, teeth, shifts, planets, helix, steel, one at a time."""
+"""A settled design made lighter by single changes of what is free: modules, teeth, shifts, steel, rims and so on."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.loop import Settled
+from gearwright.closure.moves.bodies import BODIES, thicknesses
 from gearwright.closure.moves.neighbours import (
     TEETH_OF_SETS,
     Candidate,
@@ -212,7 +213,18 @@ def _steels(state: Settled) -> Iterator[Change]:
         yield from (Change("", {"gears.material": name}) for name in names)
 
 
+def _bodies(freedom: str) -> Callable[[Settled], Iterator[Change]]:
+    """Return what yields thinner and thicker rims or webs."""
+
+    def changes(state: Settled) -> Iterator[Change]:
+        for own in thicknesses(state.task.changed, state.sizing, freedom):
+            yield from (Change("", own.at(value)) for value in own.others)
+
+    return changes
+
+
 CHANGES: Mapping[str, Callable[[Settled], Iterator[Change]]] = {
     "teeth": _teeth, "shifts": _shifts, "planets": _planets, "helix": _helix, "material": _steels,
+    **{name: _bodies(name) for name in BODIES},
 }  # fmt: skip
 """Name of a freedom -> its changes."""

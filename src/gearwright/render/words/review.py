@@ -65,7 +65,9 @@ def against_text(found: Sequence[Contradiction]) -> RenderableType:
     grid.add_column("what", no_wrap=True)
     grid.add_column("value")
     for row in found:
-        words = f"{', '.join(row.unmet)}: without it met, {text(row.mass, 'mass')} of gears, shafts and carriers"
+        words = ", ".join(row.unmet)
+        if row.requirements:
+            words += f": without it met, {text(row.mass, 'mass')} of gears, shafts and carriers"
         grid.add_row(f"{row.against} contradicts", words)
     return grid
 

@@ -29,7 +29,7 @@ from gearwright.sizing.rating.protocol import (
     Method,
     Unloaded,
 )
-from gearwright.sizing.rating.rims import rim_below_roots
+from gearwright.sizing.rating.rims import LEAST_RING, RIMMED, rim_below_roots
 from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
@@ -61,9 +61,11 @@ __all__ = [
     "CORRECTIONS",
     "ELEMENTWISE",
     "JUST",
+    "LEAST_RING",
     "LEAST_TORQUE",
     "METHODS",
     "NEXT",
+    "RIMMED",
     "STANDARD_MODULES",
     "STEPS_UP",
     "Ask",

@@ -51,7 +51,9 @@ def close(
     why: Annotated[
         bool,
         typer.Option(
-            "--why", help="Where it does not close: leave out every other thing once, to see what stands against it"
+            "--why",
+            help="Where it does not close: leave out every other thing once, to see what stands against it; where it"
+            " does: what stands against thinner rims and webs that are free",
         ),
     ] = False,
     out: Annotated[
@@ -75,13 +77,13 @@ def close(
         flights = None if mission is None else OnMission(*mission_of(mission))
         closed = closed_by(own, wishes=wishes, on_mission=flights, tell=say)
         is_open = closed.outcome is Outcome.OPEN
-        against = contradictions(own, closed, tell=say) if why and is_open else ()
+        against = contradictions(own, closed, tell=say) if why else ()
         found = nearest_variant(own, closed, tell=say) if variants and is_open else None
     if json:
         show_answer("close", close_answer(closed, found, against), design=closed.design.name)
     else:
         show(closure_text(closed, all_rounds=rounds))
-        if why and is_open:
+        if why and (is_open or against):
             show(against_text(against))
         if found is not None:
             show(variants_text(found))

@@ -1,0 +1,56 @@
+"""What single changes of a settled design lead to: what is screened a little heavier, critical speeds, common axes."""
+
+import pytest
+
+import gearwright.closure.moves.separate as separate
+from designs import PAIR, changed
+from gearwright.closure import Wishes, close
+from gearwright.closure.loop import Task, settled
+from gearwright.closure.moves.neighbours import Candidate, Change, judged, screened
+from gearwright.spec import edited, parse
+
+ISO = {"gears.rating": "iso6336", "pairs.stage.pinion_teeth": 25, "pairs.stage.wheel_teeth": 75}
+THREE = changed(PAIR, '["fast", "slow"]', '["fast", "slow", "third"]')
+COAXIAL = changed(THREE, 'shaft = "slow"\nspeed_rpm = 2000', 'shaft = "third"\nspeed_rpm = 900')
+COAXIAL += '[pairs.next]\npinion = "slow"\nwheel = "third"\npinion_teeth = 30\nwheel_teeth = 67\n'
+COAXIAL += 'coaxial_with = "stage"\n'
+
+
+def test_what_weighs_more_with_other_teeths_factors_is_confirmed_with_its_own():
+    """Screened with the K_V of 41 teeth the pair of 43 is heavier; with its own it is the lightest."""
+    given = {**ISO, "pairs.stage.pinion_teeth": 41, "pairs.stage.wheel_teeth": 123, "pairs.stage.module_mm": 2}
+    design = edited(parse(changed(PAIR, 'level = "concept"\n', "")), given)
+    wishes = {"separate": False, "left_out": frozenset({"critical speeds"})}
+    kept, free = (close(design, wishes=Wishes(free=own, **wishes)) for own in ((), ("teeth",)))
+    assert free.sizing.gears[0].teeth == 43
+    assert free.whole.total < 0.99 * kept.whole.total
+
+
+def test_where_free_teeth_lead_nowhere_given_ones_are_tried(monkeypatch):
+    """A search that finds clear critical speeds only among modules, as its best choices of teeth are none confirmed."""
+    state = settled(Task(edited(parse(PAIR), ISO), Wishes(free=("teeth", "shifts"))))
+    clear = settled(Task(edited(parse(PAIR), {**ISO, "pairs.stage.module_mm": 4}), Wishes(free=("shifts",))))
+    asked = []
+
+    def found(own, lacks, tell):
+        asked.append(own.task.wishes.free)
+        return Candidate(own, 0.4, 0.4) if "teeth" in own.task.wishes.free else Candidate(clear, 0.0, 0.0)
+
+    monkeypatch.setattr(separate, "_separated", found)
+    best = separate.separated(state, lambda words: None)
+    assert asked == [("teeth", "shifts"), ("shifts",)]
+    assert best.sizing is clear.sizing
+    assert best.task.wishes == state.task.wishes
+
+
+@pytest.mark.parametrize("step", [-3, 4])
+def test_other_teeth_of_one_pair_leave_pairs_on_common_axes_at_one_distance(step):
+    state = settled(Task(edited(parse(COAXIAL), ISO), Wishes(free=("teeth",))))
+    frees = ("pairs.next.pinion_teeth", "pairs.next.wheel_teeth")
+    change = Change("pairs.next", {frees[1]: None, frees[0]: 30 + step}, frees)
+    (other,) = screened(state, [change])
+    first, second = (mesh.centre_distance for mesh in other.sizing.meshes)
+    assert next(gear.teeth for gear in other.sizing.gears if gear.name == "next.pinion") == 30 + step
+    assert second == pytest.approx(first, rel=1e-9)
+    assert not [check.name for check in other.sizing.checks if check.fails and check.mode.startswith("axes of")]
+    assert judged(other).settled is other
