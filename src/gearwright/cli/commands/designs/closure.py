@@ -51,9 +51,7 @@ def close(
     why: Annotated[
         bool,
         typer.Option(
-            "--why",
-            help="Where it does not close: leave out every other thing once, to see what stands against it; where it"
-            " does: what stands against thinner rims and webs that are free",
+            "--why", help="Tell what stands against what is not met, or against thinner rims and webs that are free"
         ),
     ] = False,
     out: Annotated[
