@@ -15,6 +15,11 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-15
 """Relative residual of an energy balance below which nothing but rounding is left [-]."""
+FIRST = (
+    f'First sizing by level = "{CONCEPT}", with no housing and no oil in its mass: gearwright size --level'
+    f" {PRELIMINARY} counts them, rates gears against fatigue and gives planets bearings."
+)
+"""What is said of a design that states `level = "concept"`."""
 
 
 def headline(review: Review) -> str:
@@ -56,14 +61,16 @@ def sizing_headline(sizing: Sizing) -> str:
 
 
 def implied_text(design: Design) -> str:
-    """Return what a design takes by default at the level that it leaves open, in one sentence; empty of any other.
+    """Return what a design takes by default at the level that it leaves open, or what a stated concept leaves out.
+
+    One sentence; empty of a level that is stated and higher.
 
     Args:
         design: As read.
     """
     taken = implied(design)
     if "level" not in taken:
-        return ""
+        return FIRST if design.level == CONCEPT else ""
     if design.level == CONCEPT:
         asks = f'its gears ask for {STATIC}; without that it is "{PRELIMINARY}", against fatigue'
         return f'By default level = "{CONCEPT}": {asks}.'
