@@ -153,8 +153,9 @@ def architectures(
         rows = _ranked(_Task(asked, life, workers, say, book), every, closed * _ANEW)
         best = [row for row in rows if row.design is not None][:closed]
         wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | dict(beside or {})
-        open_ones = {name: one for name, one in wanted.items() if name not in book.closed}
-        for name, lives in computed(partial(_closed, life=life), list(open_ones.items()), workers):
+        open_ones = [named for named in wanted.items() if named[0] not in book.closed]
+        open_ones.sort(key=lambda named: -len(named[1].stages))  # the longest first: no process waits
+        for name, lives in computed(partial(_closed, life=life), open_ones, workers):
             book.lived(name[0], lives)
             say(f"{name[0]}: {_said(lives)}")
     ended = [row for name in wanted for row in book.closed[name]]
