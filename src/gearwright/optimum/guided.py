@@ -9,6 +9,8 @@ Welch 1998, J. Global Optim. 13, 455-492 (expected improvement).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from gearwright.arrays import Floats
@@ -37,6 +39,8 @@ class Guided:
         self._names = (*study.objectives, *study.constraints)
         self._all, self._judged = self._best.places, self._best.judged
         self._logs: dict[str, Floats] = {}
+        self._known: dict[str, tuple[Process, Floats]] | None = None
+        """Result -> its process with the values that it knows, as soon as it is asked for."""
 
     def add(self, places: Floats, own: Judged) -> None:
         """Take in designs, keep the best, and remember all.
@@ -45,6 +49,7 @@ class Guided:
             places: In the unit cube, shape (designs, freedoms).
             own: What is known of them.
         """
+        self._known = None
         self._best.add(places, own)
         self._all, self._judged = np.vstack([self._all, self._best.freedoms.meant(places)]), self._judged.joined(own)
 
@@ -86,17 +91,20 @@ class Guided:
         return taken
 
     def _processes(self) -> dict[str, tuple[Process, Floats]]:
-        """Return result -> its process, with the values that it knows."""
+        """Return result -> its process, with the values that it knows; fitted once to what is known."""
+        if self._known is None:
+            self._known = dict(self._fitted())
+        return self._known
+
+    def _fitted(self) -> Iterator[tuple[str, tuple[Process, Floats]]]:
         sized = ~self._judged.failed
         columns = np.hstack([self._judged.values, self._judged.broken])[sized]
-        found = {}
         for k, name in enumerate(self._names):
             if len(columns) > 1 and (k < self._judged.values.shape[1] or columns[:, k].any()):
                 values = _near(columns[:, k]) if k < self._judged.values.shape[1] else columns[:, k]
                 process = fitted(self._all[sized], values, self._logs.get(name))
                 self._logs[name] = process.logs
-                found[name] = process, values
-        return found
+                yield name, (process, values)
 
     @property
     def failures(self) -> Process | None:

@@ -35,10 +35,11 @@ def by(row):
     return {"total_mass": 100.0 + 50.0 * (x - y) ** 2 + 20.0 * (x - 0.7) ** 2 + planets, "worst_margin": margin}
 
 
-def reached(guided, seed, count=32):
+def reached(guided, seed, count=32, look=lambda search: None):
     with gw.search(asked(surrogate=guided, seed=seed)) as search:
         while len(search.rows) < count:
             search.tell(search.evaluate(search.ask(8), by))
+            look(search)
         return search.front[0].number("total_mass"), search.fits, search.rows
 
 
@@ -77,6 +78,10 @@ def test_a_guided_search_needs_fewer_designs_and_tells_its_errors():
 
 def test_a_guided_search_asks_for_the_same_again():
     assert reached(True, 4)[2] == reached(True, 4)[2]
+
+
+def test_who_looks_at_the_errors_changes_nothing_of_what_is_asked_for():
+    assert reached(True, 4, look=lambda search: search.fits)[2] == reached(True, 4)[2]
 
 
 def test_too_many_designs_for_a_surrogate_are_refused():
