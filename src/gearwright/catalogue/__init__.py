@@ -76,6 +76,7 @@ from gearwright.catalogue.standard_parts.gear_fits import (
 from gearwright.catalogue.standard_parts.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.standard_parts.lock_nuts import LockNut, lock_nut, lock_nuts
 from gearwright.catalogue.standard_parts.retaining_rings import RetainingRing, retaining_ring, retaining_rings
+from gearwright.catalogue.standard_parts.undercuts import Undercut, undercut, undercuts
 from gearwright.catalogue.turboshafts import (
     DesignPoint,
     EngineTransient,
@@ -89,7 +90,6 @@ from gearwright.catalogue.turboshafts import (
     read_engine_deck,
     turboshaft,
 )
-from gearwright.catalogue.undercuts import Undercut, undercut, undercuts
 
 __all__ = [
     "ALL_STATES",
