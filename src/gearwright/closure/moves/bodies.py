@@ -25,8 +25,6 @@ class Body(NamedTuple):
 
     key: str
     """Of `[gears]` of a stage."""
-    usual: float
-    """Where nothing is stated [-]."""
     steps: tuple[float, ...]
     """By which it is changed [-]."""
     most: float
@@ -56,8 +54,13 @@ def _has_ring(design: Design, stage: str) -> bool:
 
 def _rim_of_planets(design: Design, stage: str) -> Mapping[str, Value]:
     """Return the rim of planets: not stated, it would follow the ring's where their bearings ask for room."""
-    rim = design.rules(stage).rim_ratio
-    return {"rim_ratio": BACKUP if rim is None else rim} if stage in design.planetaries else {}
+    return {"rim_ratio": _now(design, stage, "rim_ratio")} if stage in design.planetaries else {}
+
+
+def _now(design: Design, stage: str, key: str) -> float:
+    """Return a thickness as its rules have it; of rims alone they may say nothing."""
+    own: float | None = getattr(design.rules(stage), key)
+    return BACKUP if own is None else own
 
 
 def _has_web(design: Design, stage: str) -> bool:
@@ -92,14 +95,14 @@ def least_web(sizing: Sizing, stage: str) -> float:
 
 BODIES: Mapping[str, tuple[Body, ...]] = MappingProxyType({
     "rims": (
-        Body("rim_ratio", BACKUP, (-0.6, -0.2, -0.05, 0.05, 0.2), BACKUP, lambda *_: 0.55,
+        Body("rim_ratio", (-0.6, -0.2, -0.05, 0.05, 0.2), BACKUP, lambda *_: 0.55,
              "what Y_B rates (ISO 6336-3, clause 9)", _has_rim),
-        Body("rim_thickness_ratio", 3.95, (-0.9, -0.3, -0.1, 0.1, 0.3), 3.5 + ISO53_A.dedendum,
+        Body("rim_thickness_ratio", (-0.9, -0.3, -0.1, 0.1, 0.3), 3.5 + ISO53_A.dedendum,
              lambda *_: LEAST_RING + ISO53_A.dedendum + 0.05, "what Y_B rates (ISO 6336-3, clause 9)",
              _has_ring, _rim_of_planets),
     ),
     "webs": (
-        Body("web_thickness_ratio", 0.3, (-0.1, -0.02, 0.02, 0.1), 1.0, least_web,
+        Body("web_thickness_ratio", (-0.1, -0.02, 0.02, 0.1), 1.0, least_web,
              "what C_R knows (ISO 6336-1, clause 9), or its shear at the hub", _has_web, _solid_share),
     ),
 })  # fmt: skip
@@ -147,7 +150,5 @@ def thicknesses(design: Design, sizing: Sizing, freedom: str) -> Iterator[Thickn
     for body in BODIES[freedom]:
         for stage in design.simple_stages:
             if _cylindrical(design, stage) and body.has(design, stage):
-                own = getattr(design.rules(stage), body.key)
-                now = body.usual if own is None else own
-                least, beside = body.least(sizing, stage), body.beside(design, stage)
-                yield Thickness(body, f"{design.table(stage)}.gears", now, least, beside)
+                now, least = _now(design, stage, body.key), body.least(sizing, stage)
+                yield Thickness(body, f"{design.table(stage)}.gears", now, least, body.beside(design, stage))

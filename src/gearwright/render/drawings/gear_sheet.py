@@ -50,7 +50,8 @@ from gearwright.shape.teeth import (
     making_of,
 )
 from gearwright.sizing import GearSizing, Sizing
-from gearwright.sizing.places import BACKUP, BOSS
+from gearwright.sizing.blanks import BACKUP
+from gearwright.sizing.places import BOSS
 
 LEAST_ACROSS = 20.0
 """Diameter on paper below which that of a hub stands in the notes alone [mm]."""

@@ -4,7 +4,7 @@ Axes in the cross-section and places along shafts, which loads need before shaft
 """
 
 from gearwright.sizing.arrangement import PLATE_GAP
-from gearwright.sizing.places.bodies import BACKUP, Parts, bodies_of, placed
+from gearwright.sizing.places.bodies import Parts, bodies_of, placed
 from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks, of_one_set
 from gearwright.sizing.places.keep_out import keep_out_checks
 from gearwright.sizing.places.orders import hollow_checks, order_checks
@@ -16,7 +16,6 @@ from gearwright.sizing.places.settle import ROUNDS, Settled, settle
 from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
 
 __all__ = [
-    "BACKUP",
     "BOSS",
     "CLAUSE",
     "IN_LINE",

@@ -15,6 +15,7 @@ from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bevel import bevel_profile
 from gearwright.sizing.arranged import Arrangement, Body, Frame, Point, Station
 from gearwright.sizing.arrangement import PLATE_GAP, set_length, slots
+from gearwright.sizing.blanks import BACKUP
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.places.cones import bevel_cones
@@ -22,8 +23,6 @@ from gearwright.sizing.places.frames import apart_of, frames_of, set_members
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
-BACKUP = 1.2
-"""Rim behind the root over the depth of the tooth, where a gear's body is not sized [-] (AGMA 2001-D04)."""
 _THIN = 1e-6
 """Stretches of a shaft that are shorter are none [m]."""
 

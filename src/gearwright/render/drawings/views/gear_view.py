@@ -12,7 +12,7 @@ from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.gear_parts import Hub, Web
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
-from gearwright.sizing.places import BACKUP
+from gearwright.sizing.blanks import BACKUP
 
 
 def cylinder_section(
