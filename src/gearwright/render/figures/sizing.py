@@ -15,7 +15,7 @@ from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing.overview import not_in_the_mass
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure
-from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
+from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_groups, mass_parts
 
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN, "planet bearings": theme.SKY}
 _ROW = 5.2
@@ -51,10 +51,10 @@ def mass_figure(sizing: Sizing) -> Figure:
     for place, part in enumerate(parts):
         axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
                        va="center", fontsize=7.5)  # fmt: skip
+    groups = mass_groups(sizing)
     for group, colour in _GROUP_COLOURS.items():
-        total = sum(part.total for part in parts if part.group == group)
-        if total:
-            axes.barh([0], [0.0], color=colour, label=f"{group}  {total:.2f} kg")
+        if group in groups:
+            axes.barh([0], [0.0], color=colour, label=f"{group}  {groups[group]:.2f} kg")
     axes.legend("lower right")
     axes.invert_yaxis()
     axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(sizing)}")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from gearwright.sizing import Sizing
+from gearwright.render.tables.sizing.masses import with_band
+from gearwright.sizing import Sizing, mass_groups
 from gearwright.sizing.mass import band_of, complete_mass, requirement_of
 from gearwright.spec.design import CONCEPT, PRELIMINARY
 from gearwright.study import Table
@@ -17,11 +18,8 @@ def train_mass(sizing: Sizing) -> str:
     Args:
         sizing: As sized.
     """
-    gears = "gears" if sizing.level in (CONCEPT, PRELIMINARY) else "gears as discs of their pitch circles"
-    groups = {gears: sizing.gear_mass, "shafts": sizing.shaft_mass, "carriers": sizing.carrier_mass}
-    if sizing.level == PRELIMINARY:
-        groups["planet bearings"] = sizing.planet_bearing_mass
-    parts = ", ".join(f"{what} {text(mass, 'mass')}" for what, mass in groups.items() if mass)
+    discs = {} if sizing.level in (CONCEPT, PRELIMINARY) else {"gears": "gears as discs of their pitch circles"}
+    parts = ", ".join(f"{discs.get(group, group)} {text(mass, 'mass')}" for group, mass in mass_groups(sizing).items())
     if "gearbox.mass" in sizing.given:
         return f"{text(sizing.mass, 'mass')}, given, in place of the {text(sizing.parts_mass, 'mass')} of {parts}"
     return f"{text(sizing.mass, 'mass')} ({parts})"
@@ -35,9 +33,7 @@ def complete_words(sizing: Sizing) -> str:
     """
     if sizing.level == CONCEPT or "gearbox.mass" in sizing.given:
         return ""
-    mass = complete_mass(sizing)
-    low, high = (text(limit, "mass", 3) for limit in mass.band)
-    return f"{text(mass.total, 'mass', 3)}, 68 % from {low} to {high}"
+    return with_band(complete_mass(sizing))
 
 
 def summary(sizing: Sizing) -> str:
@@ -47,7 +43,7 @@ def summary(sizing: Sizing) -> str:
         sizing: As sized.
     """
     complete = complete_words(sizing)
-    turning = 0.0 if sizing.level == PRELIMINARY else sizing.planet_bearing_mass
+    turning = 0.0 if "planet bearings" in mass_groups(sizing) else sizing.planet_bearing_mass
     beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
     told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
     first = f"Complete mass {complete}. Train " if complete else ""

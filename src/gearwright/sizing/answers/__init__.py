@@ -3,7 +3,14 @@
 How they are shown is for `render`.
 """
 
-from gearwright.sizing.answers.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
+from gearwright.sizing.answers.breakdown import (
+    AskedSpeed,
+    MassPart,
+    asked_speeds,
+    bearing_forces,
+    mass_groups,
+    mass_parts,
+)
 from gearwright.sizing.answers.gate import refuse_no_numbers
 from gearwright.sizing.answers.named import TEXT, Named, asked_results, named_results, pick, total_results
 from gearwright.sizing.answers.passing import Passing, locking_checks, passing
@@ -19,6 +26,7 @@ __all__ = [
     "asked_speeds",
     "bearing_forces",
     "locking_checks",
+    "mass_groups",
     "mass_parts",
     "named_results",
     "passing",

@@ -64,17 +64,33 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
     Args:
         sizing: As sized.
     """
+    return tuple(largest_first(_parts(sizing), lambda row: row.total))
+
+
+def mass_groups(sizing: Sizing) -> dict[str, Mass]:
+    """Return the mass of gears, shafts, carriers and weighed planet bearings, of those that there are [kg].
+
+    Args:
+        sizing: As sized.
+    """
+    groups = dict[str, Mass]()
+    for row in _parts(sizing):
+        groups[row.group] = groups.get(row.group, 0.0) + row.total
+    return groups
+
+
+def _parts(sizing: Sizing) -> list[MassPart]:
+    """Return the parts group by group."""
     parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
     parts += [(str(carrier.part), "carriers", 1, carrier.mass) for carrier in sizing.carriers]
     if sizing.level == PRELIMINARY:
         parts += [(f"{gear.name} bearing", "planet bearings", gear.bodies, gear.runs_on.mass)
                   for gear in sizing.gears if gear.runs_on]  # fmt: skip
-    rows = [
+    return [
         MassPart(part, group, count, mass, count * mass, count * mass / sizing.parts_mass)
         for part, group, count, mass in parts
     ]
-    return tuple(largest_first(rows, lambda row: row.total))
 
 
 def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:

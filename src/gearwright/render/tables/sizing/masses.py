@@ -43,6 +43,14 @@ def mass_sentence(mass: CompleteMass, statistics: Statistics) -> str:
         mass: Complete mass.
         statistics: Of real gearboxes of the same power and speeds.
     """
+    return f"Sum {with_band(mass)}; machines are not in it. {statistics.sentence}"
+
+
+def with_band(mass: CompleteMass) -> str:
+    """Return a complete mass in words, with its band.
+
+    Args:
+        mass: Complete mass.
+    """
     low, high = (text(limit, "mass", 3) for limit in mass.band)
-    total = text(mass.total, "mass", 3)
-    return f"Sum {total}, 68 % from {low} to {high}; machines are not in it. {statistics.sentence}"
+    return f"{text(mass.total, 'mass', 3)}, 68 % from {low} to {high}"

@@ -14,7 +14,7 @@ from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.render.tables.sizing.places import place_tables
 from gearwright.render.tables.sizing.planets import planet_table
 from gearwright.render.tables.sizing.teeth import chosen_teeth
-from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing, planet_positions
+from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_groups, mass_parts, passing, planet_positions
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
@@ -34,8 +34,7 @@ def not_in_the_mass(sizing: Sizing) -> str:
     Args:
         sizing: As sized.
     """
-    weighed = any(part.group == "planet bearings" for part in mass_parts(sizing))
-    bearings = "bearings of shafts" if weighed else "bearings"
+    bearings = "bearings of shafts" if "planet bearings" in mass_groups(sizing) else "bearings"
     return f"Not in the mass: housing, {bearings}, oil system, accessories, motors."
 
 
