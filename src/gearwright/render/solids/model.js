@@ -112,5 +112,15 @@ class Gearbox {
     this.settle();
   }
 
+  /* Some hundred vertices of every body where it stands: as far as it reaches. */
+  outline() {
+    const found = [];
+    for (const body of this.bodies.filter(one => one.shown)) {
+      const places = body.shown.geometry.attributes.position, step = Math.ceil(places.count / 300);
+      for (let k = 0; k < places.count; k += step) found.push(new THREE.Vector3().fromBufferAttribute(places, k).applyMatrix4(body.frame.matrixWorld));
+    }
+    return found;
+  }
+
   get box() { return new THREE.Box3().setFromObject(this.root); }
 }

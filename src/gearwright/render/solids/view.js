@@ -29,30 +29,37 @@ class View {
   }
 
   home() {
-    const box = this.gearbox.box, middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length();
+    const box = this.gearbox.box, size = box.getSize(new THREE.Vector3()).length();
     const ahead = Math.abs(this.up.x) > 0.9 ? new THREE.Vector3(0, 1, 0) : new THREE.Vector3(1, 0, 0);
     const beside = new THREE.Vector3().crossVectors(ahead, this.up);
-    this.size_ = size;
-    this.middle = middle;
-    this.orbit.target.copy(middle);
     const way = beside.clone().addScaledVector(ahead, -0.83).addScaledVector(this.up, 0.64).normalize();
-    this.camera.position.copy(middle).addScaledVector(way, this.distance(box, middle, way));
+    this.size_ = size;
+    this.middle = this.fit(way, box.getCenter(new THREE.Vector3()));
+    this.orbit.target.copy(this.middle);
     this.camera.far = size * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.update();
     this.draw();
   }
 
-  /* How far away the whole box is in the picture. */
-  distance(box, middle, way) {
+  /* Put the camera where all bodies just fill the picture, seen along a way; return the middle that it looks at. */
+  fit(way, middle) {
     const right = new THREE.Vector3().crossVectors(this.up, way).normalize(), upward = new THREE.Vector3().crossVectors(way, right);
-    const half = Math.tan((this.camera.fov * Math.PI) / 360), aspect = this.camera.aspect || 1;
-    let far = 0;
-    for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
-      const arm = new THREE.Vector3(x, y, z).sub(middle);
-      far = Math.max(far, arm.dot(way) + Math.max(Math.abs(arm.dot(upward)), Math.abs(arm.dot(right)) / aspect) / half);
-    }
-    return 1.02 * far;
+    const half = Math.tan((this.camera.fov * Math.PI) / 360), points = this.gearbox.outline();
+    const room = [half * (this.camera.aspect || 1), half], axes = [right, upward], far = [0, 0];
+    axes.forEach((axis, k) => {
+      // |a ± s| ≤ room (far − depth) on either side: two lines, whose crossing is the nearest place and its shift.
+      let low = -Infinity, high = -Infinity;
+      for (const point of points) {
+        const arm = point.clone().sub(middle), depth = room[k] * arm.dot(way), aside = arm.dot(axis);
+        high = Math.max(high, depth + aside);
+        low = Math.max(low, depth - aside);
+      }
+      far[k] = (high + low) / 2 / room[k];
+      middle.addScaledVector(axis, (high - low) / 2);
+    });
+    this.camera.position.copy(middle).addScaledVector(way, 1.06 * Math.max(...far));
+    return middle;
   }
 
   size() {
