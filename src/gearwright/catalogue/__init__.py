@@ -75,6 +75,16 @@ from gearwright.catalogue.standard_parts.gear_fits import (
 )
 from gearwright.catalogue.standard_parts.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.standard_parts.lock_nuts import LockNut, lock_nut, lock_nuts
+from gearwright.catalogue.standard_parts.radial_seals import (
+    ELASTOMERS,
+    Elastomer,
+    ElastomerName,
+    RadialSeal,
+    lip_speed,
+    next_seal_shaft,
+    radial_seals,
+    seals_for,
+)
 from gearwright.catalogue.standard_parts.retaining_rings import RetainingRing, retaining_ring, retaining_rings
 from gearwright.catalogue.standard_parts.undercuts import Undercut, undercut, undercuts
 from gearwright.catalogue.turboshafts import (
@@ -95,6 +105,7 @@ __all__ = [
     "ALL_STATES",
     "ANGLES",
     "CENTRE_FITS",
+    "ELASTOMERS",
     "LARGEST",
     "LENGTHS",
     "MAPS",
@@ -112,6 +123,8 @@ __all__ = [
     "BearingSpectrum",
     "CentreHole",
     "DesignPoint",
+    "Elastomer",
+    "ElastomerName",
     "Engine",
     "EngineTransient",
     "FlightPoint",
@@ -124,6 +137,7 @@ __all__ = [
     "Printed",
     "PropellerLoads",
     "PublishedGearbox",
+    "RadialSeal",
     "RatioRow",
     "RetainingRing",
     "Rotor",
@@ -160,6 +174,7 @@ __all__ = [
     "is_cast_iron",
     "key_for_shaft",
     "least_ratings",
+    "lip_speed",
     "load_factor_tables",
     "load_factors",
     "lock_nut",
@@ -170,12 +185,14 @@ __all__ = [
     "materials",
     "modified_life",
     "nearest",
+    "next_seal_shaft",
     "notes",
     "pressure_centre",
     "propeller",
     "propeller_loads",
     "propeller_map",
     "published_gearboxes",
+    "radial_seals",
     "rated_steel",
     "read_blades",
     "read_engine_deck",
@@ -183,6 +200,7 @@ __all__ = [
     "retaining_ring",
     "retaining_rings",
     "rotor",
+    "seals_for",
     "seat_tolerance",
     "select",
     "shaft_limits",
