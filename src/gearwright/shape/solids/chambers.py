@@ -7,11 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.arrays import Floats
+from gearwright.shape.solids.plane import plane_triangles
 from gearwright.shape.solids.surface import Surface, around, around_hole, joined
 
-NONE = 1e-13
-"""Twice an area that is none [m²]."""
 ROUND = 48
 """Corners of a round hole [-]."""
 SQUARE = 1e-9
@@ -247,86 +246,3 @@ def _face(outer: Floats, holes: Sequence[Floats], place: float, way: float) -> S
     points = np.column_stack([flat, np.full(len(flat), place)])
     normals = np.tile([0.0, 0.0, way], (len(flat), 1))
     return Surface(points, normals, triangles if way > 0.0 else triangles[:, ::-1])
-
-
-def plane_triangles(loops: Sequence[Floats]) -> Ints:
-    """Return triangles of a plane face, counter-clockwise, by numbers of all corners one loop after the other.
-
-    Args:
-        loops: Its outline, then its holes, apart from each other and from it, all convex, counter-clockwise [m].
-
-    Source: a fan; between two loops supports in the directions of edges; else ears are cut of the outline that bridges
-        have joined with its holes (Meisters, two-ears theorem).
-    """
-    first = np.arange(1, len(loops[0]) - 1)
-    if len(loops) == 1:
-        return np.stack([np.zeros_like(first), first, first + 1], axis=1)
-    if len(loops) == 2:
-        return _between(loops[0], loops[1])
-    return _ears(np.concatenate(loops), _bridged(loops))
-
-
-def _between(outer: Floats, inner: Floats) -> Ints:
-    """Return triangles between two convex loops: every edge with the corner of the other loop that lies furthest out.
-
-    Edges of both are walked in order of their directions.
-    """
-    n, m = len(outer), len(inner)
-    ways = [np.roll(loop, -1, axis=0) - loop for loop in (outer, inner)]
-    angle = np.concatenate([np.mod(np.arctan2(way[:, 1], way[:, 0]), 2.0 * np.pi) for way in ways])
-    order = np.argsort(angle, kind="stable")
-    is_outer = order < n
-    i, j = int(np.argmin(angle[:n])), int(np.argmin(angle[n:]))
-    here: Ints = (i + np.cumsum(is_outer) - is_outer) % n
-    there: Ints = (j + np.cumsum(~is_outer) - ~is_outer) % m
-    following = np.where(is_outer, (here + 1) % n, n + (there + 1) % m)
-    return np.stack([here, following, n + there], axis=1)
-
-
-def _turns(one: complex, two: complex, three: complex) -> float:
-    """Return twice the area of a triangle, positive counter-clockwise [m²]."""
-    return float(((two - one).conjugate() * (three - one)).imag)
-
-
-def _bridged(loops: Sequence[Floats]) -> list[int]:
-    """Return one loop of numbers of corners that goes around all holes, over the shortest bridges there and back."""
-    starts = np.cumsum([0, *(len(loop) for loop in loops)])
-    points, way = np.concatenate(loops), list(range(len(loops[0])))
-    left = [list(range(starts[k], starts[k + 1])) for k in range(1, len(loops))]
-    while left:
-        best: tuple[float, int, int, int] = (np.inf, 0, 0, 0)
-        for k, hole in enumerate(left):
-            far = np.linalg.norm(points[way][:, None] - points[hole][None, :], axis=2)
-            at = int(np.argmin(far))
-            best = min(best, (float(far.flat[at]), k, at // len(hole), at % len(hole)))
-        _, k, at, corner = best
-        around_it = left.pop(k)[::-1]
-        lead = len(around_it) - 1 - corner
-        around_it = [*around_it[lead:], *around_it[: lead + 1]]
-        way = [*way[: at + 1], *around_it, *way[at:]]
-    return way
-
-
-def _ears(points: Floats, way: list[int]) -> Ints:
-    """Return the triangles of a loop that may touch itself along bridges."""
-    way, found, k, missed = list(way), list[tuple[int, ...]](), 0, 0
-    while len(way) > 3:
-        k %= len(way)
-        ear = (way[k - 1], way[k], way[(k + 1) % len(way)])
-        area = _turns(*(complex(x, y) for x, y in points[list(ear)]))
-        flat = missed > len(way) and area > -NONE  # corners on one line, or at one place
-        if flat or missed > 2 * len(way) or (area > NONE and not _holds(points[list(ear)], points[way]).any()):
-            found.append(ear)
-            way.pop(k)
-            missed = -1
-        missed, k = missed + 1, k + 1
-    return np.array([*found, tuple(way)], dtype=np.int64)
-
-
-def _holds(corners: Floats, points: Floats) -> Bools:
-    """Return which points lie inside of a triangle, not on its edge."""
-    inside = np.ones(len(points), dtype=bool)
-    for here, there in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        along, off = there - here, points - here
-        inside &= along[0] * off[:, 1] - along[1] * off[:, 0] > NONE
-    return np.asarray(inside)
