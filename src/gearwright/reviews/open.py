@@ -10,6 +10,7 @@ from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.sizing.bearings import planet_bodies
 from gearwright.sizing.rating import Unloaded
+from gearwright.sizing.summaries import tips_in_fillets
 from gearwright.spec.design import RATINGS
 
 _LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
@@ -35,6 +36,8 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
         yield not_assessed(PartId(Kind.MACHINE, machine), "electrical and slot orders", "", why)
     for stage in sizing.design.stages:
         yield from _teeth(sizing, stage)
+    for one in tips_in_fillets(sizing):
+        yield not_assessed(one.mesh.part, "tips in fillets", "ISO 21771", one.sentence)
     bearings = {str(check.part) for check in looked_at if check.part.kind is Kind.BEARING}
     for body in planet_bodies(sizing.design, sizing.gears):
         if str(body.part) not in bearings:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
-from gearwright.parts.gears import form_radius
 from gearwright.shape.phases import Phases
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import tooth_of
 from gearwright.sizing.places import plates_of
+from gearwright.sizing.summaries import tips_in_fillets
 
-ROUNDED = 1e-6
-"""How far tips may reach below an involute by rounding [m]."""
 BESIDE = 1e-3
 """How far gears in mesh may stand from each other along their axes before it is said [m]."""
 
@@ -25,7 +21,8 @@ def approximations(sizing: Sizing, phases: Phases) -> tuple[str, ...]:
         sizing: As sized.
         phases: How its gears stand.
     """
-    return (*_teeth(sizing), *_bodies(sizing), *_fillets(sizing), *_meets(sizing, phases))
+    told = [one.sentence for one in tips_in_fillets(sizing)]
+    return (*_teeth(sizing), *_bodies(sizing), *told, *_meets(sizing, phases))
 
 
 def _teeth(sizing: Sizing) -> Iterator[str]:
@@ -56,27 +53,6 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
             "and openings for shafts that leave it across the first one are left out"
         )
     yield "seals, screws, machines and what holds rings that stand still are not drawn"
-
-
-def _fillets(sizing: Sizing) -> Iterator[str]:
-    """Yield rings whose tips reach below the involutes of their mates.
-
-    Source: radius at which a ring's tip touches, r_b1² + (√(r_a2² − r_b2²) − a_w sin α_wt)² (ISO 21771:2007).
-    """
-    gears = {gear.name: gear for gear in sizing.gears}
-    for row in sizing.meshes:
-        if row.gears[1] not in sizing.train.internal:
-            continue
-        mate, ring = (tooth_of(sizing, gears[name]) for name in row.gears)
-        reach = math.sqrt(max(ring.tip_radius**2 - ring.base_radius**2, 0.0))
-        reach -= row.centre_distance * math.sin(row.working_pressure_angle)
-        touched = math.hypot(mate.base_radius, max(reach, 0.0))
-        below = form_radius(mate) - touched
-        if below > ROUNDED:
-            yield (
-                f"tips of {row.gears[1]} reach {1e6 * below:.3g} µm below the involutes of {row.gears[0]}, into fillets"
-                " that a rack leaves: relieve them"
-            )
 
 
 def _meets(sizing: Sizing, phases: Phases) -> Iterator[str]:
