@@ -86,6 +86,15 @@ from gearwright.catalogue.standard_parts.radial_seals import (
     seals_for,
 )
 from gearwright.catalogue.standard_parts.retaining_rings import RetainingRing, retaining_ring, retaining_rings
+from gearwright.catalogue.standard_parts.thread_ends import (
+    THREAD_RUN_IN,
+    THREAD_TOLERANCE,
+    ThreadUndercut,
+    thread_chamfer,
+    thread_run_out,
+    thread_undercut,
+    thread_undercuts,
+)
 from gearwright.catalogue.standard_parts.undercuts import Undercut, undercut, undercuts
 from gearwright.catalogue.turboshafts import (
     DesignPoint,
@@ -115,6 +124,8 @@ __all__ = [
     "STEEL_DENSITY",
     "STEEL_SHARE",
     "THICKNESS_FITS",
+    "THREAD_RUN_IN",
+    "THREAD_TOLERANCE",
     "USUAL_HARDNESS",
     "Bearing",
     "BearingCheck",
@@ -148,6 +159,7 @@ __all__ = [
     "StandardKey",
     "StartRules",
     "TailRotor",
+    "ThreadUndercut",
     "Undercut",
     "all_series",
     "bearing",
@@ -207,6 +219,10 @@ __all__ = [
     "standard_keys",
     "standard_tolerance",
     "thickness_allowances",
+    "thread_chamfer",
+    "thread_run_out",
+    "thread_undercut",
+    "thread_undercuts",
     "turboshaft",
     "undercut",
     "undercuts",

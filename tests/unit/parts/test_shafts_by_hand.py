@@ -292,7 +292,9 @@ def test_an_undercut_raises_stress_between_its_shoulder_and_its_groove():
     assert stress_concentration(cut._replace(undercut=1e-15)) == pytest.approx(plain, rel=1e-6)
     whole = stress_concentration(cut._replace(larger=0.04000001)).bending
     assert whole == pytest.approx(1.0 + 1.0 / math.sqrt(1.2 + 5.5 * slender * (1.0 + 2.0 * slender) ** 2), rel=1e-4)
-    with pytest.raises(DesignError, match=r"shoulder\.undercut: 11 mm given; it is less deep than the step, 10\.2 mm"):
+    groove = stress_concentration(cut._replace(larger=0.040))
+    assert groove.torsion == pytest.approx(1.0 + 1.0 / math.sqrt(4.2 + 20.6 * slender * (1.0 + 2.0 * slender) ** 2))
+    with pytest.raises(DesignError, match=r"shoulder\.undercut: 11 mm given; it is no deeper than the step, 10\.2 mm"):
         stress_concentration(cut._replace(undercut=11e-3))
 
 

@@ -10,16 +10,18 @@ import pytest
 import gearwright as gw
 from gearwright.checks import Status
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Words
+from gearwright.render.drawings.sheet.entities import Distance, Words
 from gearwright.shape import solid_masses
 from gearwright.sizing.making import spanner_checks
 from gearwright.sizing.shafts import (
     cut_steps,
+    ends,
     groove_checks,
     grooves,
     held_rings,
     holders_of,
     holding_checks,
+    threads,
     undercuts_of,
 )
 from gearwright.sizing.shafts.grooves import groove_strengths
@@ -165,20 +167,82 @@ def test_parts_that_hold_bearings_stand_in_the_scene_and_in_the_mass():
     )
 
 
-def test_where_no_ring_can_be_had_a_nut_holds_with_its_thread_in_shaft_and_drawing(monkeypatch):
-    """KM 4 on the 20 mm of the tail's shaft: washer 1 mm, nut 6 mm, thread M20 x 1 with a core of 18.77 mm."""
+def longer(shoulders):
+    """Return the EC120B gearbox whose intermediate shaft goes on 14 mm further at its first end, as text."""
+    text = TEXT.replace("length_mm = 270", "length_mm = 284").replace('"undercut" ', f'"{shoulders}" ')
+    places = {"helical.wheel": 92, "bevel.pinion": 180}
+    for name, place in places.items():
+        text = text.replace(f'"{name}".position_mm = {place}', f'"{name}".position_mm = {place + 14}')
+    for name, place in {"axial": 20, "rear": 54, "nose": 250}.items():
+        head = rf"(\[bearings\.intermediate-{name}\][^\[]*?position_mm = ){place}\b"
+        text = re.sub(head, lambda found, to=place + 14: f"{found.group(1)}{to}", text)
+    return text
+
+
+@pytest.fixture
+def nutted(monkeypatch):
+    """Return by how shoulders are made the gearbox whose intermediate shaft a nut holds, as there are no rings."""
     monkeypatch.setattr("gearwright.sizing.shafts.retention.retaining_ring", lambda diameter: None)
-    sizing = sized("ec120b")
-    own = [holder for holder in holders_of(sizing) if holder.beside == "tail-rear" and "lock" in holder.kind]
-    assert [(holder.kind, holder.mass) for holder in own] == [("lock washer", 0.004), ("lock nut", 0.02)]
+    return lambda shoulders: gw.size(gw.parse(longer(shoulders)))
+
+
+def test_where_no_ring_can_be_had_a_nut_holds_with_its_thread_in_shaft_and_drawing(nutted):
+    """KM 13 on 65 mm beside QJ 313, 17.5 mm from the end: washer 1.5 mm, nut 12 mm, thread M65 x 2, core 62.55 mm."""
+    sizing = nutted("undercut")
+    own = [holder for holder in holders_of(sizing) if holder.beside == "intermediate-axial" and "lock" in holder.kind]
+    assert [(holder.kind, holder.mass) for holder in own] == [("lock nut", 0.19), ("lock washer", 0.03)]
     assert [(holder.start, holder.end) for holder in own] == [
-        (pytest.approx(0.102), pytest.approx(0.103)), (pytest.approx(0.103), pytest.approx(0.109))]  # fmt: skip
-    (thread,) = (groove for groove in grooves(sizing) if groove.shaft == "tail")
-    assert thread.is_thread and thread.what == "thread M20 x 1" and thread.end == pytest.approx(0.110)
-    assert thread.diameter == pytest.approx(0.020 - 1.2269e-3)
-    modes = {check.mode for check in groove_checks(sizing)}
-    assert modes == {"fatigue at its thread M20 x 1", "yield at its thread M20 x 1"}
-    assert any(check.mode == "access to a nut at its second end" for check in spanner_checks(sizing))
-    (sheet,) = sheets(sizing, ["shaft-tail"])
-    assert any("KM 4 with MB 4" in mark.text for mark in sheet.entities if isinstance(mark, Words))
-    assert "lock nut beside tail-rear, 103 mm" in gw.scene(sizing, detail="coarse").by_name
+        (pytest.approx(0.004), pytest.approx(0.016)), (pytest.approx(0.016), pytest.approx(0.0175))]  # fmt: skip
+    cut, relief = (groove for groove in grooves(sizing) if groove.shaft == "intermediate")
+    assert cut.is_thread and cut.what == "thread M65 x 2" and (cut.start, cut.end) == (0.0, pytest.approx(0.016))
+    assert cut.diameter == pytest.approx(0.065 - 1.2269 * 2e-3)
+    assert relief.what == "undercut of thread M65 x 2" and not relief.is_thread
+    modes = {check.mode for check in groove_checks(sizing) if str(check.part) == "intermediate"}
+    assert modes == {f"{mode} at its {what}" for mode in ("fatigue", "yield") for what in (cut.what, relief.what)}
+    assert any(check.mode == "access to a nut at its first end" for check in spanner_checks(sizing))
+    (sheet,) = sheets(sizing, ["shaft-intermediate"])
+    said = {mark.text for mark in sheet.entities if isinstance(mark, Words)}
+    assert {"M65 x 2 - 6g", "DIN 76 - A", "62.546", "Thread: M65 x 2 - 6g", "1.3 × 45°"} <= said
+    assert any("KM 13 with MB 13" in text for text in said)
+    assert "lock nut beside intermediate-axial, 4 mm" in gw.scene(sizing, detail="coarse").by_name
+
+
+def test_a_thread_ends_beneath_washer_and_ring_in_an_undercut_that_shaft_mass_and_solid_lose(nutted):
+    """DIN 76 - A of P = 2: d − 3 mm, 7 mm wide, R1; the nut begins 1.5 mm beside the ring, at 16 mm."""
+    sizing = nutted("undercut")
+    (thread,) = threads(sizing)
+    assert (thread.turns, thread.fading) == (pytest.approx((0.0, 0.016)), pytest.approx((0.016, 0.023)))
+    assert thread.bottom == pytest.approx(0.062)
+    shaft = next(shaft for shaft in sizing.built_shafts if shaft.name == "intermediate")
+    radii = [radius for low, high, radius in cut_steps(sizing, shaft) if low > 0.0159 and high < 0.0231]
+    assert radii and max(radii) == pytest.approx(0.031)
+    rows = solid_masses(sizing, gw.scene(sizing))
+    assert all(abs(row.solid / row.weighed - 1.0) < 5e-3 for row in rows if row.weighed)
+    (sheet,) = sheets(sizing, ["shaft-intermediate"])
+    detail = [mark.measured for mark in sheet.entities if isinstance(mark, Distance) and mark.scale == 5.0]
+    assert sorted(detail) == pytest.approx([1.5, 7.0])
+    # A groove of r = 1 mm that is 1.5 mm deep in 65 mm, by DIN 743-2; the moment there is none.
+    found = next(found for found in groove_strengths(sizing) if found.place.startswith("undercut"))
+    slender = 1.0 / 62.0
+    alpha = 1.0 + 1.0 / math.sqrt(0.2 / 1.5 + 2.0 * 2.75 * slender * (1.0 + 2.0 * slender) ** 2)
+    ksi = sizing.design.shaft_material.ultimate_strength / 6.894757e6
+    root = 0.246 - 3.08e-3 * ksi + 1.51e-5 * ksi**2 - 2.67e-8 * ksi**3
+    assert found.bending_notch == pytest.approx(1.0 + (alpha - 1.0) / (1.0 + root / math.sqrt(1.0 / 25.4)), rel=1e-6)
+
+
+def test_where_shoulders_have_fillets_turns_run_out_over_two_and_a_half_pitches(nutted):
+    sizing = nutted("fillet")
+    (thread,) = threads(sizing)
+    assert thread.undercut is None and thread.fading == pytest.approx((0.016, 0.021))
+    (groove,) = (groove for groove in grooves(sizing) if groove.shaft == "intermediate")
+    assert groove.is_thread and (groove.start, groove.end) == pytest.approx((0.0, 0.021))
+    (sheet,) = sheets(sizing, ["shaft-intermediate"])
+    said = {mark.text for mark in sheet.entities if isinstance(mark, Words)}
+    assert "Run-out, at most 2.5 P" in said and "DIN 76 - A" not in said
+
+
+def test_a_nut_goes_on_where_nothing_beyond_is_as_thick_as_its_seat(nutted):
+    """On the tail's shaft the hub of its drive sits on the same 20 mm as the bearing."""
+    by = {(held.shaft, held.way): held for held in ends(nutted("undercut"))}
+    assert by["tail", 1].room > 0.02 and by["tail", 1].nut is None
+    assert by["intermediate", -1].nut is not None

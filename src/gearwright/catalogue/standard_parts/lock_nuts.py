@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cache
 
+from gearwright.catalogue.standard_parts.thread_ends import CORE, NUT_CORE
 from gearwright.catalogue.tables import data_rows
 from gearwright.units import Force, Length, Mass
 
@@ -52,7 +53,12 @@ class LockNut:
     @property
     def core(self) -> Length:
         """Core diameter of the shaft's thread, d − 1.2269 P (ISO 68-1) [m]."""
-        return self.thread - 1.2269 * self.pitch
+        return self.thread - CORE * self.pitch
+
+    @property
+    def bore(self) -> Length:
+        """What it can be slid over, D_1 = d − 1.0825 P (ISO 724) [m]."""
+        return self.thread - NUT_CORE * self.pitch
 
     @property
     def room(self) -> Length:

@@ -35,7 +35,7 @@ class Shoulder(NamedTuple):
     radius: float
     """Of the fillet r [m]."""
     undercut: float = 0.0
-    """Depth t of an undercut at its foot, whose bottom then is the smaller diameter [m]."""
+    """Depth t of an undercut at its foot, whose bottom then is the smaller diameter [m]; the step of a plain groove."""
 
 
 def _check_shoulder(shoulder: Shoulder) -> None:
@@ -44,8 +44,8 @@ def _check_shoulder(shoulder: Shoulder) -> None:
     if step <= 0.0:
         message = f"{1e3 * shoulder.larger:g} mm is not above the smaller diameter, {1e3 * shoulder.diameter:g} mm"
         raise DesignError([Problem("shoulder.larger", message)])
-    if not 0.0 <= shoulder.undercut < step:
-        message = f"{1e3 * shoulder.undercut:g} mm given; it is less deep than the step, {1e3 * step:.3g} mm"
+    if not 0.0 <= shoulder.undercut <= (1.0 + 1e-9) * step:
+        message = f"{1e3 * shoulder.undercut:g} mm given; it is no deeper than the step, {1e3 * step:.3g} mm"
         raise DesignError([Problem("shoulder.undercut", message)])
     if shoulder.radius < LEAST_RADIUS * step:
         smallest = 1e3 * LEAST_RADIUS * step

@@ -12,8 +12,6 @@ from gearwright.render.drawings.sheet.entities import (
     TEXT,
     Distance,
     Entity,
-    Layer,
-    Path,
     Words,
     millimetres,
 )
@@ -22,10 +20,11 @@ from gearwright.render.drawings.sheet.symbols import cutting_plane
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum
 from gearwright.render.drawings.views.marks import ACROSS, Mark, marked
-from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
+from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body, thread_name
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
+from gearwright.render.drawings.views.shafts.threads import thread_grid, thread_lines
 from gearwright.render.drawings.views.tooth_data import tooth_grid
-from gearwright.render.drawings.views.undercut_view import undercut_detail
+from gearwright.render.drawings.views.undercut_view import relief_detail, undercut_detail
 from gearwright.render.drawings.views.weights import mass_with_gears
 from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
@@ -57,11 +56,11 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     mass = f"{mass_with_gears(sizing, body.gears, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
-    fits = (*_fits(body), *_fillets(body), *_splines(body))
+    fits = (*_fits(body), *_fillets(body), *_splines(body), *(thread_grid(thread) for thread in body.threads))
     return Content(
         f"shaft-{name}",
         title,
-        lambda scale: _views(body, seats, _grooves(sizing, name), scale),
+        lambda scale: _views(body, seats, scale),
         (*grids, *fits),
         tuple(_notes(sizing, body, seats)),
         kind="shaft",
@@ -81,10 +80,10 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
     return seats if len(seats) == len(DATUMS) else ()
 
 
-def _views(body: ShaftBody, seats: Sequence[Piece], cuts: Sequence[Groove], scale: float) -> Rows:
+def _views(body: ShaftBody, seats: Sequence[Piece], scale: float) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
-    main += [line for groove in cuts if groove.is_thread for line in _thread(axis, groove)]
+    main += [line for thread in body.threads for line in thread_lines(axis, thread)]
     main += _diameters(axis, body, seats)
     main += _lengths(axis, body, below=BELOW if seats else 0.0)
     for letter, seat in zip(DATUMS, seats, strict=False):
@@ -99,6 +98,8 @@ def _views(body: ShaftBody, seats: Sequence[Piece], cuts: Sequence[Groove], scal
         main += cutting_plane(axis.at((slot.start + slot.end) / 2.0), reach, letter, looking=1 + 0j)
         sections.append(_section(slot, body.bore, letter, scale))
     details = [undercut_detail(standard) for standard in dict.fromkeys(cut.standard for cut in body.undercuts)]
+    reliefs = dict.fromkeys(thread.undercut for thread in body.threads if thread.undercut is not None)
+    details += [relief_detail(standard) for standard in reliefs]
     return [[main, *details], *([sections] if sections else [])]
 
 
@@ -114,9 +115,15 @@ def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
 def _marks(body: ShaftBody) -> Iterator[Mark]:
     for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
         beside = [neighbour.diameter for neighbour in (before, after) if neighbour is not None and neighbour.tolerance]
-        if not piece.tolerance and piece.diameter in beside:
+        if not piece.tolerance and piece.diameter in beside and (piece.thread is None or piece.relieved):
             continue
         x = _middle(body, piece)
+        if piece.thread is not None:
+            if not piece.relieved:
+                yield Mark(x, piece.diameter / 2.0, "", thread_name(piece.thread))
+            elif piece.thread.undercut is not None:
+                yield Mark(x, piece.diameter / 2.0, "", piece.thread.undercut.designation)
+            continue
         if piece.conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
         suffix = f" {piece.tolerance}" if piece.tolerance else ""
@@ -217,17 +224,8 @@ def _ends_of(sizing: Sizing, name: str) -> list[Retention]:
 
 
 def _grooves(sizing: Sizing, name: str) -> list[Groove]:
-    """Return the grooves of retaining rings and the threads of nuts in a shaft."""
-    return [groove for groove in grooves(sizing) if groove.shaft == name]
-
-
-def _thread(axis: Axis, thread: Groove) -> Iterator[Entity]:
-    """Yield the core of a thread as thin lines, and where it ends (ISO 6410-1)."""
-    start, end, radius = MM * thread.start, MM * thread.end, MM * thread.diameter / 2.0
-    for side in (1.0, -1.0):
-        yield Path((axis.at(start, side * radius), axis.at(end, side * radius)), Layer.THIN)
-    for x in (start, end):
-        yield Path((axis.at(x, -radius), axis.at(x, radius)), Layer.OUTLINE)
+    """Return the grooves of retaining rings in a shaft."""
+    return [groove for groove in grooves(sizing) if groove.shaft == name and not (groove.is_thread or groove.around)]
 
 
 def _held(sizing: Sizing, name: str) -> Iterator[str]:
@@ -237,8 +235,7 @@ def _held(sizing: Sizing, name: str) -> Iterator[str]:
             yield f"{held.outermost} is held at the {ENDS[held.way]} end by {_holder(held)}."
     for groove in _grooves(sizing, name):
         where = f"from {millimetres(MM * groove.start)} to {millimetres(MM * groove.end)}"
-        cut = "" if groove.is_thread else f", Ø{millimetres(MM * groove.diameter)}"
-        yield f"{groove.what[0].upper()}{groove.what[1:]}{cut}, {where}."
+        yield f"{groove.what[0].upper()}{groove.what[1:]}, Ø{millimetres(MM * groove.diameter)}, {where}."
     own = [bearing.name for bearing in sizing.bearings if bearing.shaft == name]
     for bearing in own:
         sides = [f"{ENDS[held.way]} {held.by or 'nothing'}" for held in held_rings(sizing)

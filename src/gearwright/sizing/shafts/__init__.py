@@ -11,6 +11,7 @@ from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.retention import ENDS, Retention, ends, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
+from gearwright.sizing.shafts.threads import Thread, threads
 from gearwright.sizing.shafts.undercuts import Cut, undercuts_of
 
 __all__ = [
@@ -23,6 +24,7 @@ __all__ = [
     "Retention",
     "Section",
     "Strength",
+    "Thread",
     "built_checks",
     "carrier_checks",
     "centred_bearings",
@@ -43,5 +45,6 @@ __all__ = [
     "size_carriers",
     "size_shafts",
     "strengths",
+    "threads",
     "undercuts_of",
 ]

@@ -1,4 +1,4 @@
-"""Grooves of retaining rings and threads of lock nuts in built shafts: where they are, and what they leave of strength.
+"""Grooves of retaining rings, threads of lock nuts and their undercuts in built shafts: what they leave of strength.
 
 They are found after a shaft is built, beyond its outermost bearings and hubs: it does not grow by them. Its safeties
 there are checks of their own.
@@ -12,13 +12,15 @@ from typing import NamedTuple
 
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId
+from gearwright.parts.shafts import Shoulder
 from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.mounted import BuiltShaft, SectionStrength
 from gearwright.sizing.rating import context_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts.holding import holders_of
-from gearwright.sizing.shafts.retention import Retention, ends
+from gearwright.sizing.shafts.retention import ends
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
+from gearwright.sizing.shafts.threads import threads
 from gearwright.sizing.shafts.undercuts import undercuts_of
 
 GROOVE_RADIUS = 0.1
@@ -42,26 +44,34 @@ class Groove(NamedTuple):
     radius: float
     """At the bottom [m]."""
     what: str
-    """Such as ``groove of DIN 471 - 30 x 1.5`` or ``thread M30 x 1.5``."""
+    """Such as ``groove of DIN 471 - 30 x 1.5``, ``thread M30 x 1.5`` or ``undercut of thread M30 x 1.5``."""
+    around: float
+    """Diameter beside a round groove, whose stress is that of its shape [m]; 0 of what is as sharp as a ring's."""
     is_thread: bool = False
 
 
 def grooves(sizing: Sizing) -> Iterator[Groove]:
-    """Yield the grooves and threads of every built shaft.
+    """Yield the grooves, threads and undercuts of threads of every built shaft.
 
     Args:
         sizing: As sized.
     """
-    kinds = {(holder.shaft, holder.beside, holder.kind) for holder in holders_of(sizing)}
+    kinds = {(holder.shaft, holder.beside) for holder in holders_of(sizing) if holder.kind == "retaining ring"}
     for end in ends(sizing) if kinds else ():
-        if (end.shaft, end.outermost, "retaining ring") in kinds and end.has_ring and end.ring is not None:
-            low, high = _span(end, end.ring.groove_width)
+        if (end.shaft, end.outermost) in kinds and end.has_ring and end.ring is not None:
+            low, high = sorted((end.place, end.place + end.way * end.ring.groove_width))
             radius = GROOVE_RADIUS * end.ring.thickness
-            yield Groove(end.shaft, low, high, end.ring.groove, radius, f"groove of {end.ring.designation}")
-        elif (end.shaft, end.outermost, "lock nut") in kinds and end.nut is not None:
-            low, high = _span(end, end.nut.room)
-            radius = ROOT_RADIUS * end.nut.pitch
-            yield Groove(end.shaft, low, high, end.nut.core, radius, f"thread {end.nut.cut}", is_thread=True)
+            yield Groove(end.shaft, low, high, end.ring.groove, radius, f"groove of {end.ring.designation}", 0.0)
+    for thread in threads(sizing):
+        nut, sharp = thread.nut, ROOT_RADIUS * thread.nut.pitch
+        what = f"thread {nut.cut}"
+        low, high = thread.turns if thread.undercut else (min(thread.foot, thread.last), max(thread.foot, thread.last))
+        yield Groove(thread.shaft, low, high, nut.core, sharp, what, 0.0, is_thread=True)
+        if thread.undercut is not None:
+            foot, first = thread.fading
+            yield Groove(
+                thread.shaft, foot, first, thread.bottom, thread.undercut.radius, f"undercut of {what}", nut.thread
+            )
 
 
 def cut_steps(sizing: Sizing, shaft: BuiltShaft) -> tuple[tuple[float, float, float], ...]:
@@ -101,11 +111,7 @@ def groove_strengths(sizing: Sizing) -> Iterator[SectionStrength]:
         forces = shaft_forces(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
         judge = Strength(shaft.name, sizing.design, sizing.design.shaft_material, tuple(context.flows))
         blank = max(step.diameter for step in shaft.steps)
-        sections = [
-            Section(groove.what, groove.what, at, groove.diameter, blank, hub="groove", radius=groove.radius)
-            for groove in own
-            for at in (groove.start, groove.end)
-        ]
+        sections = [_section(groove, at, blank) for groove in own for at in (groove.start, groove.end)]
         yield from strengths(sections, forces, judge, bore=shaft.bore)
 
 
@@ -122,13 +128,18 @@ def groove_checks(sizing: Sizing) -> Iterator[Check]:
         if key not in worst or found.fatigue_safety < worst[key].fatigue_safety:
             worst[key] = found
     for (shaft, place), found in worst.items():
-        part, clause = PartId(Kind.SHAFT, shaft), "Shigley, table 7-1"
+        part = PartId(Kind.SHAFT, shaft)
+        clause = "DIN 743-2, round groove" if found.fillet else "Shigley, table 7-1"
         safeties = (("fatigue", "n_f", found.fatigue_safety, asked.shaft_fatigue_safety),
                     ("yield", "n_y", found.yield_safety, asked.shaft_yield_safety))  # fmt: skip
         for mode, symbol, safety, least in safeties:
             yield Check(part, f"{mode} at its {place}", clause, safety, least, symbol=symbol, case=found.case)
 
 
-def _span(end: Retention, width: float) -> tuple[float, float]:
-    low, high = sorted((end.place, end.place + end.way * width))
-    return low, high
+def _section(groove: Groove, place: float, blank: float) -> Section:
+    """Return a section at an edge of a groove."""
+    if not groove.around:
+        return Section(groove.what, groove.what, place, groove.diameter, blank, hub="groove", radius=groove.radius)
+    depth = (groove.around - groove.diameter) / 2.0
+    round_groove = Shoulder(groove.diameter, groove.around, groove.radius, depth)
+    return Section(groove.what, groove.what, place, groove.diameter, blank, round_groove)

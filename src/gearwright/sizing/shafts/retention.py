@@ -3,9 +3,9 @@
 Parts are slid on from both ends up to shoulders, or to spacers on what sits further in. What pushes a shaft against a
 shoulder is held by it; what would pull the shaft out of a bearing, or a gear off its seat, must be held beyond the
 outermost part of that end. There a ring of DIN 471 is tried: its groove must bear the force and have room. Where it
-does not, a lock nut is, whose thread on the seat must bear the force and have room. Where it does not, an end plate is,
-whose screw in the centre hole of a solid shaft must clamp with more than the force; it lies on a spacer as long as what
-the shaft sticks out. Where none can be, nothing holds: that check fails.
+does not, a lock nut is, whose thread on the seat must bear the force and have room, and which must go over what lies
+beyond. Where it does not, an end plate is, whose screw in the centre hole of a solid shaft must clamp with more than
+the force; it lies on a spacer as long as what the shaft sticks out. Where none can be, nothing holds: that check fails.
 """
 
 from __future__ import annotations
@@ -71,10 +71,12 @@ class Retention(NamedTuple):
     """That fits the diameter."""
     place: float
     """End of the part that is held, from the shaft's first end [m]."""
+    level: float
+    """Where the shaft stops being as thick as the seat, from its first end [m]."""
     hole: CentreHole | None = None
     """In the end of the shaft, for the screw of an end plate; None where nothing can lie before that end."""
     nut: LockNut | None = None
-    """Whose thread has the diameter of the seat."""
+    """Whose thread has the diameter of the seat, where it can be slid over what lies beyond."""
 
     @property
     def holds(self) -> bool:
@@ -162,7 +164,7 @@ def _bearing_up(held: Retention) -> tuple[str, float, str, str]:
 
 def _objection(held: Retention) -> str:
     """Return why nothing holds, and what would help."""
-    nut = "DIN 981 has no nut of this diameter" if held.nut is None else f"a {held.nut.designation} fits no better"
+    nut = "no nut of DIN 981 goes on there" if held.nut is None else f"a {held.nut.designation} fits no better"
     return (
         f"{_lacking(held)}; {nut}, and no end plate can lie there: move it inwards, let the shaft go on as thick, or"
         " let another bearing locate the shaft"
@@ -236,4 +238,9 @@ def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *
     level = list(takewhile(lambda step: abs(step.diameter - seat) < _INSIDE, past))
     last = edge if not level else level[-1].end if way > 0 else level[-1].start
     room = max(0.0, min(way * (place - edge) for place in (*beyond, last)))
-    return Retention(shaft.name, way, part.name, force, seat, room, retaining_ring(seat), edge, nut=lock_nut(seat))
+    nut, thinner = lock_nut(seat), past[len(level) :]
+    passes = (
+        nut is not None and room >= way * (last - edge) - _INSIDE and all(step.diameter <= nut.bore for step in thinner)
+    )
+    ring, nut = retaining_ring(seat), nut if passes else None
+    return Retention(shaft.name, way, part.name, force, seat, room, ring, edge, last, nut=nut)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from gearwright.catalogue import key_for_shaft, seat_tolerance
+from gearwright.catalogue import THREAD_TOLERANCE, key_for_shaft, seat_tolerance
 from gearwright.parts import bevel
 from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
-from gearwright.sizing.shafts import Cut, grooves, undercuts_of
+from gearwright.sizing.shafts import Cut, Thread, grooves, threads, undercuts_of
 
 MM = 1e3
 """Millimetres in a metre."""
@@ -35,6 +36,9 @@ class Piece:
     """Tolerance class of the diameter, such as k6."""
     pitch: tuple[float, float] | None = None
     """Pitch diameters at start and end, where teeth are cut in it [mm]."""
+    thread: Thread | None = None
+    """That is cut on it, or whose undercut it is, as `relieved` says."""
+    relieved: bool = False
 
     @property
     def diameter(self) -> float:
@@ -96,6 +100,7 @@ class ShaftBody:
     fillets: tuple[tuple[float, float], ...] = ()
     """Shoulder along the axis, and radius of its fillet [mm]."""
     undercuts: tuple[Cut, ...] = ()
+    threads: tuple[Thread, ...] = ()
 
     @property
     def length(self) -> float:
@@ -125,6 +130,10 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     for groove in grooves(sizing):
         if groove.shaft == name and not groove.is_thread:
             pieces = _overlaid(pieces, Piece(MM * groove.start, MM * groove.end, (MM * groove.diameter,) * 2))
+    own = tuple(thread for thread in threads(sizing) if thread.shaft == name)
+    for thread in own:
+        for piece in _threaded(thread):
+            pieces = _overlaid(pieces, piece)
     cuts = tuple(undercuts_of(sizing, built))
     feet = {(cut.place, cut.bottom) for cut in cuts}
     return ShaftBody(
@@ -137,7 +146,27 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections
                       if section.fillet and (section.position, section.diameter) not in feet),
         undercuts=cuts,
+        threads=own,
     )  # fmt: skip
+
+
+def _threaded(thread: Thread) -> Iterator[Piece]:
+    """Yield a thread, and what is beneath washer and ring: its undercut, or turns that run out in no seat."""
+    whole = (MM * thread.nut.thread,) * 2
+    bottom = (MM * thread.bottom,) * 2 if thread.undercut else whole
+    low, high = (MM * place for place in thread.fading)
+    yield Piece(low, high, bottom, thread=thread, relieved=True)
+    low, high = (MM * place for place in thread.turns)
+    yield Piece(low, high, whole, thread=thread)
+
+
+def thread_name(thread: Thread) -> str:
+    """Return a thread with its tolerance class, such as ``M30 x 1.5 - 6g``.
+
+    Args:
+        thread: On a shaft.
+    """
+    return f"{thread.nut.cut} - {THREAD_TOLERANCE}"
 
 
 def _turned(sizing: Sizing, step: ShaftStep) -> Piece:

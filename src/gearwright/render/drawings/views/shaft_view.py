@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
+from gearwright.catalogue import thread_chamfer
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import CHAMFERS, MM, Piece, ShaftBody, Slot, Toothing
-from gearwright.render.drawings.views.undercut_view import undercut_profile
+from gearwright.render.drawings.views.undercut_view import relief_profile, undercut_profile
 from gearwright.sizing.shafts import Cut
 
 OVERSHOOT = 3.0
@@ -76,13 +77,15 @@ def shaft_outline(axis: Axis, body: ShaftBody) -> list[Entity]:
 
 
 def end_chamfer(piece: Piece) -> float:
-    """Return the chamfer of a shaft's end [mm]; none on teeth.
+    """Return the chamfer of a shaft's end [mm]; none on teeth, of a thread down to its core.
 
     Args:
         piece: First or last of the shaft.
     """
     if piece.toothed:
         return 0.0
+    if piece.thread is not None:
+        return MM * thread_chamfer(piece.thread.nut.pitch)
     return next(chamfer for up_to, chamfer in CHAMFERS if piece.diameter <= up_to)
 
 
@@ -100,7 +103,17 @@ def _profile(body: ShaftBody) -> list[tuple[float, float]]:
                 points[-1:] = foot
             elif foot:
                 start = foot
-        points += [*start, (piece.end, piece.diameters[1] / 2.0)]
+        if piece.relieved and piece.thread is not None and piece.thread.undercut is not None:
+            top = MM * piece.thread.nut.thread / 2.0
+            points += [(piece.start + x, top + above) for x, above in relief_profile(piece.thread.undercut)]
+            continue
+        end = [(piece.end, piece.diameters[1] / 2.0)]
+        chamfer = end_chamfer(piece) if piece.thread is not None and not piece.relieved else 0.0
+        if chamfer and piece.thread is not None and piece.thread.way < 0 and piece is not first:
+            start = [(piece.start, start[0][1] - chamfer), (piece.start + chamfer, start[0][1])]
+        elif chamfer and piece.thread is not None and piece.thread.way > 0 and piece is not last:
+            end = [(piece.end - chamfer, end[0][1]), (piece.end, end[0][1] - chamfer)]
+        points += [*start, *end]
     first_chamfer, last_chamfer = end_chamfer(first), end_chamfer(last)
     if first_chamfer:
         points[:1] = [(first.start, points[0][1] - first_chamfer), (first.start + first_chamfer, points[0][1])]
@@ -138,7 +151,12 @@ def _edges(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
         # Where only a seat ends, its limit is a thin line (ISO 129-1).
         layer = Layer.THIN if left.diameters[1] == right.diameters[0] else Layer.OUTLINE
         yield Path((axis.at(left.end, radius), axis.at(left.end, -radius)), layer)
-    for piece, x, sense in ((body.pieces[0], body.pieces[0].start, 1.0), (body.pieces[-1], body.pieces[-1].end, -1.0)):
+    chamfered = [(body.pieces[0], body.pieces[0].start, 1.0), (body.pieces[-1], body.pieces[-1].end, -1.0)]
+    for piece in body.pieces[1:-1]:
+        if piece.thread is not None and not piece.relieved:
+            outwards = piece.thread.way > 0
+            chamfered.append((piece, piece.end if outwards else piece.start, -1.0 if outwards else 1.0))
+    for piece, x, sense in chamfered:
         chamfer, radius = end_chamfer(piece), piece.diameters[0 if sense > 0.0 else 1] / 2.0
         if chamfer:
             at = x + sense * chamfer

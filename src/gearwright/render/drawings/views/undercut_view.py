@@ -1,10 +1,10 @@
-"""Undercuts of DIN 509, form F: their profile in a shaft's outline, and the enlarged detail with their sizes."""
+"""Undercuts of seats (DIN 509, form F) and of threads (DIN 76, form A): their profile and their enlarged detail."""
 
 from __future__ import annotations
 
 import math
 
-from gearwright.catalogue import Undercut
+from gearwright.catalogue import THREAD_RUN_IN, ThreadUndercut, Undercut
 from gearwright.render.drawings.sheet.dimensions import arrow, extent
 from gearwright.render.drawings.sheet.entities import (
     GAP,
@@ -23,8 +23,8 @@ MM = 1e3
 """Millimetres in a metre."""
 RUN_IN, RUN_OUT = math.radians(15.0), math.radians(8.0)
 """Angles to the seat and to the face [rad] (DIN 509:1998, form F)."""
-ENLARGED = 10.0
-"""Scale of the detail [-]."""
+ENLARGED, THREAD_ENLARGED = 10.0, 5.0
+"""Scales of the details of undercuts of seats and of threads [-]."""
 AROUND = 1.5
 """Of seat and face beside the undercut in the detail, and metal below it [mm]."""
 _TURNS = 8
@@ -77,4 +77,50 @@ def undercut_detail(standard: Undercut) -> list[Entity]:
     left, _, right, high = extent(entities)
     entities.append(Words(complex((left + right) / 2.0, high + 3.0 + SMALL), standard.designation, TEXT, "middle"))
     entities.append(Words(complex((left + right) / 2.0, high + 1.5), f"{ENLARGED:g}:1", SMALL, "middle"))
+    return entities
+
+
+def relief_profile(standard: ThreadUndercut) -> list[tuple[float, float]]:
+    """Return the corners of a thread's undercut: along the shaft from one of its edges, and above its edges [mm].
+
+    Args:
+        standard: The undercut; on both sides its flanks lean by 30°, which meet its bottom in its radius.
+    """
+    depth, width, radius = MM * standard.below / 2.0, MM * standard.width, MM * standard.radius
+    foot = depth / math.tan(THREAD_RUN_IN) + radius * math.tan(THREAD_RUN_IN / 2.0)
+    turns = [THREAD_RUN_IN * k / _TURNS for k in range(_TURNS, -1, -1)]
+    half = [(0.0, 0.0), *((foot - radius * math.sin(turn), radius * (1.0 - math.cos(turn)) - depth) for turn in turns)]
+    return [*half, *((width - along, above) for along, above in reversed(half))]
+
+
+def relief_detail(standard: ThreadUndercut) -> list[Entity]:
+    """Return the enlarged section of a thread's undercut with its sizes; the seat on the left, the thread on the right.
+
+    Args:
+        standard: The undercut.
+    """
+    corners = [complex(along, above) for along, above in relief_profile(standard)]
+    left, right, bottom = corners[0], corners[-1], complex(corners[0].real, -MM * standard.below / 2.0)
+    edge = (left - 2.0 * AROUND, *corners, right + 2.0 * AROUND)
+    low = bottom.imag - AROUND
+    around = (*edge, complex(edge[-1].real, low), complex(edge[0].real, low))
+    scale = THREAD_ENLARGED
+    entities: list[Entity] = [
+        Hatch(tuple(scale * point for point in around)),
+        Path(tuple(scale * point for point in edge), Layer.OUTLINE),
+    ]
+    rounding = scale * corners[1 + _TURNS // 2]
+    knee = complex(rounding.real + 4.0, 7.0)
+    radius = f"R{millimetres(MM * standard.radius)}"
+    flat = scale * corners[1 + _TURNS]
+    entities += [
+        Distance(scale * left, scale * right, scale * right + 16j, 0.0, scale),
+        Distance(flat, scale * left, scale * edge[0] - 5.0, math.pi / 2.0, scale),
+        Path((knee + Words(0j, radius).length + 2.0, knee, rounding), Layer.DIMENSION),
+        arrow(rounding, (rounding - knee) / abs(rounding - knee)),
+        Words(knee + complex(1.0, GAP), radius, TEXT, layer=Layer.DIMENSION),
+    ]
+    first, _, last, high = extent(entities)
+    entities.append(Words(complex((first + last) / 2.0, high + 3.0 + SMALL), standard.designation, TEXT, "middle"))
+    entities.append(Words(complex((first + last) / 2.0, high + 1.5), f"{scale:g}:1", SMALL, "middle"))
     return entities
