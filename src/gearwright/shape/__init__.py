@@ -5,6 +5,7 @@ Envelopes and places are `sizing`'s; pages and drawings that show solids are `re
 
 from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
+from gearwright.shape.housing import CHAMBER, FLANGES
 from gearwright.shape.masses import SolidMass, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
@@ -21,8 +22,10 @@ from gearwright.shape.teeth import (
 )
 
 __all__ = [
+    "CHAMBER",
     "COLOURS",
     "DETAILS",
+    "FLANGES",
     "Contact",
     "Edges",
     "Node",

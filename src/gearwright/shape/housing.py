@@ -46,6 +46,12 @@ LEAST = 2.0
 """Length of a chamber over the wall's thickness, below which it is one with its neighbour [-]."""
 CHAMBER = "chamber"
 """What pieces of the shell are named."""
+FLANGES = "flange"
+"""What halves of flanges are named."""
+NEARLY = (0.8, 0.6, 0.4, 0.0)
+"""Perimeter over the longest one from which a cross-section carries flanges [-]: the width of flanges grows with it."""
+ROOM = 3.6
+"""From flange to flange over the thickness of a half [-]: both halves, nut, washer and end of a screw."""
 AROUND = 1.06
 """Hole for a shaft over the shaft's diameter [-]: as much as the housing leaves around what turns."""
 
@@ -118,10 +124,9 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
     bolt = bolt_of(reaction_torque(sizing), shell.girth)
-    widest = max(stretches, key=lambda one: one.area)
-    for k, (place, half) in enumerate(_flanges(sizing, widest, wall, (bolt, shell.girth))):
+    for k, (place, key, half) in enumerate(_flanges(sizing, stretches, wall, (bolt, shell.girth))):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
-        yield Piece(f"housing, flange {k // 2 + 1}{'ab'[k % 2]}", "housing flange", half, moved)
+        yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
         boss = tube(span, body.radius * (1.0 + 2.0 * BOSS), body.radius)
@@ -293,17 +298,53 @@ def _across(sizing: Sizing) -> Iterator[Opening]:
 
 
 def _flanges(
-    sizing: Sizing, widest: Stretch, wall: float, grip: tuple[float, float]
-) -> Iterator[tuple[float, Chamber]]:
-    """Yield place and solid of both halves of every flange around the widest chamber, as heavy as they are weighed."""
+    sizing: Sizing, stretches: Sequence[Stretch], wall: float, grip: tuple[float, float]
+) -> Iterator[tuple[float, str, Chamber]]:
+    """Yield place, key and solid of both halves of every flange, as heavy as they are weighed."""
     bolt, girth = grip
-    count, thick = max(len(sizing.design.stages), 2), FLANGE[1] * bolt
-    reach = _inside(widest, wall) + wall
+    thick = FLANGE[1] * bolt
+    for k, place in _joints(stretches, max(len(sizing.design.stages), 2), thick, wall):
+        solid = _flange(_inside(stretches[k], wall) + wall, FLANGE[0] * bolt * girth, thick)
+        yield place - thick, f" {k + 1}", solid
+        yield place, f" {k + 1}", solid
+
+
+def _joints(stretches: Sequence[Stretch], count: int, thick: float, wall: float) -> list[tuple[int, float]]:
+    """Return number of the cross-section and place of every flange, from the first end to the last [m].
+
+    They stand apart around cross-sections nearly as long around as the longest one; where there is no room for screws
+    between them, around shorter ones, too.
+    """
+    longest, found = max(one.perimeter for one in stretches), list[tuple[int, float]]()
+    free = [_beside_plates(stretches, k, 2.0 * thick + wall) for k in range(len(stretches))]
+    for least in NEARLY:
+        wide = [k for k, one in enumerate(stretches) if one.perimeter >= least * longest and free[k][0] <= free[k][1]]
+        ends = np.cumsum([stretches[k].length for k in wide])
+        found = []
+        for share in np.linspace(0.0, float(ends[-1]), count):
+            j = int(np.searchsorted(ends, share - NEAR))
+            place = stretches[wide[j]].end + share - float(ends[j])
+            low, high = free[wide[j]]
+            found.append((wide[j], min(max(place, low), high)))
+        if all(other[1] - one[1] > ROOM * thick for one, other in pairwise(found)):
+            break
+    return found
+
+
+def _beside_plates(stretches: Sequence[Stretch], k: int, room: float) -> tuple[float, float]:
+    """Return from where to where a flange may stand: away from plates of wider chambers beside its own [m]."""
+    own, low, high = stretches[k], stretches[k].start, stretches[k].end
+    if k > 0 and np.any(stretches[k - 1].reach > own.reach + SAME):
+        low += room
+    if k + 1 < len(stretches) and np.any(stretches[k + 1].reach > own.reach + SAME):
+        high -= room
+    return low, high
+
+
+def _flange(reach: Floats, face: float, thick: float) -> Chamber:
+    """Return one half of a flange around a wall: as wide as its face is large [m²]."""
     inner = _outline(reach)
     around = float(np.sum(np.linalg.norm(np.roll(inner, -1, axis=0) - inner, axis=1)))
     more = len(reach) * math.tan(math.pi / len(reach))
-    wide = (math.sqrt(around**2 + 4.0 * more * FLANGE[0] * bolt * girth) - around) / (2.0 * more)
-    solid = Chamber(_outline(reach + wide), inner, (0.0, thick))
-    for place in np.linspace(widest.start + thick, widest.end - thick, count):
-        yield place - thick, solid
-        yield place, solid
+    wide = (math.sqrt(around**2 + 4.0 * more * face) - around) / (2.0 * more)
+    return Chamber(_outline(reach + wide), inner, (0.0, thick))

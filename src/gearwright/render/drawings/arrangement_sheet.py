@@ -5,9 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
 
 from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
+from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
+from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
 from gearwright.render.drawings.sheet.dimensions import drawn, extent
@@ -43,6 +46,16 @@ _TRIES = 12
 """Places of a name that are tried, a line further down or out [-]."""
 
 
+@dataclass(frozen=True)
+class _Shown:
+    """What the sheet shows."""
+
+    sizing: Sizing
+    plane: Positions
+    casing: CasingSection | None
+    """The housing, where the section cuts it."""
+
+
 def arrangement_content(sizing: Sizing) -> Content:
     """Return what the general arrangement shows.
 
@@ -50,7 +63,8 @@ def arrangement_content(sizing: Sizing) -> Content:
         sizing: What was sized.
     """
     plane = positions(sizing)
-    _, items = _parts(sizing, plane, 1.0)
+    shown = _Shown(sizing, plane, casing_section(sizing, plane))
+    _, items = _parts(shown, 1.0)
     rows = tuple(
         (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else f"{item.mass:.3g}")
         for k, item in enumerate(items, start=1)
@@ -60,13 +74,14 @@ def arrangement_content(sizing: Sizing) -> Content:
         sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{made_of(sizing).total:.1f}"
     )
     return Content(
-        NAME, title, lambda scale: _views(sizing, plane, scale),
+        NAME, title, lambda scale: _views(shown, scale),
         (Grid("Parts; mass of one", rows, heads), _axes(sizing)),
-        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0, kind=NAME, is_whole=True,
+        (*plane.notes, *_notes(shown)), largest_scale=1.0, kind=NAME, is_whole=True,
     )  # fmt: skip
 
 
-def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
+def _notes(shown: _Shown) -> Iterator[str]:
+    sizing, plane = shown.sizing, shown.plane
     if _has_end_view(sizing, plane):
         yield "On the left: along the first shaft from its second end, axes at true places; gears by pitch circle."
     if sizing.bearings:
@@ -79,8 +94,10 @@ def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
     yield from _crowded(sizing)
     if any(pair.kind == "face" for pair in sizing.design.pairs.values()):
         yield "Face-gear wheels are drawn by their pitch circle alone: their tooth form is not sized."
-    yield "Mass: gears, shafts and carriers as the complete mass has them, without bearings and housing."
-    yield "Gears in section by ISO 2203. Housing, seals and lubrication are not sized; they are not drawn."
+    yield from casing_notes(sizing, shown.casing)
+    listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])
+    yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."
+    yield "Gears in section by ISO 2203. Seals and lubrication are not drawn."
 
 
 def _crowded(sizing: Sizing) -> Iterator[str]:
@@ -100,8 +117,9 @@ def _axes(sizing: Sizing) -> Grid:
     return Grid("Axes: first ends [mm]", tuple(rows), ("Shaft", "x", "y", "z", "direction"))
 
 
-def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
-    entities, items = _parts(sizing, plane, scale)
+def _views(shown: _Shown, scale: float) -> Rows:
+    sizing, plane = shown.sizing, shown.plane
+    entities, items = _parts(shown, scale)
     parts = extent([mark for mark in entities if isinstance(mark, Path | Arc) and mark.layer is Layer.OUTLINE])
     entities += _distances(sizing, plane, scale, list(segments(entities)))
     dots = [(item.anchor - arm, item.anchor + arm) for item in items for arm in (DOT, 1j * DOT)]
@@ -115,7 +133,8 @@ def _has_end_view(sizing: Sizing, plane: Positions) -> bool:
     return is_square(sizing) and (not plane.exact or bool(plane.notes))
 
 
-def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity], list[Item]]:
+def _parts(shown: _Shown, scale: float) -> tuple[list[Entity], list[Item]]:
+    sizing, plane = shown.sizing, shown.plane
     entities: list[Entity] = []
     items: list[Item] = []
     for name in plane.shafts:
@@ -124,6 +143,9 @@ def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity]
     for stage in sizing.design.planetaries:
         drawn, listed = planetary_parts(sizing, stage, plane, scale, lean=3.0 * math.pi / 4.0)
         entities, items = entities + drawn, items + listed
+    if shown.casing is not None:
+        entities += casing_entities(shown.casing, scale)
+        items += casing_items(sizing, scale * shown.casing.anchor)
     return entities, items
 
 

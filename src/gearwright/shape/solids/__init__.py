@@ -15,6 +15,7 @@ from gearwright.shape.solids.chambers import (
     round_hole,
 )
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
+from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, cut_chamber, spans_in, united, without
 from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube
 from gearwright.shape.solids.solid import Section, Solid, surface_of
 from gearwright.shape.solids.surface import Edges, Surface, edges_of
@@ -22,11 +23,14 @@ from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
 __all__ = [
     "Chamber",
+    "Cut",
     "Edges",
     "End",
     "Fineness",
+    "Leg",
     "Loop",
     "Opening",
+    "Rectangle",
     "Section",
     "Solid",
     "Surface",
@@ -37,6 +41,7 @@ __all__ = [
     "block",
     "chamber_surface",
     "chamber_volume",
+    "cut_chamber",
     "depth_in",
     "disc_gear",
     "edges_of",
@@ -46,8 +51,11 @@ __all__ = [
     "rim_of",
     "ring_gear",
     "round_hole",
+    "spans_in",
     "spiral_turn",
     "stepped",
     "surface_of",
     "tube",
+    "united",
+    "without",
 ]

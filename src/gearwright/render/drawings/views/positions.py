@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, permutations
 
@@ -83,10 +83,8 @@ def positions(sizing: Sizing) -> Positions:
         mesh = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
         lined = next((pair for pair in _in_line(sizing) if (pair[0] in shafts) != (pair[1] in shafts)), None)
         if mesh is not None:
-            side = 0 if mesh.nodes[0] in shafts else 1
-            known, new = mesh.nodes[side], mesh.nodes[1 - side]
-            at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
-            shafts[new] = _beside(sizing, _Join(mesh, side, shafts[known], at, new_at, lengths[new]), shafts)
+            new = mesh.nodes[1] if mesh.nodes[0] in shafts else mesh.nodes[0]
+            shafts[new] = _beside(sizing, list(_joins(meshes, new, shafts, places, lengths[new])), shafts)
         elif lined is not None:
             known, new = lined if lined[0] in shafts else lined[::-1]
             shafts[new] = _beyond(sizing, shafts[known], known, new)
@@ -154,18 +152,39 @@ class _Join:
         return Lying(origin, along, 0.0, self.length)
 
 
-def _beside(sizing: Sizing, join: _Join, shafts: Mapping[str, Lying]) -> Lying:
-    """Return a shaft that meshes with one that lies already."""
+def _joins(
+    meshes: Sequence[Mesh],
+    new: str,
+    shafts: Mapping[str, Lying],
+    places: Mapping[str, Mapping[str, float]],
+    length: float,
+) -> Iterator[_Join]:
+    """Yield the meshes that join a new shaft to those that lie already."""
+    for mesh in meshes:
+        for side in (0, 1):
+            known = mesh.nodes[side]
+            if mesh.nodes[1 - side] == new and known in shafts:
+                at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
+                yield _Join(mesh, side, shafts[known], at, new_at, length)
+
+
+def _beside(sizing: Sizing, joins: Sequence[_Join], shafts: Mapping[str, Lying]) -> Lying:
+    """Return a shaft that meshes with others that lie already: beside the one where it covers least."""
+    join = joins[0]
     kind = kind_of(sizing, join.mesh.stage)
     if kind == "bevel":
         return _bevel(sizing, join, _sheet(sizing, shafts))
     if kind == "face":
         return _face(sizing, join, first=len(shafts) == 1)
-    lying, apart = join.lying, centre_distance(sizing, join.mesh)
-    choices = [join.lay(lying.at(join.at - join.new_at, sign * apart), lying.along) for sign in (1.0, -1.0)]
-    others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if shaft is not lying]
     reach = _reach(sizing, join.mesh.nodes[1 - join.side])
-    return min(choices, key=lambda choice: sum(_overlap(choice, reach, other, far) for other, far in others))
+    choices = []
+    for one in (one for one in joins if kind_of(sizing, one.mesh.stage) == kind):
+        lying, apart = one.lying, centre_distance(sizing, one.mesh)
+        others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if shaft is not lying]
+        for sign in (1.0, -1.0):
+            choice = one.lay(lying.at(one.at - one.new_at, sign * apart), lying.along)
+            choices.append((sum(_overlap(choice, reach, other, far) for other, far in others), choice))
+    return min(choices, key=lambda choice: choice[0])[1]
 
 
 def centre_distance(sizing: Sizing, mesh: Mesh) -> float:

@@ -12,7 +12,7 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass, gear_blanks
 
 DRAWN = ("gears", "shafts", "carriers")
-"""Groups of the complete mass that drawings show."""
+"""Groups of the complete mass whose parts drawings show one by one."""
 
 
 class Made(NamedTuple):
@@ -20,8 +20,10 @@ class Made(NamedTuple):
 
     weights: Mapping[str, float]
     """Gear, shaft or carrier -> mass of one [kg]."""
+    casing: Mapping[str, float]
+    """Housing shell, housing ribs and what else a housing is weighed as -> mass [kg]."""
     total: float
-    """Of all of them [kg]."""
+    """Of the whole gearbox [kg]."""
     blanks: Mapping[str, Blank]
     """External gear -> its body."""
 
@@ -50,9 +52,10 @@ def made_of(sizing: Sizing) -> Made:
 
 @lru_cache(maxsize=1)
 def _made(same: _Same) -> Made:
-    items = [item for item in complete_mass(same.sizing).parts if item.group in DRAWN]
-    weights = {str(item.part): item.each for item in items}
-    return Made(weights, sum(item.total for item in items), gear_blanks(same.sizing))
+    whole = complete_mass(same.sizing)
+    weights = {str(item.part): item.each for item in whole.parts if item.group in DRAWN}
+    casing = {item.part: item.total for item in whole.parts if item.group == "housing"}
+    return Made(weights, casing, whole.total, gear_blanks(same.sizing))
 
 
 def mass_with_gears(sizing: Sizing, gears: tuple[str, ...], shaft: str) -> float:

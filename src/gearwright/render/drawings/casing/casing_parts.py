@@ -1,0 +1,57 @@
+"""The housing in a list of parts, and what a drawing says of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.render.drawings.casing.casing_section import CasingSection
+from gearwright.render.drawings.sheet.entities import millimetres
+from gearwright.render.drawings.views.arrangement_parts import Item
+from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.render.drawings.views.weights import made_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import housed, shell_around, wall_of
+
+SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses")
+"""What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
+SCREWS = "housing bolts"
+"""What of it is not one piece with it."""
+
+
+def casing_items(sizing: Sizing, anchor: complex) -> Iterator[Item]:
+    """Yield the housing and the screws of its flanges as the list of parts has them.
+
+    Args:
+        sizing: What was sized.
+        anchor: Where the number of the housing points [mm of paper].
+    """
+    masses = made_of(sizing).casing
+    mass = sum(each for name, each in masses.items() if name != SCREWS)
+    yield Item("Housing", sizing.design.housing.material, 1, mass, anchor)
+
+
+def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]:
+    """Yield what has to be said of the housing.
+
+    Args:
+        sizing: What was sized.
+        section: What is drawn of it.
+    """
+    if not sizing.design.housing.own:
+        yield "No housing: what stands around the gears is no part of the gearbox."
+    elif section is None:
+        yield "The housing is not drawn: the section has axes beside each other that are not in one plane in space."
+    else:
+        wall = wall_of(sizing, shell_around(housed(sizing)))
+        yield (
+            f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
+            f"measured, as {wall.why} asks, with flanges and bosses."
+        )
+        hidden = {name: mass for name, mass in made_of(sizing).casing.items() if name not in SHOWN}
+        if hidden:
+            listed = ", ".join(f"{name} {mass:.3g} kg" for name, mass in hidden.items())
+            yield f"Weighed, not drawn: {listed}."
+        if section.steps:
+            yield "The section of the housing steps from one plane of axes to the other at the chain line."
+        elif not section.flat:
+            yield "The housing is cut in the plane of each two axes that stand beside each other."

@@ -1,0 +1,157 @@
+"""The housing as the arrangement's section cuts it: chambers, flanges and bosses are one part up to joints."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gearwright.render.drawings.casing.section_path import Lane, lanes
+from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
+from gearwright.render.drawings.views.positions import Positions
+from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.shape import FLANGES, Node, Scene
+from gearwright.shape import scene as scene_of
+from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, cut_chamber, united
+from gearwright.sizing import Sizing
+
+LEAN, SPACING = math.pi / 4.0, 4.0
+"""Of the hatching of the housing [rad] and [mm]: wider than that of gears; parts beside a joint lean the other way."""
+SQUARE = 1e-9
+"""How far an axis on the sheet may turn from upright or level [-]."""
+
+
+@dataclass(frozen=True)
+class CasingSection:
+    """What the section cuts of the housing, in metres of the part at the places of the sheet."""
+
+    cuts: tuple[Cut, ...]
+    """Its parts, between joints along the first shaft."""
+    steps: tuple[float, ...]
+    """Where the section steps from one plane to another [m]."""
+    flat: bool
+    """Whether it is one plane."""
+    leaning: tuple[tuple[complex, ...], ...]
+    """Outlines of bosses on axes that lean on the sheet [mm]."""
+
+    @property
+    def anchor(self) -> complex:
+        """Where the item number points [mm]: into the longest wall."""
+        rectangles = [one for cut in self.cuts for one in cut.rectangles]
+        longest = max(rectangles, key=lambda one: (round(one.end - one.start, 6), one.high))
+        return MM * complex(0.7 * longest.start + 0.3 * longest.end, (longest.low + longest.high) / 2.0)
+
+
+def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
+    """Return the housing in the section of the general arrangement; None where there is none or no true section of it.
+
+    Args:
+        sizing: What was sized.
+        plane: Where shafts lie.
+    """
+    ways = lanes(sizing, plane) if sizing.design.housing.own else None
+    if ways is None:
+        return None
+    scene = scene_of(sizing, detail="coarse")
+    nodes = [node for node in scene.nodes if node.look == "housing"]
+    rectangles: list[Rectangle] = []
+    for node in nodes:
+        solid = scene.solids[node.surface]
+        if isinstance(solid, Chamber):
+            cut = _cut(node, solid, ways)
+            if cut is None:
+                return None
+            rectangles += cut
+    leaning = []
+    for corners in _bosses(sizing, scene, plane):
+        turn = (corners[1] - corners[0]) / abs(corners[1] - corners[0])
+        if min(abs(turn.real), abs(turn.imag)) < SQUARE:
+            xs, ys = (sorted(part / MM for part in parts)
+                      for parts in ([c.real for c in corners], [c.imag for c in corners]))  # fmt: skip
+            rectangles.append(Rectangle(xs[0], xs[-1], ys[0], ys[-1]))
+        else:
+            leaning.append(corners)
+    steps = tuple(lane.end for lane in ways[:-1])
+    legs = [leg for lane in ways for leg in lane.legs]
+    flat = all(abs(float(leg.along @ legs[0].along)) > 1.0 - SQUARE for leg in legs)
+    return CasingSection(tuple(united(rectangles, _joints(scene))), steps, flat, tuple(leaning))
+
+
+def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
+    """Return what the section cuts of a chamber; None where it meets an opening that it does not lie along."""
+    found, at = [], float(node.axes.origin[0])
+    for lane in ways:
+        cut = cut_chamber(chamber, lane.legs)
+        if cut is None:
+            return None
+        for one in cut:
+            start, end = max(one.start + at, lane.start), min(one.end + at, lane.end)
+            if start < end:
+                found.append(Rectangle(start, end, one.low, one.high))
+    return found
+
+
+def _joints(scene: Scene) -> list[float]:
+    """Return where halves of flanges meet, along the first shaft [m]."""
+    halves = [node for node in scene.nodes if node.look == "housing" and FLANGES in node.name]
+    places = sorted(float(node.axes.origin[0]) for node in halves)
+    return places[1::2]
+
+
+def _bosses(sizing: Sizing, scene: Scene, plane: Positions) -> Iterator[tuple[complex, ...]]:
+    """Yield the outlines of both halves of every boss on the sheet [mm]."""
+    for bearing in sizing.bearings:
+        node = scene.by_name.get(f"housing, boss of {bearing.name}")
+        solid = scene.solids[node.surface] if node else None
+        if node is None or not isinstance(solid, Solid):
+            continue
+        frame, lying = sizing.arrangement.frames[bearing.shaft], plane.shafts[bearing.shaft]
+        middle = float((node.axes.origin - np.array(frame.origin)) @ np.array(frame.along))
+        for side in (1.0, -1.0):
+            yield tuple(lying.at(MM * (middle + z), side * MM * radius) for z, radius in solid.profile[:-1])
+
+
+def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
+    """Yield a housing in section; where the section steps, a chain line parts its planes.
+
+    Args:
+        section: What is cut.
+        scale: mm of paper per mm [-].
+    """
+    paper = scale * MM
+    for k, cut in enumerate(section.cuts):
+        lean = LEAN if k % 2 == 0 else math.pi - LEAN
+        for one in cut.rectangles:
+            corners = (complex(one.start, one.low), complex(one.end, one.low),
+                       complex(one.end, one.high), complex(one.start, one.high))  # fmt: skip
+            yield Hatch(tuple(paper * corner for corner in corners), lean, SPACING)
+        for loop in cut.loops:
+            yield from _outline([paper * complex(*corner) for corner in loop], [paper * at for at in section.steps])
+    for outline in section.leaning:
+        boss = tuple(scale * corner for corner in outline)
+        yield from (Hatch(boss, LEAN, SPACING), Path(boss, Layer.OUTLINE, closed=True))
+
+
+def _outline(corners: list[complex], steps: list[float]) -> Iterator[Path]:
+    """Yield an outline; its sides where the section steps are no edges of the part."""
+    sides = list(pairwise([*corners, corners[0]]))
+    stepped = [any(abs(end.real - at) < 1e-6 for at in steps) and abs(end.real - start.real) < 1e-6
+               for start, end in sides]  # fmt: skip
+    if not any(stepped):
+        yield Path(tuple(corners), Layer.OUTLINE, closed=True)
+        return
+    first = stepped.index(True)
+    run: list[complex] = []
+    for (start, end), is_step in zip(sides[first:] + sides[:first], stepped[first:] + stepped[:first], strict=True):
+        if is_step:
+            if run:
+                yield Path(tuple(run), Layer.OUTLINE)
+            yield Path((start, end), Layer.CENTRE)
+            run = []
+        else:
+            run = [*(run or [start]), end]
+    if run:
+        yield Path(tuple(run), Layer.OUTLINE)

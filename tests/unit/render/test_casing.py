@@ -1,0 +1,124 @@
+"""The housing in drawings: it is cut where the section lies, what is cut is the metal that is weighed."""
+
+import math
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from gearwright.render.drawings.casing.casing_section import casing_section
+from gearwright.render.drawings.casing.section_path import lanes
+from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.sheet.entities import Hatch, Words
+from gearwright.render.drawings.views.positions import positions
+from gearwright.shape.solids import Chamber, depth_in
+from gearwright.shipped import shipped_designs
+from gearwright.sizing.mass import complete_mass
+from shipped_work import sized
+
+MM = 1e3
+WITHOUT = {"face-gear-split-torque", "off-set-h1", "off-set-h1-free", "off-set-h2"}
+"""Designs whose arrangements have axes or bodies where no true section has them."""
+OWN = [name for name in shipped_designs() if sized(name).design.housing.own]
+
+
+def in_space(way, x, height):
+    """Return the point in space [m] of a place on the sheet [m]."""
+    lane = next(lane for lane in way if x <= lane.end)
+    leg = next(leg for leg in lane.legs if height <= leg.high)
+    return np.array([x, *(leg.foot + height * leg.along)])
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_the_section_runs_through_the_axes_that_are_drawn_or_is_none(name):
+    """Both ends of every shaft on the sheet are in space where its frame has them."""
+    sizing = sized(name)
+    plane = positions(sizing)
+    way = lanes(sizing, plane)
+    assert (way is None) == (name in WITHOUT)
+    for shaft, lying in plane.shafts.items() if way else ():
+        frame = sizing.arrangement.frames[shaft]
+        for place in (lying.start, lying.end):
+            at = lying.at(place) / MM
+            true = np.array(frame.origin) + place / MM * np.array(frame.along)
+            assert np.allclose(in_space(way, at.real, at.imag), true, atol=1e-6), shaft
+
+
+@pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "mixed-h1", "off-set", "twin-engine-helicopter"])
+def test_what_is_hatched_is_metal_and_what_is_not_is_none(name):
+    """Points at random in the sheet's plane against the depth in the chambers and flanges of the scene."""
+    sizing = sized(name)
+    plane = positions(sizing)
+    way, section, scene = lanes(sizing, plane), casing_section(sizing, plane), gw.scene(sizing)
+    rectangles = [one for cut in section.cuts for one in cut.rectangles]
+    box = [pick(values) for values in zip(*((one.start, one.end, one.low, one.high) for one in rectangles), strict=True)
+           for pick in (min, max)]  # fmt: skip
+    rng = np.random.default_rng(7)
+    xs, ys = rng.uniform(box[0], box[3], 1500), rng.uniform(box[4], box[7], 1500)
+    bosses = [node for node in scene.nodes if "boss of" in node.name]
+    chambers = [node for node in scene.nodes
+                if node.look == "housing" and isinstance(scene.solids[node.surface], Chamber)]  # fmt: skip
+    metal = 0
+    for x, y in zip(xs, ys, strict=True):
+        point = in_space(way, x, y)
+        if any(near(scene, node, point) for node in bosses):
+            continue
+        drawn = any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
+        depth = max(depth_in(((point - node.axes.origin) @ node.axes.turned)[None], scene.solids[node.surface])
+                    for node in chambers)  # fmt: skip
+        assert drawn == (depth > 0.0), (x, y)
+        metal += drawn
+    assert metal > 50
+
+
+def near(scene, node, point):
+    """Tell whether a point is within the outside of a boss."""
+    off = (point - node.axes.origin) @ node.axes.turned
+    profile = scene.solids[node.surface].profile
+    return math.hypot(*off[:2]) < max(radius for _, radius in profile) and abs(off[2]) <= profile[2][0]
+
+
+def test_bosses_around_bearings_are_part_of_the_housing():
+    """The boss of a bearing of the mast, 0.12 of its outside diameter thick, is hatched beside it."""
+    sizing = sized("ec120b")
+    section = casing_section(sizing, positions(sizing))
+    lying = positions(sizing).shafts["mast"]
+    for bearing in (one for one in sizing.bearings if one.shaft == "mast"):
+        for side in (1.0, -1.0):
+            at = lying.at(MM * bearing.position, side * MM * 0.56 * bearing.outer_diameter) / MM
+            assert any(one.start < at.real < one.end and one.low < at.imag < one.high
+                       for cut in section.cuts for one in cut.rectangles)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_halves_of_flanges_stand_apart_with_room_for_screws_outside_of_wider_chambers(name):
+    scene = gw.scene(sized(name))
+    halves = sorted((float(node.axes.origin[0]), scene.solids[node.surface]) for node in scene.nodes
+                    if "flange" in node.name)  # fmt: skip
+    for (place, half), (other, _) in zip(halves[1::2], halves[2::2], strict=False):
+        assert other - place > 1.5 * half.span[1]
+    chambers = [scene.solids[node.surface] for node in scene.nodes if "chamber" in node.name]
+    for place, half in halves:
+        corners = half.outer[:, None, :] * np.ones((1, 2, 1))
+        for chamber in chambers:
+            heights = place + np.linspace(0.0, half.span[1], 5)
+            points = np.array([[*corner, z] for corner in corners[:, 0] for z in heights])
+            assert depth_in(points, chamber) == 0.0
+
+
+def test_the_list_of_parts_has_the_housing_with_its_mass():
+    for name in ("ec120b", "in-line-h2"):
+        sizing = sized(name)
+        (sheet,) = sheets(sizing, ["arrangement"])
+        said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
+        mass = sum(item.total for item in complete_mass(sizing).parts
+                   if item.group == "housing" and item.part != "housing bolts")  # fmt: skip
+        assert said[said.index("Housing") + 2] == f"{mass:.3g}"
+        assert {mark.spacing for mark in sheet.entities if isinstance(mark, Hatch)} >= {3.0, 4.0}
+
+
+def test_a_housing_without_a_true_section_is_left_out_and_said_to_be():
+    (sheet,) = sheets(sized("off-set-h1"), ["arrangement"])
+    said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
+    assert "Housing" not in said
+    assert any("The housing is not drawn" in words for words in said)
