@@ -92,8 +92,6 @@ def _notes(shown: _Shown) -> Iterator[str]:
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
     yield from _crowded(sizing)
-    if any(pair.kind == "face" for pair in sizing.design.pairs.values()):
-        yield "Face-gear wheels are drawn by their pitch circle alone: their tooth form is not sized."
     yield from casing_notes(sizing, shown.casing)
     listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])
     yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."

@@ -30,6 +30,7 @@ from gearwright.render.drawings.sheet.tolerances import (
     tolerance_frame,
 )
 from gearwright.render.drawings.views.bevel_view import bevel_view
+from gearwright.render.drawings.views.face_view import face_view, is_face_wheel
 from gearwright.render.drawings.views.gear_dimensions import FACE_GRADE, LEAN, face_runout, thickness
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
 from gearwright.render.drawings.views.gear_view import (
@@ -80,7 +81,8 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
 
     def views(scale: float) -> Rows:
         axis = Axis(0j, 1 + 0j, scale)
-        main = bevel_view(sizing, gear, hub, axis) if bevel else _cylindrical(sizing, gear, hub, axis)
+        drawn = bevel_view if bevel else face_view if is_face_wheel(sizing, gear) else _cylindrical
+        main = drawn(sizing, gear, hub, axis)
         return [[main, *([_hub(hub, axis)] if hub.key is not None else [])]]
 
     grid = tooth_grid(sizing, gear, shaft)
@@ -112,8 +114,9 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
                 f"Assumed: hub as long as its seat, Ø {BOSS:g} × the bore with what is cut into it, at most the root Ø"
                 " at the small end."
             )
-    if kind_of(sizing, gear.stage) == "face":
-        yield "Face-gear pair: the wheel's tooth form is not sized; drawn by its pitch circle alone."
+    if is_face_wheel(sizing, gear):
+        yield "Teeth: the envelope of a shaper with the teeth of the pinion, whole between the diameters drawn."
+        yield f"Assumed: rim {BACKUP:g} × tooth depth behind the roots, web 0.6 of it, hub: as weighed."
 
 
 def _span(gear: GearSizing) -> tuple[float, float]:

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from gearwright.identity import Role, gear_part
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
+from gearwright.render.drawings.views.face_view import face_section, face_teeth, is_face_wheel, toward_pinion
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
-from gearwright.render.drawings.views.gear_view import bevel_section, cylinder_section, ring_section
+from gearwright.render.drawings.views.gear_view import bevel_corners, bevel_section, cylinder_section, ring_section
 from gearwright.render.drawings.views.holder_view import holder_anchor, holder_section
 from gearwright.render.drawings.views.positions import PLATE_GAP, Lying, Positions
 from gearwright.render.drawings.views.shaft_parts import (
@@ -83,7 +84,7 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
         if name in gear.shafts and gear.name not in body.gears:
             middle = plane.places[name][gear.name]
             entities += gear_parts(sizing, gear, axis, shaft=name, middle=middle, lean=lean)
-            items.append(gear_item(sizing, gear, axis, middle))
+            items.append(gear_item(sizing, gear, axis, shaft=name, middle=middle))
     for bearing in sizing.bearings:
         if bearing.shaft == name:
             seat = sizing.design.bearings.get(bearing.name)
@@ -137,39 +138,49 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
     if kind_of(sizing, gear.stage) == "bevel":
         moved = Axis(axis.at(middle), axis.along, axis.scale)
         return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
+    if is_face_wheel(sizing, gear):
+        moved = Axis(axis.at(middle), axis.along, axis.scale)
+        return face_section(sizing, gear, hub, moved, toward=toward_pinion(sizing, gear, shaft), lean=lean)
     half = MM * gear.face_width * halves_of(gear) / 2.0
     span = (middle - half, middle + half)
     teeth = cylindrical_gear(sizing, gear)
-    if kind_of(sizing, gear.stage) == "face" and gear.role is Role.WHEEL:
-        radius = MM * teeth.pitch_radius
-        return [Path((axis.at(middle, -radius), axis.at(middle, radius)), Layer.PITCH)]
     if is_internal(sizing, gear):
         return ring_section(axis, teeth, MM * (teeth.pitch_radius + gear.rim), span, lean=lean)
     return cylinder_section(axis, teeth, hub, span, lean=lean)
 
 
-def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> Item:
+def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, middle: float) -> Item:
     """Return the item of a gear.
 
     Args:
         sizing: What was sized.
         gear: The gear.
         axis: Of its shaft.
+        shaft: That carries it.
         middle: Of its face along the shaft [mm].
     """
-    radius = MM * gear.pitch_diameter / 2.0 + (0.6 * MM * gear.rim if is_internal(sizing, gear) else 0.0)
-    share = 1.0 if gear.rim else 0.8
-    offset = 0.2 * MM * gear.face_width
-    if kind_of(sizing, gear.stage) == "bevel":
-        profile = bevel_profile(sizing, gear)
-        offset, radius = away_of(sizing, gear) * profile.roots[1].real, profile.roots[1].imag
     return Item(
         f"Gear {gear.name}",
         _toothing(gear),
         1,
         made_of(sizing).weights[gear.name],
-        axis.at(middle + offset, share * radius),
+        axis.on(middle + _metal(sizing, gear, shaft)),
     )
+
+
+def _metal(sizing: Sizing, gear: GearSizing, shaft: str) -> complex:
+    """Return a point in the section of a gear, from the middle of its face [mm]."""
+    hub, root = hub_of(sizing, gear, shaft), MM * abs(cylindrical_gear(sizing, gear).root_radius)
+    if kind_of(sizing, gear.stage) == "bevel":
+        rim = sum(bevel_corners(bevel_profile(sizing, gear), hub)[:3]) / 3.0
+        return complex(away_of(sizing, gear) * rim.real, rim.imag)
+    if is_face_wheel(sizing, gear):
+        teeth = face_teeth(sizing, gear)
+        return complex(-toward_pinion(sizing, gear, shaft) * 1.5 * teeth.root, sum(teeth.reach) / 2.0)
+    if is_internal(sizing, gear):
+        return complex(0.2 * MM * gear.face_width, (root + MM * (gear.pitch_diameter / 2.0 + gear.rim)) / 2.0)
+    inner = hub.reach / 2.0 if hub.web is None else hub.web.rim
+    return complex(0.2 * MM * gear.face_width, root - min(0.3 * root, (root - inner) / 2.0))
 
 
 def _toothing(gear: GearSizing) -> str:
@@ -219,7 +230,7 @@ def planetary_parts(
     if planetary.ring == GROUND:
         ring = gears[Role.RING]
         entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
-        items.append(gear_item(sizing, ring, axis, middle))
+        items.append(gear_item(sizing, ring, axis, shaft=GROUND, middle=middle))
     return entities, items
 
 

@@ -35,14 +35,14 @@ def cylinder_section(
         bodies = [whole] if hub.web is None or not hub.web.holes else _bored(whole, hub.web, side)
         outline = _box(span, hub.bore / 2.0, tip, side)
         # Without a bore the two halves are one: no edge lies on the axis.
-        entities += [_hatched(axis, body, lean) for body in bodies]
-        entities.append(_line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0))
-        entities.append(_line(axis, _along(span, side * root)))
+        entities += [hatched(axis, body, lean) for body in bodies]
+        entities.append(line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0))
+        entities.append(line(axis, _along(span, side * root)))
         if hub.web is not None:
-            entities += [_line(axis, recess) for recess in _recesses(span, hub.web, side)]
+            entities += [line(axis, recess) for recess in _recesses(span, hub.web, side)]
             entities += _hole(axis, hub.web, (span[0] + span[1]) / 2.0, side)
         if inner > hub.bore / 2.0:
-            entities.append(_line(axis, _along(span, side * inner)))
+            entities.append(line(axis, _along(span, side * inner)))
         entities.append(_pitch(axis, span, side * MM * teeth.pitch_radius))
     return entities
 
@@ -77,9 +77,9 @@ def _hole(axis: Axis, web: Web, middle: float, side: float) -> Iterator[Path]:
     """Yield the edges of a hole in a web, and its centre line."""
     half, more = web.width / 2.0, OVERSHOOT / axis.scale
     for radius in (web.circle - web.hole, web.circle + web.hole) if web.holes else ():
-        yield _line(axis, _along((middle - half, middle + half), side * radius))
+        yield line(axis, _along((middle - half, middle + half), side * radius))
     if web.holes:
-        yield _line(axis, _along((middle - half - more, middle + half + more), side * web.circle), Layer.CENTRE)
+        yield line(axis, _along((middle - half - more, middle + half + more), side * web.circle), Layer.CENTRE)
 
 
 def ring_section(
@@ -98,9 +98,9 @@ def ring_section(
     entities: list[Entity] = []
     for side in (1.0, -1.0):
         entities += [
-            _hatched(axis, _box(span, root, outer, side), lean),
-            _line(axis, _box(span, tip, outer, side), closed=True),
-            _line(axis, _along(span, side * root)),
+            hatched(axis, _box(span, root, outer, side), lean),
+            line(axis, _box(span, tip, outer, side), closed=True),
+            line(axis, _along(span, side * root)),
             _pitch(axis, span, side * MM * teeth.pitch_radius),
         ]
     return entities
@@ -140,11 +140,11 @@ def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, l
         below = [complex(away * corner.real, side * corner.imag) for corner in body]
         tooth = [complex(away * corner.real, side * corner.imag)
                  for corner in (profile.roots[0], profile.small[0], profile.large[0], profile.roots[1])]  # fmt: skip
-        entities += [_hatched(axis, below, lean), _line(axis, tooth)]
-        entities.append(_line(axis, below if hub.bore else [below[4], *below[:4]], closed=hub.bore > 0.0))
+        entities += [hatched(axis, below, lean), line(axis, tooth)]
+        entities.append(line(axis, below if hub.bore else [below[4], *below[:4]], closed=hub.bore > 0.0))
         more = profile.large[1] + (profile.large[1] - profile.small[1]) * 0.12
         ends = [complex(away * profile.apex, 0.0), complex(away * more.real, side * more.imag)]
-        entities.append(_line(axis, ends, Layer.PITCH))
+        entities.append(line(axis, ends, Layer.PITCH))
     return entities
 
 
@@ -182,10 +182,10 @@ def bore_edges(axis: Axis, span: tuple[float, float], hub: Hub) -> Iterator[Enti
     """
     radius = hub.bore / 2.0
     for x in span if hub.bore else ():
-        yield _line(axis, [complex(x, -radius), complex(x, radius)])
+        yield line(axis, [complex(x, -radius), complex(x, radius)])
     if hub.key is not None:
         flank = math.sqrt(radius**2 - (MM * hub.key.width / 2.0) ** 2)
-        yield _line(axis, _along(span, flank))
+        yield line(axis, _along(span, flank))
 
 
 def _box(span: tuple[float, float], inner: float, outer: float, side: float) -> list[complex]:
@@ -196,15 +196,30 @@ def _along(span: tuple[float, float], radius: float) -> list[complex]:
     return [complex(x, radius) for x in span]
 
 
-def _hatched(axis: Axis, corners: Sequence[complex], lean: float) -> Hatch:
+def hatched(axis: Axis, corners: Sequence[complex], lean: float) -> Hatch:
+    """Return a face that is cut.
+
+    Args:
+        axis: Of the part.
+        corners: Along the axis and beside it [mm].
+        lean: Angle of the hatching against the axis [rad].
+    """
     turned = (lean + cmath.phase(axis.along)) % math.pi
     return Hatch(tuple(axis.on(corner) for corner in corners), turned)
 
 
-def _line(axis: Axis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
+def line(axis: Axis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
+    """Return a line over corners.
+
+    Args:
+        axis: Of the part.
+        corners: Along the axis and beside it [mm].
+        layer: Of the line.
+        closed: Whether it ends where it begins.
+    """
     return Path(tuple(axis.on(corner) for corner in corners), layer, closed=closed)
 
 
 def _pitch(axis: Axis, span: tuple[float, float], radius: float) -> Path:
     more = 2.0 / axis.scale
-    return _line(axis, _along((span[0] - more, span[1] + more), radius), Layer.PITCH)
+    return line(axis, _along((span[0] - more, span[1] + more), radius), Layer.PITCH)

@@ -175,7 +175,7 @@ def _beside(sizing: Sizing, joins: Sequence[_Join], shafts: Mapping[str, Lying])
     if kind == "bevel":
         return _bevel(sizing, join, _sheet(sizing, shafts))
     if kind == "face":
-        return _face(sizing, join, first=len(shafts) == 1)
+        return _face(sizing, join, _sheet(sizing, shafts))
     reach = _reach(sizing, join.mesh.nodes[1 - join.side])
     choices = []
     for one in (one for one in joins if kind_of(sizing, one.mesh.stage) == kind):
@@ -244,16 +244,27 @@ def _bevel(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
     return join.lay(apex - along * (join.new_at + sense[other] * reach[other]), along)
 
 
-def _face(sizing: Sizing, join: _Join, *, first: bool) -> Lying:
-    """Return the other shaft of a face-gear pair: across, the middle of the pinion on the wheel's pitch circle."""
+def _face(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
+    """Return the other shaft of a face-gear pair: across, the middle of the pinion on the wheel's pitch circle.
+
+    The first wheel's second end lies to the right of its pinion's way; which sides touch is as in space.
+    """
     pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in join.mesh.gears)
-    if join.side == 0:
-        sign = 1.0 if first else -1.0
-        along = join.lying.along * -1j
-        touch = join.lying.at(join.at, sign * pinion)
-        return join.lay(touch - along * join.new_at + along * 1j * sign * wheel, along)
-    along = join.lying.along * 1j
-    return join.lay(join.lying.at(join.at + pinion, wheel) - along * join.new_at, along)
+    frames = [sizing.arrangement.frames[node] for node in join.mesh.nodes[:2]]
+    ways = [np.array(frame.along) for frame in frames]
+    places = [
+        sizing.arrangement.plans[node].places[gear]
+        for node, gear in zip(join.mesh.nodes, join.mesh.gears, strict=False)
+    ]
+    middles = [np.array(frame.origin) + place * way for frame, place, way in zip(frames, places, ways, strict=True)]
+    beside, above = (math.copysign(size, float((middles[1] - middles[0]) @ way))
+                     for size, way in zip((wheel, pinion), ways, strict=True))  # fmt: skip
+    turn = -1j if sheet is None else 1j * math.copysign(1.0, float(np.cross(ways[0], ways[1]) @ sheet))
+    across = join.lying.along if join.side == 0 else join.lying.along / turn
+    step = across * (beside + turn * above)
+    middle, along = join.lying.at(join.at), across * (turn if join.side == 0 else 1.0)
+    middle += step if join.side == 0 else -step
+    return join.lay(middle - along * join.new_at, along)
 
 
 def _between(mesh: Mesh, plane: Positions) -> complex:

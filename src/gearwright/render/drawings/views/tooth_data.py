@@ -21,6 +21,7 @@ from gearwright.parts.gears import (
 )
 from gearwright.render.drawings.sheet.entities import trimmed
 from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.views.face_view import face_teeth, is_face_wheel
 from gearwright.shape.teeth import (
     bevel_pair,
     cylindrical_gear,
@@ -51,7 +52,8 @@ def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> Grid:
         gear: One of its gears.
         shaft: That carries it.
     """
-    rows = _bevel_rows(sizing, gear) if kind_of(sizing, gear.stage) == "bevel" else _cylindrical_rows(sizing, gear)
+    bevel = kind_of(sizing, gear.stage) == "bevel"
+    rows = (_bevel_rows if bevel else _face_rows if is_face_wheel(sizing, gear) else _cylindrical_rows)(sizing, gear)
     named = {"hand": _hand(sizing, gear, shaft)}
     filled = tuple((name, symbol, named.get(value, value)) for name, symbol, value in rows)
     return Grid(f"Tooth data: {gear.name}", (*filled, *_quality(sizing, gear), *_mates(sizing, gear)))
@@ -87,6 +89,23 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Face width", "b", _mm(teeth.face_width)
     if kind_of(sizing, gear.stage) == "cylindrical":
         yield from _measurement(sizing, gear, teeth)
+
+
+def _face_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
+    teeth = face_teeth(sizing, gear)
+    inner, outer = teeth.reach
+    yield "Kind", "", "face gear"
+    yield "Number of teeth", "z", f"{gear.teeth}"
+    yield "Module of the shaper", "m", _mm(teeth.pinion.module)
+    yield "Teeth of the shaper", "z_{s}", f"{teeth.pinion.teeth}"
+    yield "Pressure angle of the shaper", "α", _degrees(teeth.pinion.rack.pressure_angle)
+    yield "Shaft angle", "Σ", "90°"
+    yield "Reference diameter", "d", _mm(gear.pitch_diameter)
+    yield "Outer diameter of whole teeth", "d_{e}", trimmed(2.0 * outer, 3)
+    yield "Inner diameter of whole teeth", "d_{i}", trimmed(2.0 * inner, 3)
+    yield "Width of whole teeth", "b", trimmed(outer - inner, 3)
+    yield "Addendum", "h_{a}", trimmed(teeth.tip, 3)
+    yield "Dedendum", "h_{f}", trimmed(teeth.root, 3)
 
 
 def _pitches(module: float, helix_angle: float) -> Iterator[Row]:
