@@ -122,3 +122,31 @@ def test_a_housing_without_a_true_section_is_left_out_and_said_to_be():
     said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
     assert "Housing" not in said
     assert any("The housing is not drawn" in words for words in said)
+
+
+@pytest.mark.parametrize(
+    ("name", "size", "scale"),
+    [
+        ("ec120b", "A1", 0.5),
+        ("in-line-star", "A2", 0.5),
+        ("twin-engine-helicopter", "A1", 0.5),
+        ("wolfrom-reducer", "A2", 1.0),
+    ],
+)
+def test_arrangements_fill_their_sheets(name, size, scale):
+    """By turns: the second view over the tables, notes over the tables, and below the view."""
+    (sheet,) = sheets(sized(name), ["arrangement"])
+    assert (sheet.size.name, sheet.scale) == (size, scale)
+
+
+def test_a_slim_view_has_a_smaller_scale_rather_than_a_large_empty_sheet():
+    (sheet,) = sheets(sized("single-planetary"), ["arrangement"])
+    assert (sheet.size.name, sheet.scale) == ("A2", 0.2)
+
+
+def test_a_view_that_stands_elsewhere_has_an_arrow_and_a_letter():
+    (sheet,) = sheets(sized("ec120b"), ["arrangement"])
+    letters = [mark for mark in sheet.entities if isinstance(mark, Words) and mark.text == "A" and mark.height == 5.0]
+    assert len(letters) == 2
+    (none,) = sheets(sized("in-line-h2"), ["arrangement"])
+    assert not [mark for mark in none.entities if isinstance(mark, Words) and mark.height == 5.0 and mark.text == "A"]

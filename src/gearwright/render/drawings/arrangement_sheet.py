@@ -13,7 +13,7 @@ from gearwright.render.drawings.casing.casing_parts import casing_items, casing_
 from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
-from gearwright.render.drawings.sheet.dimensions import drawn, extent
+from gearwright.render.drawings.sheet.dimensions import arrow, drawn, extent
 from gearwright.render.drawings.sheet.entities import SMALL, Arc, Box, Distance, Entity, Layer, Path, Words, trimmed
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import balloon
@@ -32,6 +32,8 @@ from gearwright.sizing.places import CLAUSE
 NAME = "arrangement"
 AROUND = 9.0
 """From the parts to their item numbers [mm]."""
+ARROW_NAME, LETTER, LENGTH = "A", 5.0, 12.0
+"""Of the view along the first shaft: its letter, how high that is, how long its arrow [mm]."""
 _APART = 10.0
 """Between item numbers [mm]."""
 SIDES = ("left", "right", "top", "bottom")
@@ -83,7 +85,7 @@ def arrangement_content(sizing: Sizing) -> Content:
 def _notes(shown: _Shown) -> Iterator[str]:
     sizing, plane = shown.sizing, shown.plane
     if _has_end_view(sizing, plane):
-        yield "On the left: along the first shaft from its second end, axes at true places; gears by pitch circle."
+        yield f"View {ARROW_NAME}: along the first shaft from its second end, axes at true places, pitch circles."
     if sizing.bearings:
         yield (
             "Bearings simplified: boundary dimensions ISO 15 or ISO 355, rings with shoulders as drawn, rolling "
@@ -124,7 +126,21 @@ def _views(shown: _Shown, scale: float) -> Rows:
     entities += _machines(sizing, plane, scale, [*segments(entities), *dots], parts)
     entities += _balloons(items, extent(entities), texts(entities))
     entities += _overall(parts, entities, scale, tall=plane.exact and not plane.notes)
-    return [[*([end_view(sizing, scale)] if _has_end_view(sizing, plane) else []), entities]]
+    if not _has_end_view(sizing, plane):
+        return [[entities]]
+    level = plane.shafts[sizing.design.shafts[0]].at(0.0).imag * scale
+    entities += _looked(complex(extent(entities)[2] + BEYOND, level))
+    seen = end_view(sizing, scale)
+    box = extent(seen)
+    seen.append(Words(complex((box[0] + box[2]) / 2.0, box[3] + BEYOND / 2.0), ARROW_NAME, LETTER, "middle"))
+    return [[seen, entities]]
+
+
+def _looked(tip: complex) -> Iterator[Entity]:
+    """Yield the arrow of a view that need not stand where projection has it (ISO 128-3:2022), with its letter."""
+    yield Path((tip, tip + LENGTH), Layer.OUTLINE)
+    yield arrow(tip, -1.0 + 0j, Layer.OUTLINE)
+    yield Words(tip + complex(LENGTH / 2.0, 2.0), ARROW_NAME, LETTER, "middle")
 
 
 def _has_end_view(sizing: Sizing, plane: Positions) -> bool:

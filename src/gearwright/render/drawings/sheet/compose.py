@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
 from gearwright.render.drawings.sheet.dimensions import extent
@@ -16,6 +17,8 @@ from gearwright.render.drawings.sheet.tables import Grid, grid_entities, grid_si
 
 AIR = 8.0
 """Free room around views and tables [mm]."""
+FILLED = 0.25
+"""Share of an A0 sheet below which a smaller scale is better [-]."""
 WISHES = ((1.0, 2), (0.5, 3), (0.2, 4), (0.0, 4))
 """Scales that are wished for, one after the other [-], each with the number of sheet sizes to try for it."""
 
@@ -55,49 +58,102 @@ def compose(content: Content) -> Sheet:
     fit = next(_fits(content), None)
     if fit is None:
         raise DesignError([Problem(content.name, "this is too large for A0 at 1:100; draw its parts instead")])
-    size, scale, rows, room = fit
-    left, low, right, high = inside(size)
+    size, scale, plan = fit
     entities: list[Entity] = [*frame(size), *title_block(content.title, size, scale)]
-    entities += _placed(rows, room)
-    top = complex(right - AIR / 2.0, high - AIR / 2.0)
-    for grid in content.grids:
-        entities += grid_entities(grid, top)
-        top -= 1j * (grid_size(grid)[1] + AIR / 2.0)
-    width = right - left - BLOCK_WIDTH - 2.0 * AIR
-    entities += notes_entities(content.notes, complex(left + AIR, low + AIR / 2.0), width)
+    for rows, room in plan.views:
+        entities += _placed(rows, room)
+    for grid, corner in zip(content.grids, plan.grids, strict=True):
+        entities += grid_entities(grid, corner)
+    entities += notes_entities(content.notes, *plan.notes)
     return Sheet(content.name, f"{content.title.project}: {content.title.title}", size, scale, tuple(entities))
 
 
 Room = tuple[float, float, float, float]
 
 
-def _fits(content: Content) -> Iterator[tuple[Size, float, Rows, Room]]:
+class Plan(NamedTuple):
+    """Where everything stands on a sheet."""
+
+    views: tuple[tuple[Rows, Room], ...]
+    """With the room of each."""
+    grids: tuple[complex, ...]
+    """Upper right corners."""
+    notes: tuple[complex, float]
+    """Lower left corner, and width of the lines [mm]."""
+
+    @property
+    def share(self) -> float:
+        """Area of the views' boxes over that of their rooms [-]."""
+        boxes = [_rows_size(rows) for rows, _ in self.views]
+        rooms = sum((room[2] - room[0]) * (room[3] - room[1]) for _, room in self.views)
+        return sum(width * height for width, height in boxes) / rooms
+
+    @property
+    def holds(self) -> bool:
+        """Whether all views fit."""
+        sizes = [(_rows_size(rows), room) for rows, room in self.views]
+        return all(width <= room[2] - room[0] and height <= room[3] - room[1] for (width, height), room in sizes)
+
+
+def _fits(content: Content) -> Iterator[tuple[Size, float, Plan]]:
     """Yield the sheets that hold the content, the best first."""
     views = cache(content.views)
     for smallest_scale, tried in WISHES:
         for size in SIZES[: len(SIZES) if content.is_whole and smallest_scale < 1.0 else tried]:
-            room = _room(content, size)
-            for scale in SCALES:
-                if room is not None and smallest_scale <= scale <= content.largest_scale:
-                    rows = views(scale)
-                    width, height = _rows_size(rows)
-                    if width <= room[2] - room[0] and height <= room[3] - room[1]:
-                        yield size, scale, rows, room
-                        break
+            for scale in (one for one in SCALES if smallest_scale <= one <= content.largest_scale):
+                plan = next((plan for plan in _plans(content, size, views(scale)) if plan.holds), None)
+                if plan is not None and not (size is SIZES[-1] and smallest_scale and plan.share < FILLED):
+                    yield size, scale, plan
+                    break
 
 
-def _room(content: Content, size: Size) -> Room | None:
-    """Return the room for views on a sheet; None where tables and title block leave none."""
+def _plans(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
+    """Yield ways in which a content may stand on a sheet."""
+    if content.is_whole:
+        yield from _whole(content, size, rows)
+        return
     left, low, right, high = inside(size)
     column = max((grid_size(grid)[0] for grid in content.grids), default=-AIR)
     tall = sum(grid_size(grid)[1] + AIR / 2.0 for grid in content.grids)
-    notes = notes_height(content.notes, right - left - BLOCK_WIDTH - 2.0 * AIR) + AIR / 2.0
+    width = right - left - BLOCK_WIDTH - 2.0 * AIR
+    notes = notes_height(content.notes, width) + AIR / 2.0
     if tall > high - low - BLOCK_HEIGHT - AIR:
-        return None
-    return (
-        left + AIR, low + max(BLOCK_HEIGHT, notes) + AIR,
-        right - column - 2.0 * AIR, high - AIR,
-    )  # fmt: skip
+        return
+    room = (left + AIR, low + max(BLOCK_HEIGHT, notes) + AIR, right - column - 2.0 * AIR, high - AIR)
+    top, corners = complex(right - AIR / 2.0, high - AIR / 2.0), []
+    for grid in content.grids:
+        corners.append(top)
+        top -= 1j * (grid_size(grid)[1] + AIR / 2.0)
+    yield Plan(((rows, room),), tuple(corners), (complex(left + AIR, low + AIR / 2.0), width))
+
+
+def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
+    """Yield ways in which a gearbox may stand beside a column of tables on the title block: with notes below the views,
+    with notes in the column, with the first of two views over the column.
+    """
+    left, low, right, high = inside(size)
+    wide = max(BLOCK_WIDTH, *(grid_size(grid)[0] + AIR / 2.0 for grid in content.grids))
+    top, corners = complex(right - AIR / 2.0, low + BLOCK_HEIGHT + AIR / 2.0), []
+    for grid in content.grids:
+        top += 1j * grid_size(grid)[1]
+        corners.append(top)
+        top += 1j * AIR / 2.0
+    if top.imag > high:
+        return
+    foot, beside = complex(left + AIR, low + AIR / 2.0), right - wide - AIR
+    under = low + AIR / 2.0 + notes_height(content.notes, beside - foot.real) + AIR
+    half = AIR / 2.0
+    yield Plan(((rows, (left + half, under, beside, high - half)),), tuple(corners), (foot, beside - foot.real))
+    above = top.imag + notes_height(content.notes, wide - AIR)
+    if above < high:
+        notes = (complex(right - wide + AIR / 2.0, top.imag), wide - AIR)
+        yield Plan(((rows, (left + half, low + half, beside, high - half)),), tuple(corners), notes)
+    if [len(row) for row in rows] == [2]:
+        aside, main = [[rows[0][0]]], [[rows[0][1]]]
+        far = right - max(wide, _rows_size(aside)[0] + AIR) - AIR
+        under = low + AIR / 2.0 + notes_height(content.notes, far - foot.real) + AIR
+        rooms = (far + AIR, top.imag, right - half, high - half), (left + half, under, far, high - half)
+        yield Plan(((aside, rooms[0]), (main, rooms[1])), tuple(corners), (foot, far - foot.real))
 
 
 def _rows_size(rows: Rows) -> tuple[float, float]:
