@@ -73,7 +73,13 @@ from gearwright.catalogue.standard_parts.gear_fits import (
     centre_allowance,
     thickness_allowances,
 )
-from gearwright.catalogue.standard_parts.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
+from gearwright.catalogue.standard_parts.keys import (
+    LENGTHS,
+    StandardKey,
+    key_for_shaft,
+    keyway_tolerance,
+    standard_keys,
+)
 from gearwright.catalogue.standard_parts.lock_nuts import LockNut, lock_nut, lock_nuts
 from gearwright.catalogue.standard_parts.radial_seals import (
     ELASTOMERS,
@@ -185,6 +191,7 @@ __all__ = [
     "housing_materials",
     "is_cast_iron",
     "key_for_shaft",
+    "keyway_tolerance",
     "least_ratings",
     "lip_speed",
     "load_factor_tables",

@@ -120,6 +120,14 @@ def test_dimensions_of_a_shaft_measure_what_the_sizing_says(drawings, name):
         assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), value
 
 
+def _chained(sheet, shaft, end):
+    """Return whether one or two lengths with tolerances lead from another end of a step to this one [mm]."""
+    chained = [mark.measured for mark in sheet.entities if isinstance(mark, Distance) and mark.suffix]
+    ways = [sign * each for each in (0.0, *chained) for sign in (-1.0, 1.0)]
+    others = [1e3 * step.start for step in shaft.steps if abs(1e3 * step.start - end) > 1e-6]
+    return any(math.isclose(end, other + one + two, abs_tol=1e-6) for other in others for one in ways for two in ways)
+
+
 def test_dimensions_of_the_helicopter_gearbox_are_its_sizing():
     """Every diameter outside of teeth, every end of a step, every fillet of the shafts that were built."""
     sizing = sized("ec120b")
@@ -135,7 +143,8 @@ def test_dimensions_of_the_helicopter_gearbox_are_its_sizing():
         for bearing in (each for each in sizing.bearings if each.shaft == shaft.name):
             ends = [1e3 * (bearing.position + side * bearing.bearing.width / 2.0) for side in (-1.0, 1.0)]
             for end in ends:
-                assert end < 1e-6 or any(math.isclose(end, each, abs_tol=1e-6) for each in values), bearing.name
+                told = any(math.isclose(end, each, abs_tol=1e-6) for each in values) or _chained(sheet, shaft, end)
+                assert end < 1e-6 or told, bearing.name
         texts = {words.text for words in words_of(sheet)}
         outside = [
             each.fillet for each in shaft.sections if each.fillet and not any(part in each.place for part in inside)
@@ -448,7 +457,7 @@ def test_seats_of_bearings_run_out_by_half_of_it5_against_both_radial_ones():
     """IT5 of 60 and of 75 mm is 13 µm (ISO 286-1:2010, table 1); the mast's tapers are its radial bearings."""
     sheet = next(sheet for sheet in sheets(sized("ec120b"), ["shaft-mast"]))
     texts = [words.text for words in words_of(sheet)]
-    assert texts.count("0.0065") == texts.count("A–B") == 2
+    assert texts.count("0.0065") == 2
     assert texts.count("A") == texts.count("B") == 2 + 1  # at the frame's edges, and the datum
     (first,) = [seat for seat in sized("ec120b").bearings if seat.name == "mast-lower"]
     (wide,) = [mark for mark in sheet.entities if isinstance(mark, Distance) and mark.text == "Ø60 m6"]
@@ -526,11 +535,58 @@ def test_a_frame_has_the_symbol_its_zone_and_its_datums():
 
 
 def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():
-    """DIN 471 - 25 x 1.2: Ø23.9, 1.3 mm wide, beside the bearing that ends at 215.5 mm."""
+    """DIN 471 - 25 x 1.2: Ø23.9, 1.3 mm wide; its loaded side at 216.8 mm is 37.3 mm from the shoulder at 179.5 mm."""
     (sheet,) = sheets(sized("ec120b"), ["shaft-input"])
     values = measured(sheet)
-    for value in (23.9, 215.5, 216.8):
+    for value in (23.9, 1.3, 216.8 - 179.5):
         assert any(math.isclose(value, each, rel_tol=1e-9) for each in values), value
+    assert not any(math.isclose(each, 216.8, rel_tol=1e-9) for each in values)  # given once
+    said = {mark.text for mark in sheet.entities if isinstance(mark, Distance)}
+    assert {"37.3 H11", "1.3 H13", "Ø23.9 h12"} <= said
+
+
+def test_lengths_between_shoulders_of_bearings_and_to_teeth_have_tolerances():
+    """ISO 286-1:2010, table 1: IT9 of 257.5 mm is 130 µm, IT10 of 51 and of 69 mm 120 µm."""
+    said = {
+        name: {mark.text for mark in sheets(sized("ec120b"), [name])[0].entities if isinstance(mark, Distance)}
+        for name in ("shaft-mast", "shaft-tail")
+    }
+    assert "257.5 ±0.065" in said["shaft-mast"] and "301.5" not in said["shaft-mast"]
+    assert {"51 ±0.06", "69 ±0.06", "24", "160"} <= said["shaft-tail"]
+
+
+def test_shoulders_teeth_and_splines_run_out_against_the_axis_of_both_seats():
+    """IT5 of 60 and 75 mm: 13 µm; IT7 of 78 and 71 mm: 30 µm; ISO 1328-1 of z = 88, m = 1, class 4: 12 µm."""
+    texts_of = {name: [words.text for words in words_of(sheets(sized("ec120b"), [name])[0])]
+                for name in ("shaft-mast", "shaft-tail")}  # fmt: skip
+    assert texts_of["shaft-mast"].count("0.013") == texts_of["shaft-mast"].count("0.03") == 2
+    assert texts_of["shaft-mast"].count("A–B") == 2 + 2 + 2 and texts_of["shaft-mast"].count("PD") == 2
+    d = 88.0 / math.cos(math.radians(12.0))
+    runout = 0.9 * (0.002 * d + 0.55 * math.sqrt(d) + 0.7 + 12.0) / math.sqrt(2.0)
+    assert texts_of["shaft-tail"].count(f"{1e-3 * round(runout):g}") == 1
+
+
+def test_hardened_teeth_have_a_line_beside_them_and_say_what_stays_soft():
+    """ISO 15787; 700 HV as rated, up to the 800 HV of ISO 6336-5; 0.15 to 0.2 of the module of 2 mm."""
+    (sheet,) = sheets(sized("ec120b"), ["shaft-input"])
+    lines = [mark for mark in sheet.entities if isinstance(mark, Path) and mark.layer is Layer.HARDENED]
+    widths = sorted(abs(line.points[1] - line.points[0]) / sheet.scale for line in lines)
+    assert widths == pytest.approx([18.0, 37.0])
+    rows = table(sheet)
+    assert {"700 +100 HV, CHD 0.3 +0.1", "soft: kept from carburizing (assumed)"} <= {
+        words.text for words in words_of(sheet)
+    }
+    assert rows
+    (plain,) = sheets(sized("ec120b"), ["shaft-mast"])  # its wheel is splined on
+    assert not any(isinstance(mark, Path) and mark.layer is Layer.HARDENED for mark in plain.entities)
+
+
+def test_a_keyway_says_how_deep_it_may_be_and_how_symmetric_it_stands():
+    """DIN 6885-1 for 32 mm: 10 P9 wide, t_1 = 5 mm + 0.2 mm, left are 27 mm; half of IT9 of 10 mm: 18 µm."""
+    (sheet,) = sheets(sized("ec120b-as-reported"), ["shaft-input"])
+    said = {mark.text for mark in sheet.entities if isinstance(mark, Distance)}
+    assert {"10 P9", "27 0/−0.2"} <= said
+    assert "0.018" in {words.text for words in words_of(sheet)}
 
 
 def test_an_undercut_is_named_in_its_place_and_drawn_ten_times_as_large_with_its_sizes():

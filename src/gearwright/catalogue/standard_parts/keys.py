@@ -64,3 +64,19 @@ def key_for_shaft(diameter: float) -> StandardKey:
         f"{1e3 * diameter:g} mm given; DIN 6885-1 has keys above {1e3 * keys[0].over:g} to {1e3 * keys[-1].to:g} mm"
     )
     raise DesignError([Problem("diameter", message)])
+
+
+def keyway_tolerance(section: KeySection) -> Length:
+    """Return how much deeper than t_1 a keyway in a shaft may be [m].
+
+    Args:
+        section: Of the key.
+
+    Source: DIN 6885-1 as Berger Tools prints it (standard parts catalogue, pp. 2079 and 2080) for shafts up to 50 mm:
+        0.1 mm of keys up to 6 mm wide, 0.2 mm of wider ones; 0.3 mm from 36 mm on is from memory.
+
+    >>> round(1e3 * keyway_tolerance(key_for_shaft(0.020).section), 1)
+    0.1
+    """
+    width = 1e3 * section.width
+    return 0.1e-3 if width < 6.5 else 0.2e-3 if width < 35.0 else 0.3e-3

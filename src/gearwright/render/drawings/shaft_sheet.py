@@ -5,42 +5,37 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits, standard_tolerance
+from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits
 from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.dimensions import extent
-from gearwright.render.drawings.sheet.entities import (
-    TEXT,
-    Distance,
-    Entity,
-    Words,
-    millimetres,
-)
+from gearwright.render.drawings.sheet.entities import Distance, millimetres
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import cutting_plane
 from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum
-from gearwright.render.drawings.views.marks import ACROSS, Mark, marked
-from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body, thread_name
-from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
+from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, datum
+from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, shaft_body
+from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, shaft_outline
+from gearwright.render.drawings.views.shafts.hardness import Zone, zone_grid, zone_lines, zones
+from gearwright.render.drawings.views.shafts.keyways import keyway_section
+from gearwright.render.drawings.views.shafts.lengths import BETWEEN_SHOULDERS, TO_GROOVE, TO_TEETH, lengths
+from gearwright.render.drawings.views.shafts.surfaces import (
+    AXIS,
+    DATUMS,
+    RUNOUT_SOURCE,
+    SEAT_TEXTURE,
+    SPLINE_GRADE,
+    middle_of,
+    surfaces,
+)
 from gearwright.render.drawings.views.shafts.threads import thread_grid, thread_lines
 from gearwright.render.drawings.views.tooth_data import tooth_grid
 from gearwright.render.drawings.views.undercut_view import relief_detail, undercut_detail
 from gearwright.render.drawings.views.weights import mass_with_gears
-from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.shafts import ENDS, Groove, Retention, ends, grooves, held_rings
 
-DATUMS = ("A", "B")
-"""Seats of the two radial bearings."""
-RUNOUT_GRADE = 5
-"""Of the seats of normal bearings, of which half is their total run-out; assumed (usual)."""
 BELOW = TRIANGLE + 2.0 + HIGH - 4.0
 """By which lengths stand lower than without datums [mm]."""
-LEVEL = 8.0
-"""Between parallel dimension lines [mm]."""
-SEAT_TEXTURE = "Ra 0.8"
-"""Of bearing seats; assumed (usual for IT6 and normal bearings)."""
 
 
 def shaft_content(sizing: Sizing, name: str) -> Content:
@@ -51,7 +46,7 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
         name: Of the shaft.
     """
     body = shaft_body(sizing, name)
-    seats = datum_seats(sizing, body)
+    seats, hard = datum_seats(sizing, body), zones(sizing, body)
     material = sizing.design.shaft_material
     mass = f"{mass_with_gears(sizing, body.gears, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
@@ -60,8 +55,8 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     return Content(
         f"shaft-{name}",
         title,
-        lambda scale: _views(body, seats, scale),
-        (*grids, *fits),
+        lambda scale: _views(sizing, body, seats, hard, scale),
+        (*grids, *zone_grid(hard), *fits),
         tuple(_notes(sizing, body, seats)),
         kind="shaft",
     )
@@ -80,14 +75,15 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
     return seats if len(seats) == len(DATUMS) else ()
 
 
-def _views(body: ShaftBody, seats: Sequence[Piece], scale: float) -> Rows:
+def _views(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece], hard: tuple[Zone, ...], scale: float) -> Rows:
     axis = Axis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
     main += [line for thread in body.threads for line in thread_lines(axis, thread)]
-    main += _diameters(axis, body, seats)
-    main += _lengths(axis, body, below=BELOW if seats else 0.0)
+    main += surfaces(sizing, axis, body, seats)
+    main += zone_lines(axis, hard)
+    main += lengths(axis, body, seats, below=BELOW if seats else 0.0)
     for letter, seat in zip(DATUMS, seats, strict=False):
-        main += datum(axis.at(_middle(body, seat), -seat.diameter / 2.0), -1j, letter)
+        main += datum(axis.at(middle_of(body, seat), -seat.diameter / 2.0), -1j, letter)
     if body.bore:
         end = body.pieces[-1].end
         low, high = axis.at(end, -body.bore / 2.0), axis.at(end, body.bore / 2.0)
@@ -96,106 +92,11 @@ def _views(body: ShaftBody, seats: Sequence[Piece], scale: float) -> Rows:
     for letter, slot in zip("ABCDEFGH", body.slots, strict=False):
         reach = slot.diameter / 2.0 * scale + 2.0
         main += cutting_plane(axis.at((slot.start + slot.end) / 2.0), reach, letter, looking=1 + 0j)
-        sections.append(_section(slot, body.bore, letter, scale))
+        sections.append(keyway_section(slot, body.bore, letter, scale, datums=AXIS if seats else ""))
     details = [undercut_detail(standard) for standard in dict.fromkeys(cut.standard for cut in body.undercuts)]
     reliefs = dict.fromkeys(thread.undercut for thread in body.threads if thread.undercut is not None)
     details += [relief_detail(standard) for standard in reliefs]
     return [[main, *details], *([sections] if sections else [])]
-
-
-def _diameters(axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
-    """Yield every diameter and what its surface may run out, written above the shaft."""
-    marks = sorted((*_marks(body), *_runouts(body, seats)), key=lambda mark: mark.x)
-    top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
-    places = spread([axis.scale * mark.x for mark in marks], ACROSS)
-    for mark, slot in zip(marks, places, strict=True):
-        yield from marked(axis, mark, slot, top)
-
-
-def _marks(body: ShaftBody) -> Iterator[Mark]:
-    for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
-        beside = [neighbour.diameter for neighbour in (before, after) if neighbour is not None and neighbour.tolerance]
-        if not piece.tolerance and piece.diameter in beside and (piece.thread is None or piece.relieved):
-            continue
-        x = _middle(body, piece)
-        if piece.thread is not None:
-            if not piece.relieved:
-                yield Mark(x, piece.diameter / 2.0, "", thread_name(piece.thread))
-            elif piece.thread.undercut is not None:
-                yield Mark(x, piece.diameter / 2.0, "", piece.thread.undercut.designation)
-            continue
-        if piece.conical:
-            x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
-        suffix = f" {piece.tolerance}" if piece.tolerance else ""
-        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
-    for toothing in body.splines:
-        x = toothing.start + 0.75 * (toothing.end - toothing.start)
-        yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
-    for cut in body.undercuts:
-        yield Mark(MM * (cut.place + cut.edge) / 2.0, MM * cut.bottom / 2.0, "", cut.standard.designation)
-
-
-def _middle(body: ShaftBody, piece: Piece) -> float:
-    """Return where the diameter of a piece is dimensioned, beside keyways [mm]."""
-    share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
-    return piece.start + share * (piece.end - piece.start)
-
-
-def _runouts(body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Mark]:
-    """Yield the total run-out of every bearing seat against the axis of both radial bearings."""
-    for piece in body.pieces:
-        if piece.tolerance and seats:
-            runout = MM * standard_tolerance(piece.diameter / MM, RUNOUT_GRADE) / 2.0
-            tolerance = Tolerance("total run-out", runout, "–".join(DATUMS))
-            x = piece.start + 0.85 * (piece.end - piece.start)
-            yield Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
-
-
-def _lengths(axis: Axis, body: ShaftBody, *, below: float) -> Iterator[Entity]:
-    """Yield lengths from the first end, one below the other, and those of keyways and splines nearest to the shaft."""
-    level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0 + below)
-    spans = [(slot.start, slot.end, slot.diameter) for slot in body.slots]
-    spans += [(spline.start, spline.end, MM * spline.teeth.shaft_tip) for spline in body.splines]
-    for start, end, diameter in spans:
-        radius = -diameter / 2.0
-        yield Distance(axis.at(start, radius), axis.at(end, radius), level, 0.0, axis.scale)
-    first = body.pieces[0]
-    level -= 1j * LEVEL if spans else 0.0
-    for x, radius in _shoulders(body):
-        datum = axis.at(first.start, -first.diameters[0] / 2.0 + end_chamfer(first))
-        yield Distance(datum, axis.at(x, -radius), level, 0.0, axis.scale)
-        level -= 1j * LEVEL
-
-
-def _shoulders(body: ShaftBody) -> Iterator[tuple[float, float]]:
-    """Yield where lengths end: at shoulders, starts of keyways, and the second end, with the radius there."""
-    ends = [(piece.end, max(piece.diameters[1], after.diameters[0]) / 2.0)
-            for piece, after in zip(body.pieces, body.pieces[1:], strict=False)]  # fmt: skip
-    last = body.pieces[-1]
-    ends.append((last.end, last.diameters[1] / 2.0 - end_chamfer(last)))
-    ends += [(slot.start, slot.diameter / 2.0) for slot in body.slots if slot.start > 1e-6]
-    ends += [(spline.start, MM * spline.teeth.shaft_tip / 2.0) for spline in body.splines]
-    seen: list[float] = []
-    for x, radius in sorted(ends):
-        if x > body.pieces[0].start + 1e-6 and all(abs(x - earlier) > 1e-6 for earlier in seen):
-            seen.append(x)
-            yield x, radius
-
-
-def _section(slot: Slot, bore: float, letter: str, scale: float) -> list[Entity]:
-    axis = Axis(0j, 1 + 0j, scale)
-    entities = key_section(axis, slot, bore)
-    radius, half = slot.diameter / 2.0, MM * slot.section.width / 2.0
-    floor = radius - MM * slot.section.shaft_depth
-    rim = math.sqrt(radius**2 - half**2)
-    above, aside = 1j * (scale * radius + 7.0), scale * radius + 9.0
-    entities.append(Distance(axis.at(-half, rim), axis.at(half, rim), above, 0.0, scale, suffix=" P9"))
-    low, high = axis.at(0.0, -radius), axis.at(half, floor)
-    entities.append(Distance(low, high, complex(aside, 0.0), math.pi / 2.0, scale))
-    top = extent(entities)[3]
-    entities.append(Words(1j * (top + 3.0), f"{letter}–{letter}", TEXT, "middle"))
-    entities.append(Words(-1j * (scale * radius + 9.0), slot.designation, TEXT, "middle"))
-    return entities
 
 
 def _fits(body: ShaftBody) -> tuple[Grid, ...]:
@@ -288,12 +189,15 @@ def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
         yield f"Ends chamfered {' and '.join(f'{chamfer:g}' for chamfer in sorted(chamfers))} × 45° (assumed)."
     if any(piece.tolerance for piece in body.pieces):
         yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
-        axis = f" against {'–'.join(DATUMS)}, the seats of the radial bearings" if seats else ""
-        yield f"Run-out of bearing seats IT5/2 in total, of their shoulders IT5 (usual; assumed){axis}."
+    if seats:
+        yield f"{AXIS}: axis of the seats of both radial bearings. Seats IT5/2, shoulders IT5: {RUNOUT_SOURCE}."
+        yield f"PD: pitch circles, of teeth by their class, of splines IT{SPLINE_GRADE} (assumed)."
+        lines = f"between shoulders ± IT{BETWEEN_SHOULDERS}/2, to teeth ± IT{TO_TEETH}/2"
+        yield f"Lengths (assumed): {lines}, to the loaded sides of grooves {TO_GROOVE}."
     yield from _held(sizing, body.name)
     if body.slots:
         forms = " and ".join(sorted({slot.form for slot in body.slots}))
-        yield f"Keyways DIN 6885-1, form {forms}, width P9 (assumed)."
+        yield f"Keyways DIN 6885-1, form {forms}, width P9, as symmetric as half of IT9 (assumed)."
     if all(shaft.name != body.name for shaft in sizing.built_shafts):
         yield (
             "First sizing: one cylinder that bears bending and torsion. Shoulders, seats and joints are not sized, "

@@ -33,6 +33,7 @@ WIDE, NARROW = 0.5, 0.25
 CONTINUOUS: tuple[float, ...] = ()
 DASHED = (12 * NARROW, 3 * NARROW)
 CHAIN = (24 * NARROW, 3 * NARROW, 0.5 * NARROW, 3 * NARROW)
+WIDE_CHAIN = (24 * WIDE, 3 * WIDE, 0.5 * WIDE, 3 * WIDE)
 
 
 class Layer(Enum):
@@ -43,6 +44,7 @@ class Layer(Enum):
     HIDDEN = ("hidden outlines", NARROW, DASHED)
     CENTRE = ("centre lines", NARROW, CHAIN)
     PITCH = ("pitch lines of gears (ISO 2203)", NARROW, CHAIN)
+    HARDENED = ("surfaces to be hardened (ISO 15787)", WIDE, WIDE_CHAIN)
     HATCH = ("sections", NARROW, CONTINUOUS)
     DIMENSION = ("dimensions", NARROW, CONTINUOUS)
     SYMBOL = ("roughness and section marks", NARROW, CONTINUOUS)

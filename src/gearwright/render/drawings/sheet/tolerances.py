@@ -19,7 +19,9 @@ TRIANGLE = 3.0
 """Height of the triangle of a datum [mm]."""
 
 
-Characteristic = Literal["run-out", "total run-out", "coaxiality", "position", "perpendicularity", "flatness"]
+Characteristic = Literal[
+    "run-out", "total run-out", "coaxiality", "position", "perpendicularity", "flatness", "symmetry"
+]
 
 
 class Tolerance(NamedTuple):
@@ -30,6 +32,8 @@ class Tolerance(NamedTuple):
     """Of its zone [mm]."""
     datums: str = ""
     """Such as ``A–B``; empty of what needs none."""
+    of: str = ""
+    """What of teeth or splines is meant, behind the frame: ``PD`` for their pitch circle (ISO 1101)."""
 
     @property
     def text(self) -> str:
@@ -44,7 +48,7 @@ def frame_length(tolerance: Tolerance) -> float:
     Args:
         tolerance: What it says.
     """
-    return sum(_widths(tolerance))
+    return sum(_widths(tolerance)) + (words_length(tolerance.of, SMALL) + _AIR if tolerance.of else 0.0)
 
 
 def tolerance_frame(start: complex, tolerance: Tolerance, turn: float = 0.0) -> list[Entity]:
@@ -65,6 +69,9 @@ def tolerance_frame(start: complex, tolerance: Tolerance, turn: float = 0.0) -> 
     for text, left, width in zip(_texts(tolerance), edges[1:], widths[1:], strict=False):
         at = start + along * complex(left + width / 2.0, -SMALL / 2.0)
         entities.append(Words(at, text, SMALL, "middle", turn, Layer.SYMBOL))
+    if tolerance.of:
+        at = start + along * complex(edges[-1] + _AIR, -SMALL / 2.0)
+        entities.append(Words(at, tolerance.of, SMALL, "left", turn, Layer.SYMBOL))
     return entities
 
 
@@ -114,6 +121,9 @@ def _symbol(middle: complex, along: complex, what: Characteristic) -> list[Entit
     if what == "flatness":
         corners = (complex(-2.0, -1.0), complex(0.8, -1.0), complex(2.0, 1.0), complex(-0.8, 1.0))
         return [_path(middle, along, corners, closed=True)]
+    if what == "symmetry":
+        lines = ((1.0, -0.9), (1.8, 0.0), (1.0, 0.9))
+        return [_path(middle, along, (complex(-half, y), complex(half, y))) for half, y in lines]
     small = Arc(middle, 0.8, Layer.SYMBOL)
     if what == "coaxiality":
         return [small, Arc(middle, 1.6, Layer.SYMBOL)]

@@ -25,6 +25,9 @@ from gearwright.render.drawings.views.shaft_view import Axis
 ACROSS = 10.5
 """Between what is written across an axis: a texture mark on one side reaches beside half a frame on the other [mm]."""
 
+AT_FACE = 2.5
+"""Between the foot of a leader and the face that it points at [mm of paper]."""
+
 
 class Mark(NamedTuple):
     """Something written across a shaft: a diameter, or a designation with a leader."""
@@ -40,6 +43,8 @@ class Mark(NamedTuple):
     texture: str = ""
     tolerance: Tolerance | None = None
     """Of the surface there, instead of words."""
+    face: float = 0.0
+    """−1 or +1 where a face is meant that lies to the right or to the left of the leader's foot."""
 
 
 def marked(axis: Axis, mark: Mark, place: float, top: float) -> Iterator[Entity]:
@@ -55,8 +60,9 @@ def marked(axis: Axis, mark: Mark, place: float, top: float) -> Iterator[Entity]
     start = complex(place, axis.origin.imag + top + 8.0)
     knee = complex(high.real, axis.origin.imag + top + 2.0)
     if mark.tolerance is not None:
-        yield Path((high, knee, start), Layer.SYMBOL)
-        yield arrow(high, -1j, Layer.SYMBOL)
+        tip, way = (high - mark.face * AT_FACE, complex(-mark.face)) if mark.face else (high, -1j)
+        yield Path(((tip, high, knee, start) if mark.face else (high, knee, start)), Layer.SYMBOL)
+        yield arrow(tip, way, Layer.SYMBOL)
         yield from tolerance_frame(start, mark.tolerance, math.pi / 2.0)
         return
     words = mark.words or f"Ø{millimetres(2.0 * mark.radius)}{mark.suffix}"

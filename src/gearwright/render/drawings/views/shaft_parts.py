@@ -39,6 +39,8 @@ class Piece:
     thread: Thread | None = None
     """That is cut on it, or whose undercut it is, as `relieved` says."""
     relieved: bool = False
+    is_groove: bool = False
+    """Of a retaining ring."""
 
     @property
     def diameter(self) -> float:
@@ -128,8 +130,9 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     for joint in integral:
         pieces = _overlaid(pieces, toothed_piece(sizing, gear_of(sizing, joint.part), joint.position))
     for groove in grooves(sizing):
-        if groove.shaft == name and not groove.is_thread:
-            pieces = _overlaid(pieces, Piece(MM * groove.start, MM * groove.end, (MM * groove.diameter,) * 2))
+        if groove.shaft == name and not (groove.is_thread or groove.around):
+            edges, across = (MM * groove.start, MM * groove.end), (MM * groove.diameter,) * 2
+            pieces = _overlaid(pieces, Piece(*edges, across, is_groove=True))
     own = tuple(thread for thread in threads(sizing) if thread.shaft == name)
     for thread in own:
         for piece in _threaded(thread):

@@ -1,0 +1,92 @@
+"""Where a shaft is case-hardened: lines beside its outline with numbers (ISO 15787), and the table of what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from gearwright.parts.iso6336 import Treatment
+from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, trimmed
+from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.views.shaft_parts import Piece, ShaftBody
+from gearwright.render.drawings.views.shaft_view import Axis
+from gearwright.render.drawings.views.tooth_data import CASE
+from gearwright.shape.teeth import gear_of, making_of
+from gearwright.sizing import Sizing
+
+HARDEST = 800.0
+"""Hardness of case-hardened flanks up to which ISO 6336-5 rates them [HV]."""
+OUTSIDE = 2.0
+"""Between the outline and the line of a hardened surface [mm of paper]."""
+RING = 2.3
+"""Radius of the circle around a number [mm of paper]."""
+_MM = 1e3
+
+
+class Zone(NamedTuple):
+    """A surface that is hardened."""
+
+    piece: Piece
+    gear: str
+    hardness: float
+    """At least [HV]."""
+    depth: tuple[float, float]
+    """At least and at most [mm]."""
+
+    @property
+    def words(self) -> str:
+        """Hardness and depth of the case as drawings write them."""
+        more = HARDEST - self.hardness
+        low, high = self.depth
+        hard = f"{self.hardness:.0f} {more:+.0f} HV" if more > 0.0 else f"{self.hardness:.0f} HV"
+        return f"{hard}, CHD {trimmed(low, 2)} +{trimmed(high - low, 2)}"
+
+
+def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
+    """Return the teeth of one piece with a shaft that are case-hardened.
+
+    Args:
+        sizing: What was sized.
+        body: The shaft.
+    """
+    found = []
+    for piece in body.pieces:
+        if piece.toothed:
+            gear = gear_of(sizing, piece.seat)
+            steel = making_of(sizing, gear.stage).iso_steel
+            if steel is not None and steel.treatment is Treatment.CASE_HARDENED:
+                low, high = (_MM * share * gear.module for share in CASE)
+                found.append(Zone(piece, gear.name, steel.hardness, (low, high)))
+    return tuple(found)
+
+
+def zone_lines(axis: Axis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
+    """Yield the lines below the outline along which a shaft is hardened, with their numbers.
+
+    Args:
+        axis: Of the shaft.
+        hard: From `zones`.
+    """
+    for number, zone in enumerate(hard, start=1):
+        piece = zone.piece
+        ends = [
+            axis.at(x, -diameter / 2.0) for x, diameter in zip((piece.start, piece.end), piece.diameters, strict=True)
+        ]
+        along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        away = -1j * along * OUTSIDE
+        yield Path((ends[0] + away, ends[1] + away), Layer.HARDENED)
+        middle = (ends[0] + ends[1]) / 2.0 + away / OUTSIDE * (OUTSIDE + RING + 0.7)
+        yield Arc(middle, RING, Layer.SYMBOL)
+        yield Words(middle - 1j * SMALL / 2.0, f"{number}", SMALL, "middle", layer=Layer.SYMBOL)
+
+
+def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
+    """Yield the table of hardened surfaces; none where none is.
+
+    Args:
+        hard: From `zones`.
+    """
+    if hard:
+        rows = [(f"{number}", f"teeth of {zone.gear}", zone.words) for number, zone in enumerate(hard, start=1)]
+        rows.append(("", "all else", "soft: kept from carburizing (assumed)"))
+        yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))
