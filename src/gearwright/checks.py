@@ -41,6 +41,10 @@ BEYOND_SIZING = (
     "access to a nut",
     "access to a screw",
     "bridges between planets",
+    "seal speed",
+    "seal temperature",
+    "seal seat",
+    "seal hardness",
 )
 """How the modes begin that only a review, a run or a flight judges: a sizing knows no check of them."""
 

@@ -88,7 +88,8 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     ),
     "making": Requirement(
         ("assembly", "axial retention", "access", "running clearance", "wheel that grinds", "order along",
-         "bridges between planets"), (), "nothing", "other places of gears and bearings, thinner shafts, more room",
+         "bridges between planets", "seal"), (), "nothing",
+        "other places of gears and bearings, thinner shafts, more room",
     ),
     "life in flight": Requirement(
         ("pitting life", "bending life"), _GEARS, "module and face width of the stage", "a lighter duty, a better steel"

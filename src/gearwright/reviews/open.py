@@ -10,6 +10,7 @@ from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.sizing.bearings import planet_bodies
 from gearwright.sizing.rating import Unloaded
+from gearwright.sizing.shafts import unsealed_exits
 from gearwright.sizing.summaries import tips_in_fillets
 from gearwright.spec.design import RATINGS
 
@@ -30,8 +31,10 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
     built = {shaft.name for shaft in sizing.built_shafts}
     for shaft in sizing.shafts:
         if shaft.name not in built:
-            why = "the design gives it no [bearings]: no steps, bearings, joints, slopes, bending modes"
+            why = "the design gives it no [bearings]: no steps, bearings, joints, seals, slopes, bending modes"
             yield not_assessed(PartId(Kind.SHAFT, shaft.name), "bearings and joints", "ISO 281, ISO 76", why)
+    for leaves in (one for one in unsealed_exits(sizing) if one.way or one.elastomer is None):
+        yield not_assessed(PartId(Kind.MACHINE, leaves.machine), "shaft seal", "SKF, speeds of lips", leaves.lacking)
     for machine, why in untold_orders(sizing):
         yield not_assessed(PartId(Kind.MACHINE, machine), "electrical and slot orders", "", why)
     for stage in sizing.design.stages:
@@ -46,7 +49,7 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
             why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
             yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)
     yield from _shared_axes(sizing, built)
-    why = "weighed as a shell with what is on it; its strength, stiffness and seals, and what heat does to clearances,"
+    why = "weighed as a shell with what is on it; its strength and stiffness, and what heat does to clearances,"
     yield not_assessed(GEARBOX, "housing", "", f"{why} are not assessed")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.identity import Kind, PartId
-from gearwright.shape.solids import Solid, bearing, bell, stepped, tube
+from gearwright.shape.solids import Solid, bearing, bell, stepped, tube, turned
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.places import Run, Tie
@@ -63,5 +63,8 @@ def holder_solid(holder: Holder) -> Solid:
     Args:
         holder: As sized.
     """
-    half = (holder.end - holder.start) / 2.0
-    return tube((-half, half), holder.outer / 2.0, holder.bore / 2.0)
+    middle, half = (holder.start + holder.end) / 2.0, (holder.end - holder.start) / 2.0
+    if not holder.stepped:
+        return tube((-half, half), holder.outer / 2.0, holder.bore / 2.0)
+    rings = ((ring.start - middle, ring.end - middle, ring.bore / 2.0, ring.outer / 2.0) for ring in holder.rings)
+    return turned(tuple(rings))

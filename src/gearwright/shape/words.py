@@ -8,6 +8,7 @@ from gearwright.shape.phases import Phases
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.places import plates_of
+from gearwright.sizing.shafts import holders_of
 from gearwright.sizing.summaries import tips_in_fillets
 
 BESIDE = 1e-3
@@ -52,7 +53,9 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
             "flanges, and bosses of 0.12 diameters around sized bearings; ribs, feet, screws, walls that carry bosses, "
             "and openings for shafts that leave it across the first one are left out"
         )
-    yield "seals, screws, machines and what holds rings that stand still are not drawn"
+    if any(holder.lip for holder in holders_of(sizing)):
+        yield "radial seals are rings of their sizes, without the lip's form"
+    yield "labyrinths and other seals, screws, machines and what holds rings that stand still are not drawn"
 
 
 def _meets(sizing: Sizing, phases: Phases) -> Iterator[str]:

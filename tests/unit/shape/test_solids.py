@@ -270,7 +270,7 @@ def test_the_mast_of_the_helicopter_leaves_its_housing():
     (chamber,) = (chamber for chamber in chambers if chamber.openings)
     (opening,) = chamber.openings
     mast = next(bearing for bearing in sizing.bearings if bearing.name == "mast-upper")
-    assert opening.radius == pytest.approx(1.06 * 0.0355)
+    assert opening.radius == pytest.approx(1.06 * 0.0375)
     frame = sizing.arrangement.frames["mast"]
     face = frame.origin.z + frame.along.z * (mast.position + mast.width / 2.0)
     wall = next(end.thickness for end in chamber.ends if end is not None)

@@ -28,6 +28,7 @@ from gearwright.render.style.labels import overlap, spread
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.places import CLAUSE
+from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 
 NAME = "arrangement"
 AROUND = 9.0
@@ -97,7 +98,21 @@ def _notes(shown: _Shown) -> Iterator[str]:
     yield from casing_notes(sizing, shown.casing)
     listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])
     yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."
-    yield "Gears in section by ISO 2203. Seals and lubrication are not drawn."
+    yield "Gears in section by ISO 2203. Lubrication is not drawn."
+    yield from _seals(sizing)
+
+
+def _seals(sizing: Sizing) -> Iterator[str]:
+    """Yield what is told of radial seals, and of places where none is."""
+    sealed, others = sealed_exits(sizing), unsealed_exits(sizing)
+    if sealed:
+        yield (
+            "Radial seals of type A, lips to the oil; bores H8, shafts under them h11, Ra 0.2 to 0.8, ground without "
+            "lead."
+        )
+    if others:
+        names = ", ".join(leaves.machine for leaves in others)
+        yield f"No seal is drawn towards {names}: gearwright review says why."
 
 
 def _crowded(sizing: Sizing) -> Iterator[str]:

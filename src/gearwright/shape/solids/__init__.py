@@ -16,7 +16,7 @@ from gearwright.shape.solids.chambers import (
 )
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, cut_chamber, spans_in, united, without
-from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube
+from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
 from gearwright.shape.solids.surface import Edges, Surface, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
@@ -56,6 +56,7 @@ __all__ = [
     "stepped",
     "surface_of",
     "tube",
+    "turned",
     "united",
     "without",
 ]

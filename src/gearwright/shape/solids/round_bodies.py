@@ -44,6 +44,17 @@ def stepped(steps: Sequence[tuple[float, float, float]], bore: float) -> Solid:
     return Solid(tuple([*way, way[0]] if bore else way))
 
 
+def turned(rings: Sequence[tuple[float, float, float, float]]) -> Solid:
+    """Return a ring of stretches with bores and outsides of their own.
+
+    Args:
+        rings: Start, end, radius of the bore and outer radius of each, without gaps [m].
+    """
+    way = [point for start, end, _, outer in rings for point in ((start, outer), (end, outer))]
+    way += [point for start, end, bore, _ in reversed(rings) for point in ((end, bore), (start, bore))]
+    return Solid((*way, way[0]))
+
+
 def bearing(bore: float, outer: float, width: float) -> Solid:
     """Return the envelope of a bearing: two rings, and between them what rolls.
 

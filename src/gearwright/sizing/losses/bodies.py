@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from gearwright.parts.losses import (
+    NITRILE,
+    VITON,
     churning_power,
     seal_power_14179_1,
     seal_power_14179_2,
@@ -17,6 +19,7 @@ from gearwright.parts.losses import (
 from gearwright.sizing.losses.limits import churning_limits, seal_limits
 from gearwright.sizing.losses.oil import Oil
 from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.sizing.sealing import exits_of
 
 _DEDENDUM = 1.25
 """Of the rack in modules, for root diameters [-] (ISO 53, profile A)."""
@@ -70,20 +73,28 @@ def _windage(gear: GearSizing, turning: float, oil: Oil) -> float:
 def seal_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
     """Yield what the seal of every machine's shaft loses; nothing where no seals are counted.
 
+    A chosen seal counts with its shaft and its lip, all others as FKM on the shaft's one diameter.
+
     Args:
         sizing: As sized.
         speeds: Node -> its speed [rad/s].
         oil: Before them.
     """
+    if oil.seals == "none":
+        return
     diameters = {shaft.name: shaft.diameter for shaft in sizing.shafts}
-    for machine in sizing.machines if oil.seals != "none" else ():
-        power = _seal(diameters[machine.shaft], speeds[machine.shaft], oil)
+    chosen = {leaves.machine: leaves for leaves in exits_of(sizing) if leaves.seal is not None}
+    for machine in sizing.machines:
+        leaves = chosen.get(machine.name)
+        diameter = diameters[machine.shaft] if leaves is None else leaves.diameter
+        nitrile = leaves is not None and leaves.elastomer is not None and leaves.elastomer.name == "nbr"
+        power = _seal(diameter, speeds[machine.shaft], oil, torque=NITRILE if nitrile else VITON)
         yield BodyLoss(f"seal at {machine.name}", "seals", 1, power, seal_limits(oil))
 
 
-def _seal(diameter: float, speed: float, oil: Oil) -> float:
+def _seal(diameter: float, speed: float, oil: Oil, *, torque: float) -> float:
     if oil.seals == "iso-tr-14179-1":
-        return seal_power_14179_1(diameter, speed)
+        return seal_power_14179_1(diameter, speed, torque_per_mm=torque)
     if oil.seals == "iso-tr-14179-2":
         return seal_power_14179_2(diameter, speed)
     return seal_power_oil(diameter, speed, temperature=oil.temperature, viscosity_40=oil.grade[0])

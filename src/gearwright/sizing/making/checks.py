@@ -11,7 +11,13 @@ from gearwright.sizing.making.grinding import grinding_checks
 from gearwright.sizing.making.order import order_checks, stack_checks
 from gearwright.sizing.making.running import running_checks
 from gearwright.sizing.making.spanner import spanner_checks
-from gearwright.sizing.shafts import groove_checks, holding_checks, pressure_centre_checks, retention_checks
+from gearwright.sizing.shafts import (
+    groove_checks,
+    holding_checks,
+    pressure_centre_checks,
+    retention_checks,
+    seal_checks,
+)
 
 
 def making_checks(sizing: Sizing) -> Iterator[Check]:
@@ -29,7 +35,7 @@ def making_checks(sizing: Sizing) -> Iterator[Check]:
 
 
 def built_checks(sizing: Sizing) -> Iterator[Check]:
-    """Yield every check of what holds parts, of bearings' pressure centres and of making, beside those of a sizing.
+    """Yield every check of what holds parts, of seals, pressure centres and making, beside those of a sizing.
 
     Args:
         sizing: As sized.
@@ -37,5 +43,6 @@ def built_checks(sizing: Sizing) -> Iterator[Check]:
     yield from retention_checks(sizing)
     yield from holding_checks(sizing)
     yield from groove_checks(sizing)
+    yield from seal_checks(sizing)
     yield from pressure_centre_checks(sizing)
     yield from making_checks(sizing)

@@ -8,12 +8,13 @@ from gearwright.sizing.mass.bodies import bevel_cones, bevel_hub, bevel_web, gea
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
+from gearwright.sizing.mass.housed import housed
 from gearwright.sizing.mass.housing import BOSS, FLANGE, Wall, bolt_of, reaction_torque, wall_of
-from gearwright.sizing.mass.leaving import Leaving, housed, leaving_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
 from gearwright.sizing.mass.shell import Shell, Stretch, outline_of, shell_around, stretches_around
+from gearwright.sizing.sealing import Leaving, leaving_of
 
 __all__ = [
     "BOSS",

@@ -7,8 +7,8 @@ from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.gears import gear_items
+from gearwright.sizing.mass.housed import housed
 from gearwright.sizing.mass.housing import housing_items
-from gearwright.sizing.mass.leaving import housed
 from gearwright.sizing.mass.oil_system import oil_items
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.record import CompleteMass, MassItem, ordered

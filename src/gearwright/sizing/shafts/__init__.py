@@ -9,6 +9,7 @@ from gearwright.sizing.shafts.holding import Held, held_rings, holders_of, holdi
 from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.retention import ENDS, Retention, ends, retention_checks, retentions
+from gearwright.sizing.shafts.seals import Sealed, seal_checks, sealed_exits, unsealed_exits
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 from gearwright.sizing.shafts.threads import Thread, threads
@@ -22,6 +23,7 @@ __all__ = [
     "Held",
     "Holder",
     "Retention",
+    "Sealed",
     "Section",
     "Strength",
     "Thread",
@@ -40,6 +42,8 @@ __all__ = [
     "refuse_idle_shafts",
     "retention_checks",
     "retentions",
+    "seal_checks",
+    "sealed_exits",
     "shaft_checks",
     "shaft_material",
     "size_carriers",
@@ -47,4 +51,5 @@ __all__ = [
     "strengths",
     "threads",
     "undercuts_of",
+    "unsealed_exits",
 ]

@@ -20,7 +20,7 @@ from gearwright.sizing.shafts.as_given import cylinder
 from gearwright.sizing.shafts.bending import Bent
 from gearwright.sizing.shafts.joints import Seat, size_joint, spline_root
 from gearwright.sizing.shafts.sections import Borne, HubNotch, Section, Strength, borne, sections_of
-from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
+from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay, with_seals
 from gearwright.spec.design import NOTHING_GIVEN, Joint
 
 THINNEST = 10e-3
@@ -95,6 +95,24 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
     for _ in range(2):  # seats are as wide as their bearings, which are known after the first time
         items = items_on(task, chosen)
         stretches, chosen = _laid(task, seated, _wanted(task, items, needed))
+    return _judged(task, stretches, chosen)
+
+
+def sealed(task: Task, attempt: Attempt) -> Attempt:
+    """Return a shaft that has grown with the diameters of radial seals where it leaves the housing.
+
+    They are thicker than what has grown and no thicker than bearings further in, so that the shaft gets no weaker.
+
+    Args:
+        task: What it is built from.
+        attempt: As it has grown.
+    """
+    stretches = with_seals(attempt.stretches, _leaves(task)) if task.as_given is None else attempt.stretches
+    return attempt if stretches == attempt.stretches else _judged(task, stretches, attempt.chosen)
+
+
+def _judged(task: Task, stretches: tuple[Stretch, ...], chosen: Mapping[str, Bearing]) -> Attempt:
+    """Return a shaft with its bore, joints and judged sections."""
     bore = _bore(task, chosen)
     joints = tuple(_joint(task, joint, stretches, bore) for joint in task.joints)
     roots = {
@@ -159,6 +177,16 @@ def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) ->
     plan = task.forces.plan
     ends = {name: max(needed.get(name, 0.0), THINNEST) for name in _loaded(task, items)}
     return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings)
+
+
+def _leaves(task: Task) -> tuple[bool, bool]:
+    """Tell at which ends the shaft leaves the housing, beyond all its bearings, through a radial seal."""
+    design, plan = task.context.design, task.forces.plan
+    machines = [plan.places[name] for name, node in task.context.train.machines.items() if node == task.name]
+    if not machines or not design.housing.own or design.shafting.seal == "none":
+        return False, False
+    seats = [seat.position for seat in plan.seats.values()]
+    return min(machines) < min(seats), max(machines) > max(seats)
 
 
 def _loaded(task: Task, items: tuple[Item, ...]) -> tuple[str, ...]:

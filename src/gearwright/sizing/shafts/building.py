@@ -22,7 +22,7 @@ from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, Sh
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import joint_checks, room_checks, seat_checks
-from gearwright.sizing.shafts.attempt import Attempt, Task, attempt_with, items_on, seat_of
+from gearwright.sizing.shafts.attempt import Attempt, Task, attempt_with, items_on, sealed, seat_of
 from gearwright.sizing.shafts.bending import Bent, bend, slope_excess
 from gearwright.sizing.shafts.joints import joint_fits, refuse_long, refuse_thick
 from gearwright.sizing.shafts.room import refuse_overlaps, refuse_thin
@@ -84,7 +84,7 @@ def build_shaft(
             refused[slim] = error
     for slim, seated, attempt in sorted(settled, key=lambda tried: _weight(tried[1], tried[2], material)):
         try:
-            return _finished(task, seated, attempt)
+            return _finished(task, seated, sealed(task, attempt))
         except DesignError as error:
             refused[slim] = error
     raise refused[True]

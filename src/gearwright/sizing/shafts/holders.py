@@ -1,12 +1,11 @@
-"""Turned parts that hold bearings along shafts: rings, nuts, end plates, spacers, covers; how thick, how heavy."""
+"""Turned parts that hold bearings along shafts: rings, nuts, end plates, spacers; how thick, how heavy."""
 
 from __future__ import annotations
 
 import math
 from typing import NamedTuple
 
-from gearwright.catalogue import STEEL_DENSITY, CentreHole, LockNut, RetainingRing, housing_materials
-from gearwright.catalogue.standard_parts.centre_holes import PRELOAD, PROOF_STRESS
+from gearwright.catalogue import STEEL_DENSITY, CentreHole, LockNut, RetainingRing
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts.retention import Retention
@@ -14,17 +13,21 @@ from gearwright.sizing.shafts.stretches import SHOULDER
 
 RING_HEIGHT = 0.08
 """How far a retaining ring stands out of the shaft over its diameter, an estimate [-]."""
-SCREWS = 6
-"""Of a cover, an assumption [-]."""
-SURPLUS = 1.5
-"""Clamping of a cover's screws over the force that they hold, an assumption [-]."""
-COVER_SCREWS = ((5e-3, 0.8e-3), (6e-3, 1.0e-3), (8e-3, 1.25e-3), (10e-3, 1.5e-3), (12e-3, 1.75e-3), (16e-3, 2e-3))
-"""Thread and pitch of screws of covers, coarse threads of ISO 261 [m]."""
-CIRCLE, RIM = 3.0, 5.5
-"""Diameter of the circle of screws, and of the cover, beyond the bearing's over the screw's diameter [-]: a screw's
-head of 1.5 d lies between, as does as much wall of the housing inside the thread."""
 LEAST_PLATE = 3e-3
 """Thinnest end plate, an assumption [m]."""
+
+
+class Ring(NamedTuple):
+    """A part of a holder with one bore and one outside."""
+
+    start: float
+    """From the shaft's first end [m]."""
+    end: float
+    """[m]"""
+    bore: float
+    """Diameter [m]; 0: none."""
+    outer: float
+    """Diameter [m]."""
 
 
 class Holder(NamedTuple):
@@ -35,7 +38,7 @@ class Holder(NamedTuple):
     beside: str
     """Bearing that it holds."""
     kind: str
-    """retaining ring, lock washer, lock nut, end plate, spacer, housing spacer or cover."""
+    """retaining ring, lock washer, lock nut, end plate, spacer, housing spacer, cover or radial seal."""
     designation: str
     """Of the standard, or its screws; empty of a plain part."""
     start: float
@@ -54,6 +57,16 @@ class Holder(NamedTuple):
     """That it bears [N]."""
     capacity: float = 0.0
     """What its screws clamp with [N]; 0 of what has none, or is checked with the end of its shaft."""
+    stepped: tuple[Ring, ...] = ()
+    """Its parts along the shaft, of what is no plain ring: bore and outer are then the smallest and the largest."""
+
+    lip: int = 0
+    """Way along the shaft to which the lip of a seal looks: −1 to its first end, +1 to its second; 0 of all else."""
+
+    @property
+    def rings(self) -> tuple[Ring, ...]:
+        """Its parts along the shaft, without gaps."""
+        return self.stepped or (Ring(self.start, self.end, self.bore, self.outer),)
 
 
 def ring(sizing: Sizing, bearing: BearingSizing, end: Retention, standard: RetainingRing) -> Holder:
@@ -66,9 +79,9 @@ def ring(sizing: Sizing, bearing: BearingSizing, end: Retention, standard: Retai
         standard: The ring.
     """
     del sizing
-    span = _span(end.place, end.way, standard.thickness)
+    span = span_from(end.place, end.way, standard.thickness)
     outer = standard.shaft * (1.0 + 2.0 * RING_HEIGHT)
-    return _made(
+    return made(
         bearing, "retaining ring", standard.designation, span, (standard.groove, outer), STEEL_DENSITY, turns=True
     )
 
@@ -82,14 +95,14 @@ def washer_and_nut(bearing: BearingSizing, end: Retention, nut: LockNut) -> tupl
         nut: The nut.
     """
     behind = end.place + end.way * nut.washer
-    sheet = _made(
-        bearing, "lock washer", "", _span(end.place, end.way, nut.washer), (nut.thread, nut.face), 0.0, turns=True
+    sheet = made(
+        bearing, "lock washer", "", span_from(end.place, end.way, nut.washer), (nut.thread, nut.face), 0.0, turns=True
     )
-    body = _made(
+    body = made(
         bearing,
         "lock nut",
         nut.designation,
-        _span(behind, end.way, nut.width),
+        span_from(behind, end.way, nut.width),
         (nut.thread, nut.outer),
         0.0,
         turns=True,
@@ -112,12 +125,12 @@ def plate(sizing: Sizing, bearing: BearingSizing, end: Retention, hole: CentreHo
     outer = seat + SHOULDER * (bearing.outer_diameter - seat)
     allowed = (material.yield_strength or math.inf) / sizing.design.shafting.safety
     thick = max(clamped_plate(end.force, hole.thread, (seat + outer) / 2.0, allowed), LEAST_PLATE)
-    made = _made(bearing, "end plate", f"screw {hole.screw}, 8.8", _span(face, end.way, thick), (0.0, outer),
+    disc = made(bearing, "end plate", f"screw {hole.screw}, 8.8", span_from(face, end.way, thick), (0.0, outer),
                  material.density, turns=True)._replace(force=end.force)  # fmt: skip
     if abs(face - end.place) < 1e-6:
-        return (made,)
+        return (disc,)
     low, high = sorted((face, end.place))
-    return spacer(sizing, bearing, (low, high), bore=seat, outer=outer, turns=True), made
+    return spacer(sizing, bearing, (low, high), bore=seat, outer=outer, turns=True), disc
 
 
 def spacer(
@@ -134,31 +147,7 @@ def spacer(
         turns: Whether it lies on the shaft, not in the housing.
     """
     kind, density = ("spacer" if turns else "housing spacer"), sizing.design.shaft_material.density
-    return _made(bearing, kind, "", span, (bore, outer), density, turns=turns)
-
-
-def cover(sizing: Sizing, bearing: BearingSizing, way: int, force: float) -> Holder:
-    """Return the ring that screws onto the housing before an outer ring.
-
-    Args:
-        sizing: As sized.
-        bearing: That it holds.
-        way: Towards which end it lies.
-        force: That the outer ring presses on it with [N].
-    """
-    material = housing_materials()[sizing.design.housing.material]
-    screw, clamps = next(((d, clamp) for d, clamp in _clamps() if clamp >= SURPLUS * force), _clamps()[-1])
-    room = bearing.outer_diameter - bearing.inner_diameter
-    bore = bearing.outer_diameter - SHOULDER * room
-    circle = bearing.outer_diameter + CIRCLE * screw
-    allowed = math.sqrt(3.0) * material.shear_strength
-    thick = max(material.least_wall, clamped_plate(force, (bore + bearing.outer_diameter) / 2.0, circle, allowed))
-    face = bearing.position + way * bearing.width / 2.0
-    made = _made(
-        bearing, "cover", f"{SCREWS} screws M{1e3 * screw:g}, 8.8", _span(face, way, thick),
-        (bore, bearing.outer_diameter + RIM * screw), material.density, turns=False,
-    )  # fmt: skip
-    return made._replace(force=force, capacity=clamps)
+    return made(bearing, kind, "", span, (bore, outer), density, turns=turns)
 
 
 def clamped_plate(force: float, inner: float, outer: float, allowed: float) -> float:
@@ -179,24 +168,33 @@ def clamped_plate(force: float, inner: float, outer: float, allowed: float) -> f
     return math.sqrt(6.0 * force * (outer - inner) / 2.0 / (math.pi * inner * allowed))
 
 
-def _clamps() -> list[tuple[float, float]]:
-    """Return diameters of screws [m] and what all of a cover's clamp with [N]: 0.7 S_p A_s each."""
-    return [(d, SCREWS * PRELOAD * math.pi / 4.0 * (d - 0.9382 * pitch) ** 2 * _proof(d)) for d, pitch in COVER_SCREWS]
+def span_from(place: float, way: int, thick: float) -> tuple[float, float]:
+    """Return where a part begins and ends that lies on one side of a place [m].
 
-
-def _proof(thread: float) -> float:
-    return next(stress for largest, stress in PROOF_STRESS if thread <= largest)
-
-
-def _span(place: float, way: int, thick: float) -> tuple[float, float]:
+    Args:
+        place: [m].
+        way: −1 towards the shaft's first end, +1 towards the second.
+        thick: [m].
+    """
     low, high = sorted((place, place + way * thick))
     return low, high
 
 
-def _made(
+def made(
     bearing: BearingSizing, kind: str, designation: str, span: tuple[float, float], size: tuple[float, float],
     density: float, *, turns: bool,
 ) -> Holder:  # fmt: skip
+    """Return a plain ring or disc as heavy as it is large.
+
+    Args:
+        bearing: Beside which it lies.
+        kind: What it is.
+        designation: Of the standard, or its screws.
+        span: Where it begins and ends [m].
+        size: Bore and outer diameter [m].
+        density: [kg/m³].
+        turns: Whether it goes round with the shaft.
+    """
     bore, outer = size
     mass = math.pi / 4.0 * (outer**2 - bore**2) * (span[1] - span[0]) * density
     name = f"{kind} beside {bearing.name}, {1e3 * span[0]:.4g} mm"

@@ -10,7 +10,7 @@ floats slides inside, so that both of its rings are held on both sides; another 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
 from gearwright.checks import Check
@@ -18,7 +18,9 @@ from gearwright.identity import Kind, PartId
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts.holders import Holder, cover, plate, spacer, washer_and_nut
+from gearwright.sizing.sealing import Exit, exits_of
+from gearwright.sizing.shafts.covers import CLEAR, covers
+from gearwright.sizing.shafts.holders import Holder, plate, spacer, washer_and_nut
 from gearwright.sizing.shafts.holders import ring as ring_on
 from gearwright.sizing.shafts.retention import Retention, ends
 from gearwright.sizing.shafts.stretches import SHOULDER
@@ -58,24 +60,27 @@ def held_rings(sizing: Sizing) -> tuple[Held, ...]:
         return ()
     found = list[Held]()
     by_end = {(held.shaft, held.way): held for held in ends(sizing)}
+    leaving = {(one.shaft, one.way): one for one in exits_of(sizing) if one.seal is not None}
     for shaft in sizing.built_shafts:
         for bearing in (one for one in sizing.bearings if one.shaft == shaft.name):
             for ring, way, force in _asked(sizing, bearing):
                 if ring == "inner":
                     by, holders = _on_shaft(sizing, shaft, bearing, way, by_end.get((shaft.name, way)))
                 else:
-                    by, holders = _in_housing(sizing, bearing, way, force)
+                    end, leaves = by_end.get((shaft.name, way)), leaving.get((shaft.name, way))
+                    by, holders = _in_housing(sizing, bearing, way, force, end=end, leaves=leaves)
                 found.append(Held(bearing.name, ring, way, force, by, holders))
     return tuple(found)
 
 
 def holders_of(sizing: Sizing) -> tuple[Holder, ...]:
-    """Return the parts that hold bearings, each once, in order along every shaft.
+    """Return the parts that hold bearings and seal their shafts, each once, in order along every shaft.
 
     Args:
         sizing: As sized.
     """
     every = dict.fromkeys(holder for held in held_rings(sizing) for holder in held.holders)
+    every |= dict.fromkeys(_sealing(sizing, every))
     order = [shaft.name for shaft in sizing.built_shafts]
     return tuple(sorted(every, key=lambda holder: (order.index(holder.shaft), holder.start, holder.name)))
 
@@ -180,8 +185,10 @@ def _at_end(sizing: Sizing, bearing: BearingSizing, end: Retention) -> tuple[str
     return ("", ()) if end.force else ("its fit alone", ())
 
 
-def _in_housing(sizing: Sizing, bearing: BearingSizing, way: int, force: float) -> tuple[str, tuple[Holder, ...]]:
-    """Return what holds an outer ring on one side, and the part for it."""
+def _in_housing(
+    sizing: Sizing, bearing: BearingSizing, way: int, force: float, *, end: Retention | None, leaves: Exit | None
+) -> tuple[str, tuple[Holder, ...]]:
+    """Return what holds an outer ring on one side, and the parts for it."""
     edge = _edge(bearing, way)
     further = [one for one in sizing.bearings if one.shaft == bearing.shaft and way * (one.position - edge) > 0.0]
     if not further:
@@ -189,8 +196,8 @@ def _in_housing(sizing: Sizing, bearing: BearingSizing, way: int, force: float) 
         nearest = min((0.0, plan.length), key=lambda place: abs(place - edge))
         outwards = 1 if nearest > edge else -1
         if outwards == way:
-            made = cover(sizing, bearing, way, force)
-            return f"a cover with {made.designation}", (made,)
+            made = covers(sizing, bearing, way, force, leaves=leaves, turning=_turning(sizing, bearing, end))
+            return f"a cover with {made[0].designation}", made
         return "a shoulder of the housing", ()
     beside = min(further, key=lambda one: abs(one.position - edge))
     gap = sorted((edge, _edge(beside, -way)))
@@ -202,6 +209,27 @@ def _in_housing(sizing: Sizing, bearing: BearingSizing, way: int, force: float) 
     first = min(pair, key=lambda one: one.position)
     ring = spacer(sizing, first, (gap[0], gap[1]), bore=bore, outer=outer, turns=False)
     return f"a spacer of {1e3 * (gap[1] - gap[0]):.4g} mm to the outer ring of {beside.name}", (ring,)
+
+
+def _turning(sizing: Sizing, bearing: BearingSizing, end: Retention | None) -> tuple[Holder, ...]:
+    """Return what goes round beside the outermost bearing of an end."""
+    return _at_end(sizing, bearing, end)[1] if end is not None and end.outermost == bearing.name else ()
+
+
+def _sealing(sizing: Sizing, holders: Iterable[Holder]) -> Iterator[Holder]:
+    """Yield the covers and seals of ends that leave where no cover holds a bearing; its outer ring slides."""
+    named = sizing.design.bearings
+    if any(bearing.name not in named for bearing in sizing.bearings):
+        return
+    sealed = {(holder.shaft, holder.beside) for holder in holders if holder.kind == "cover"}
+    by_end = {(held.shaft, held.way): held for held in ends(sizing)}
+    for leaves in exits_of(sizing):
+        own = [bearing for bearing in sizing.bearings if bearing.shaft == leaves.shaft]
+        if leaves.seal is not None and own:
+            bearing = max(own, key=lambda one: leaves.way * _edge(one, leaves.way))
+            if (leaves.shaft, bearing.name) not in sealed:
+                turning = _turning(sizing, bearing, by_end.get((leaves.shaft, leaves.way)))
+                yield from covers(sizing, bearing, leaves.way, 0.0, leaves=leaves, turning=turning, apart=CLEAR)
 
 
 def _crowded(sizing: Sizing, shaft: str, gap: list[float]) -> bool:

@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
-from gearwright.catalogue import Bearing
+from gearwright.catalogue import Bearing, next_seal_shaft, seals_for
 from gearwright.errors import DesignError, Problem
 
 SHOULDER = 0.175
@@ -26,6 +26,8 @@ BEARING_FILLET = 0.025
 """Fillet at the seat of a bearing over D − d [-]."""
 COLLAR = 1.15
 """Collar beside a hub over the hub's seat [-]."""
+SEAL_PLATE = 8e-3
+"""Part of a shaft under the cover that carries its seal, beside the seal, at least: an assumption [m]."""
 LARGEST_BODY = 1.5
 """Diameter of a gear of one piece that still stiffens its shaft, over the shaft beside it [-]."""
 _SAME = 1e-9
@@ -135,6 +137,43 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     middle = _core(shaft, bare[low : high + 1], (left, right), wanted)
     laid = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
     return tuple(_ends(_collared(laid, low, high))), chosen
+
+
+def with_seals(stretches: tuple[Stretch, ...], ends: tuple[bool, bool]) -> tuple[Stretch, ...]:
+    """Return a shaft as thick beside its outermost bearings as the next larger radial seals want.
+
+    Where that is thicker than the bearing's seat, or nothing lies between the bearing and what sits further out, it
+    stays as it is.
+
+    Args:
+        stretches: From end to end.
+        ends: Whether a seal is to run on the first and on the second end, beyond all bearings.
+    """
+    if ends[0]:
+        stretches = tuple(_sealed(list(stretches)))
+    if ends[1]:
+        stretches = tuple(_sealed(list(stretches[::-1]))[::-1])
+    return stretches
+
+
+def _sealed(side: list[Stretch]) -> list[Stretch]:
+    """Return stretches from an end inwards with the one under its seal."""
+    at = next((k for k, stretch in enumerate(side) if stretch.kind == "bearing"), 0)
+    if not at or not side[at - 1].length > _SAME:
+        return side
+    free, bearing = side[at - 1], side[at]
+    wanted = next_seal_shaft(free.diameter)
+    if wanted is None or not free.diameter + _SAME < wanted <= bearing.diameter + _SAME:
+        return side
+    length = max(bearing.length, seals_for(wanted)[0].width + SEAL_PLATE)
+    name = f"seal beside {bearing.name}"
+    if length >= free.length - _SAME:
+        return [*side[: at - 1], free.of(wanted), *side[at:]]
+    if free.end <= bearing.start + _SAME:
+        parts = free._replace(end=free.end - length), free._replace(name=name, start=free.end - length)
+    else:
+        parts = free._replace(start=free.start + length), free._replace(name=name, end=free.start + length)
+    return [*side[: at - 1], parts[0], parts[1].of(wanted), *side[at:]]
 
 
 def _bare(items: Sequence[Item], length: float) -> list[Stretch]:

@@ -56,6 +56,11 @@ class ShaftRules(Record):
         description="At the shoulders of bearing seats: a fillet as the bearing allows, ground with the shoulder, or an"
         " undercut DIN 509-F for increased fatigue strength",
     )
+    seal: Literal["auto", "nbr", "fkm", "none"] = Field(
+        "auto",
+        description="Lip of the radial seals where shafts with bearings leave the housing: nitrile or fluoro rubber;"
+        " left out the first of them that bears speed and oil, none where neither does",
+    )
 
 
 class CarrierRules(Record):

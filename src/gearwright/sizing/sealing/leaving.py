@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
-from gearwright.identity import Kind
-from gearwright.sizing.arranged import Body
 from gearwright.sizing.mounted import BuiltShaft
 from gearwright.sizing.result import Sizing
 
-_NEAR = 1e-6
+NEAR = 1e-6
 """Places that are nearer to each other are one [m]."""
 
 
@@ -26,6 +22,15 @@ class Leaving(NamedTuple):
     """[m]"""
     radius: float
     """Largest of it [m]."""
+    way: int
+    """−1 at the shaft's first end, +1 at its second."""
+    diameter: float
+    """Beside the outermost bearing [m]."""
+
+    @property
+    def face(self) -> float:
+        """Outer face of the outermost bearing, from the shaft's first end [m]."""
+        return self.start if self.way > 0 else self.end
 
 
 def leaving_of(sizing: Sizing) -> Iterator[Leaving]:
@@ -46,27 +51,9 @@ def leaving_of(sizing: Sizing) -> Iterator[Leaving]:
 
 def _ends(shaft: BuiltShaft, span: tuple[float, float], places: list[float]) -> Iterator[Leaving]:
     first, last = shaft.steps[0].start, shaft.steps[-1].end
-    sides = ((first, span[0], min(places) < span[0]), (span[1], last, max(places) > span[1]))
-    for start, end, is_left in sides:
-        radii = [step.diameter / 2.0 for step in shaft.steps if step.start < end - _NEAR and step.end > start + _NEAR]
-        if is_left and end > start + _NEAR:
-            yield Leaving(shaft.name, start, end, max(radii))
-
-
-def housed(sizing: Sizing) -> tuple[Body, ...]:
-    """Return the bodies around which a housing stands: all but the ends of built shafts that leave it.
-
-    Args:
-        sizing: As sized.
-    """
-    ends = tuple(leaving_of(sizing))
-    return tuple(body for body in sizing.arrangement.bodies if not any(_is_in(sizing, body, end) for end in ends))
-
-
-def _is_in(sizing: Sizing, body: Body, end: Leaving) -> bool:
-    """Tell whether a body is a stretch of such an end."""
-    if body.part.kind is not Kind.SHAFT or body.shaft != end.shaft:
-        return False
-    frame = sizing.arrangement.frames[end.shaft]
-    place = float((np.asarray(body.origin) - np.asarray(frame.origin)) @ np.asarray(frame.along))
-    return end.start - _NEAR <= place and place + body.length <= end.end + _NEAR
+    sides = ((-1, first, span[0], min(places) < span[0]), (1, span[1], last, max(places) > span[1]))
+    for way, start, end, is_left in sides:
+        inside = [step for step in shaft.steps if step.start < end - NEAR and step.end > start + NEAR]
+        if is_left and end > start + NEAR:
+            radius = max(step.diameter for step in inside) / 2.0
+            yield Leaving(shaft.name, start, end, radius, way, inside[0 if way > 0 else -1].diameter)

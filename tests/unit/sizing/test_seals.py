@@ -1,0 +1,132 @@
+"""Radial seals where shafts leave: which, where, how heavy, and what is said where none will do."""
+
+import math
+
+import pytest
+
+import gearwright as gw
+from gearwright.checks import Status
+from gearwright.reviews.open import open_checks
+from gearwright.sizing.making import built_checks
+from gearwright.sizing.sealing import exits_of
+from gearwright.sizing.shafts import holders_of, seal_checks, sealed_exits, unsealed_exits
+from gearwright.spec import edited
+from shipped_work import sized
+
+RELIEF, LEAST_WALL = 2e-3, 4e-3
+"""Depth of a cover over inner ring and cage, and the thinnest aluminium casting [m]."""
+
+
+def with_(name="ec120b", **changes):
+    return gw.size(edited(gw.read(name), {key.replace("__", "."): value for key, value in changes.items()}))
+
+
+def test_every_end_of_the_helicopters_gearbox_that_leaves_has_a_seal():
+    sealed = {one.leaves.machine: one.seal.designation for one in sealed_exits(sized("ec120b"))}
+    assert sealed == {
+        "arrius-2f": "DIN 3760 - A 30 x 42 x 7 - FKM", "main-rotor": "DIN 3760 - A 75 x 95 x 10 - FKM",
+        "oil-pump": "DIN 3760 - A 10 x 22 x 7 - FKM", "tail-drive": "DIN 3760 - A 20 x 35 x 7 - FKM",
+    }  # fmt: skip
+    assert unsealed_exits(sized("ec120b")) == ()
+    assert all(check.status is Status.PASSES for check in seal_checks(sized("ec120b")))
+
+
+def test_the_mast_is_as_thick_as_its_bearing_under_the_seal_and_thinner_beyond():
+    """71 mm carry the rotor, for which there is no seal: 75 mm as far as the bearing is wide."""
+    mast = next(shaft for shaft in sized("ec120b").built_shafts if shaft.name == "mast")
+    bearing = next(step for step in mast.steps if step.seat == "mast-upper")
+    seat, beyond = (step for step in mast.steps if bearing.end - 1e-9 < step.start < 0.42)
+    assert seat.diameter == pytest.approx(0.075) and beyond.diameter == pytest.approx(0.071)
+    assert seat.end - seat.start == pytest.approx(bearing.end - bearing.start)
+    bare = next(shaft for shaft in with_(shafting__seal="none").built_shafts if shaft.name == "mast")
+    assert not [step for step in bare.steps if step.start > bearing.end - 1e-9 and step.diameter > 0.0711]
+
+
+def test_a_seal_lies_behind_the_plate_of_its_cover_beyond_what_turns():
+    """The tail shaft: a ring of 1.2 mm, 1 mm of air, 4 mm of plate; then 7 mm of seal in a bore 0.3 mm deeper."""
+    sizing = sized("ec120b")
+    bearing = next(bearing for bearing in sizing.bearings if bearing.name == "tail-rear")
+    cover, seal = (
+        next(holder for holder in holders_of(sizing) if holder.beside == "tail-rear" and holder.kind == kind)
+        for kind in ("cover", "radial seal")
+    )
+    face = bearing.position + bearing.width / 2.0
+    hollow, plate, boss = cover.rings
+    assert (hollow.start, hollow.end) == pytest.approx((face, face + 1.2e-3 + 1e-3))
+    assert plate.end - plate.start == pytest.approx(LEAST_WALL)
+    assert (seal.start, seal.end) == pytest.approx((plate.end, plate.end + 7e-3)) and seal.lip == -1
+    assert (boss.bore, boss.outer) == pytest.approx((0.035, 0.035 + 2.0 * LEAST_WALL))
+    assert boss.end == pytest.approx(seal.end + 0.3e-3)
+    assert plate.bore == pytest.approx(0.035 - 3e-3)  # the step that the seal is pressed against
+    volume = sum(math.pi / 4.0 * (ring.outer**2 - ring.bore**2) * (ring.end - ring.start) for ring in cover.rings)
+    assert cover.mass == pytest.approx(2700.0 * volume, rel=0.04)  # aluminium
+
+
+def test_screws_of_a_cover_have_room_beside_its_boss():
+    for cover in (holder for holder in holders_of(sized("ec120b")) if holder.stepped):
+        boss = min(ring.outer for ring in cover.rings)
+        screw = 1e-3 * float(cover.designation.split("M")[1].split(",")[0])
+        assert cover.outer - 2.5 * screw - boss >= 1.5 * screw - 1e-9  # circle less boss: a head of 1.5 d between
+
+
+def test_a_bearing_that_slides_keeps_its_air_beside_a_cover_that_only_seals():
+    sizing = sized("ec120b")
+    bearing = next(bearing for bearing in sizing.bearings if bearing.name == "tail-front")
+    cover = next(holder for holder in holders_of(sizing) if holder.beside == "tail-front" and holder.kind == "cover")
+    assert bearing.position - bearing.width / 2.0 - cover.end == pytest.approx(1e-3)
+    assert cover.force == 0.0
+
+
+def test_nitrile_is_taken_where_the_oil_is_cool_and_the_lip_slow():
+    """SKF: 4.1 m/s on 20 mm, 8.6 m/s from 60 mm on, 100 °C, of which the lip takes 20 K."""
+    marks = {one.machine: one.elastomer.mark for one in exits_of(with_(oil__temperature=75.0))}
+    assert marks == {"arrius-2f": "FKM", "main-rotor": "NBR", "oil-pump": "FKM", "tail-drive": "FKM"}
+    assert {one.elastomer.mark for one in exits_of(with_(oil__temperature=81.0))} == {"FKM"}
+
+
+def test_a_lip_that_is_asked_for_and_does_not_suit_fails():
+    failing = {(str(check.part), check.mode) for check in seal_checks(with_(shafting__seal="nbr")) if check.fails}
+    assert failing == {
+        ("arrius-2f", "seal speed"), ("oil-pump", "seal speed"), ("tail-drive", "seal speed"),
+        ("arrius-2f", "seal temperature"), ("oil-pump", "seal temperature"), ("tail-drive", "seal temperature"),
+        ("main-rotor", "seal temperature"),
+    }  # fmt: skip
+
+
+def test_no_seal_is_a_choice_and_leaves_the_estimate():
+    sizing = with_(shafting__seal="none")
+    assert sealed_exits(sizing) == () and len(unsealed_exits(sizing)) == 4
+    weights = {item.part: item.each for item in gw.complete_mass(sizing).parts}
+    assert weights["arrius-2f seal"] == pytest.approx(40.0 * 0.030**2)
+    assert not [
+        name for name in (item.part for item in gw.complete_mass(sized("ec120b")).parts) if name == "arrius-2f seal"
+    ]
+
+
+def test_what_no_lip_bears_is_said_with_what_is_usual_and_nothing_is_drawn():
+    sizing = sized("in-line-h2")
+    told = {str(check.part): check.why for check in open_checks(sizing, (), flown=False) if check.mode == "shaft seal"}
+    assert "24.6 m/s on 23.5 mm" in told["gas-turbine"] and "carbon face seal" in told["gas-turbine"]
+    assert set(told) == {"gas-turbine"}  # what a lip bears is sized with the bearings of its shaft
+    propeller = next(one for one in unsealed_exits(sizing) if one.machine == "propeller")
+    assert "a lip of FKM bears 27.2 m/s; shafts with [bearings] get seals" in propeller.lacking
+    assert not [holder for holder in holders_of(sizing) if holder.lip] and not list(seal_checks(sizing))
+    weights = {item.part: item.each for item in gw.complete_mass(sizing).parts}
+    assert weights["gas-turbine seal"] == pytest.approx(40.0 * 0.02349**2, rel=1e-3)
+
+
+def test_a_gearbox_in_the_housing_of_another_has_no_seals_of_its_own():
+    assert exits_of(sized("geared-turbofan-star")) == ()
+
+
+def test_what_sits_too_near_to_a_bearing_leaves_no_room_under_the_lip():
+    sizing = with_(layout__input__places={**_places(), "arrius-2f": {"position": 0.036}})
+    failing = {check.mode: check for check in seal_checks(sizing) if str(check.part) == "arrius-2f" and check.fails}
+    assert set(failing) == {"seal seat"} and "further out" in failing["seal seat"].why
+    assert failing["seal seat"].value == pytest.approx(0.0665 - 0.056)
+    assert failing["seal seat"] in list(built_checks(sizing))
+
+
+def _places():
+    layout = gw.read("ec120b").layout["input"]
+    return {name: place.model_dump() for name, place in layout.places.items()}
