@@ -6,6 +6,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.checks import Status
+from gearwright.render.drawings.shaft_sheet import shaft_content
 from gearwright.reviews.open import open_checks
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.sealing import exits_of
@@ -91,6 +92,18 @@ def test_a_lip_that_is_asked_for_and_does_not_suit_fails():
         ("arrius-2f", "seal temperature"), ("oil-pump", "seal temperature"), ("tail-drive", "seal temperature"),
         ("main-rotor", "seal temperature"),
     }  # fmt: skip
+
+
+def test_sheets_of_shafts_say_what_is_asked_under_the_lips():
+    """h11 on the stretch, its deviations, a case where the teeth have one, and no lead."""
+    for name, fit, lower, hard in (("input", "Ø30 h11", "-130", "55 HRC"), ("mast", "Ø75 h11", "-190", "45 HRC")):
+        content = shaft_content(sized("ec120b"), name)
+        fits = next(grid for grid in content.grids if grid.title.startswith("Fits"))
+        assert (fit, "0", lower) in fits.rows
+        (note,) = (note for note in content.notes if note.startswith("Under the seal"))
+        assert "Ra 0.2 to 0.8" in note and "without lead" in note and hard in note
+        hardened = [row for grid in content.grids if grid.title.startswith("Case-hardened") for row in grid.rows]
+        assert any("under the seal" in row[1] for row in hardened) == (name == "input")  # the mast has no teeth
 
 
 def test_no_seal_is_a_choice_and_leaves_the_estimate():

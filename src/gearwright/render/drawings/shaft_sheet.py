@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits
+from gearwright.catalogue.standard_parts.radial_seals import FAST, FAST_HARDNESS, HARDNESS, ROUGHNESS
+from gearwright.catalogue.standard_parts.radial_seals import SHAFT as UNDER_SEAL
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.entities import Distance, millimetres
 from gearwright.render.drawings.sheet.frame import Title
@@ -32,7 +34,7 @@ from gearwright.render.drawings.views.undercut_view import relief_detail, underc
 from gearwright.render.drawings.views.weights import mass_with_gears
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.shafts import ENDS, Groove, Retention, ends, grooves, held_rings
+from gearwright.sizing.shafts import ENDS, Groove, Retention, ends, grooves, held_rings, sealed_exits
 
 BELOW = TRIANGLE + 2.0 + HIGH - 4.0
 """By which lengths stand lower than without datums [mm]."""
@@ -101,7 +103,7 @@ def _views(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece], hard: tuple[
 
 def _fits(body: ShaftBody) -> tuple[Grid, ...]:
     """Return the limits of every seat; none where no seat has a tolerance."""
-    seats = {f"Ø{millimetres(piece.diameter)} {piece.tolerance}": piece for piece in body.pieces if piece.tolerance}
+    seats = {f"Ø{millimetres(piece.diameter)} {piece.fit}": piece for piece in body.pieces if piece.fit}
     rows = tuple((fit, *_limits(seat)) for fit, seat in seats.items())
     return (Grid("Fits (ISO 286-2), deviations in µm", rows, ("Fit", "upper", "lower")),) if rows else ()
 
@@ -150,6 +152,19 @@ def _held(sizing: Sizing, name: str) -> Iterator[str]:
         yield f"Centres (assumed, by the ends' diameters): {', '.join(centres)}."
 
 
+def _sealed(sizing: Sizing, body: ShaftBody) -> Iterator[str]:
+    """Yield what is asked of the surfaces on which lips of seals run."""
+    for leaves, seal in sealed_exits(sizing):
+        if leaves.shaft == body.name:
+            span = f"{millimetres(MM * seal.start)} to {millimetres(MM * seal.end)}"
+            least, most = (f"{1e6 * limit:g}" for limit in ROUGHNESS)
+            hard = FAST_HARDNESS if leaves.velocity > FAST else HARDNESS
+            yield (
+                f"Under the seal towards {leaves.machine}, {span}: Ra {least} to {most}, plunge-ground without lead, "
+                f"{hard:g} HRC or more, {UNDER_SEAL}."
+            )
+
+
 def _holder(held: Retention) -> str:
     """Return what holds a part."""
     if held.has_ring and held.ring is not None:
@@ -179,8 +194,13 @@ def _splines(body: ShaftBody) -> Iterator[Grid]:
 
 
 def _limits(piece: Piece) -> tuple[str, str]:
-    low, high = shaft_limits(piece.diameter / MM, piece.tolerance)
-    return f"{1e6 * high:+.0f}", f"{1e6 * low:+.0f}"
+    low, high = shaft_limits(piece.diameter / MM, piece.fit)
+    return _deviation(high), _deviation(low)
+
+
+def _deviation(limit: float) -> str:
+    """Return a limit deviation in µm; zero has no sign."""
+    return f"{1e6 * limit:+.0f}" if abs(limit) > 5e-7 else "0"
 
 
 def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[str]:
@@ -195,6 +215,7 @@ def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
         lines = f"between shoulders ± IT{BETWEEN_SHOULDERS}/2, to teeth ± IT{TO_TEETH}/2"
         yield f"Lengths (assumed): {lines}, to the loaded sides of grooves {TO_GROOVE}."
     yield from _held(sizing, body.name)
+    yield from _sealed(sizing, body)
     if body.slots:
         forms = " and ".join(sorted({slot.form for slot in body.slots}))
         yield f"Keyways DIN 6885-1, form {forms}, width P9, as symmetric as half of IT9 (assumed)."

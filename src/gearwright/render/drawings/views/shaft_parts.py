@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from gearwright.catalogue import THREAD_TOLERANCE, key_for_shaft, seat_tolerance
+from gearwright.catalogue.standard_parts.radial_seals import SHAFT as UNDER_SEAL
 from gearwright.parts import bevel
 from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
-from gearwright.sizing.shafts import Cut, Thread, grooves, threads, undercuts_of
+from gearwright.sizing.shafts import Cut, Thread, grooves, sealed_exits, threads, undercuts_of
 
 MM = 1e3
 """Millimetres in a metre."""
@@ -41,6 +42,13 @@ class Piece:
     relieved: bool = False
     is_groove: bool = False
     """Of a retaining ring."""
+    sealed: str = ""
+    """Machine before whose seal it runs."""
+
+    @property
+    def fit(self) -> str:
+        """Tolerance class of its diameter: of a bearing's seat, or under a radial seal."""
+        return self.tolerance or (UNDER_SEAL if self.sealed else "")
 
     @property
     def diameter(self) -> float:
@@ -126,7 +134,7 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     integral = [
         joint for joint in joints if joint.kind == "integral" and any(g.name == joint.part for g in sizing.gears)
     ]
-    pieces = _merged([_turned(sizing, step) for step in built.steps])
+    pieces = _merged([_turned(sizing, step, name) for step in built.steps])
     for joint in integral:
         pieces = _overlaid(pieces, toothed_piece(sizing, gear_of(sizing, joint.part), joint.position))
     for groove in grooves(sizing):
@@ -172,10 +180,14 @@ def thread_name(thread: Thread) -> str:
     return f"{thread.nut.cut} - {THREAD_TOLERANCE}"
 
 
-def _turned(sizing: Sizing, step: ShaftStep) -> Piece:
+def _turned(sizing: Sizing, step: ShaftStep, shaft: str) -> Piece:
     bearing = next((seated.bearing for seated in sizing.bearings if seated.name == step.seat), None)
     tolerance = seat_tolerance(bearing.kind, bearing.bore) if bearing else ""
-    return Piece(MM * step.start, MM * step.end, (MM * step.diameter,) * 2, step.seat, tolerance)
+    piece = Piece(MM * step.start, MM * step.end, (MM * step.diameter,) * 2, step.seat, tolerance)
+    for leaves, seal in sealed_exits(sizing):
+        if leaves.shaft == shaft and step.start < (seal.start + seal.end) / 2.0 < step.end:
+            return replace(piece, sealed=leaves.machine)
+    return piece
 
 
 def _merged(pieces: list[Piece]) -> list[Piece]:
@@ -183,7 +195,7 @@ def _merged(pieces: list[Piece]) -> list[Piece]:
     merged = pieces[:1]
     for piece in pieces[1:]:
         last = merged[-1]
-        if last.diameters == piece.diameters and last.tolerance == piece.tolerance == "":
+        if last.diameters == piece.diameters and last.fit == piece.fit == "":
             merged[-1] = Piece(last.start, piece.end, last.diameters, last.seat or piece.seat)
         else:
             merged.append(piece)

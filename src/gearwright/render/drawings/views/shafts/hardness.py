@@ -20,6 +20,8 @@ OUTSIDE = 2.0
 """Between the outline and the line of a hardened surface [mm of paper]."""
 RING = 2.3
 """Radius of the circle around a number [mm of paper]."""
+UNDER_LIP = (0.3, 0.6)
+"""Depth of the case under the lip of a seal, at least (makers' sheets) and at most (assumed) [mm]."""
 _MM = 1e3
 
 
@@ -27,7 +29,8 @@ class Zone(NamedTuple):
     """A surface that is hardened."""
 
     piece: Piece
-    gear: str
+    what: str
+    """Such as ``teeth of helical.pinion``."""
     hardness: float
     """At least [HV]."""
     depth: tuple[float, float]
@@ -43,7 +46,7 @@ class Zone(NamedTuple):
 
 
 def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
-    """Return the teeth of one piece with a shaft that are case-hardened.
+    """Return the teeth of one piece with a shaft that are case-hardened, and with them what runs under lips of seals.
 
     Args:
         sizing: What was sized.
@@ -56,7 +59,11 @@ def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
             steel = making_of(sizing, gear.stage).iso_steel
             if steel is not None and steel.treatment is Treatment.CASE_HARDENED:
                 low, high = (_MM * share * gear.module for share in CASE)
-                found.append(Zone(piece, gear.name, steel.hardness, (low, high)))
+                found.append(Zone(piece, f"teeth of {gear.name}", steel.hardness, (low, high)))
+    if found:
+        hardness = min(zone.hardness for zone in found)
+        found += [Zone(piece, f"under the seal towards {piece.sealed}", hardness, UNDER_LIP)
+                  for piece in body.pieces if piece.sealed]  # fmt: skip
     return tuple(found)
 
 
@@ -87,6 +94,6 @@ def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
         hard: From `zones`.
     """
     if hard:
-        rows = [(f"{number}", f"teeth of {zone.gear}", zone.words) for number, zone in enumerate(hard, start=1)]
+        rows = [(f"{number}", zone.what, zone.words) for number, zone in enumerate(hard, start=1)]
         rows.append(("", "all else", "soft: kept from carburizing (assumed)"))
         yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))

@@ -138,7 +138,8 @@ def _from_first_end(body: ShaftBody) -> Iterator[Span]:
     """Yield lengths to shoulders, starts of keyways and splines and the second end, those to teeth with a tolerance."""
     first, last = body.pieces[0], body.pieces[-1]
     ends = [(piece.end, max(piece.diameters[1], after.diameters[0]) / 2.0, piece.toothed or after.toothed)
-            for piece, after in zip(body.pieces, body.pieces[1:], strict=False)]  # fmt: skip
+            for piece, after in zip(body.pieces, body.pieces[1:], strict=False)
+            if not _is_even(piece, after)]  # fmt: skip
     ends.append((last.end, last.diameters[1] / 2.0 - end_chamfer(last), False))
     ends += [(slot.start, slot.diameter / 2.0, False) for slot in body.slots if slot.start > NEAR]
     ends += [(spline.start, MM * spline.teeth.shaft_tip / 2.0, False) for spline in body.splines]
@@ -149,6 +150,12 @@ def _from_first_end(body: ShaftBody) -> Iterator[Span]:
             seen.append(x)
             half = _grade(x - first.start, TO_TEETH) / 2.0 if at_teeth else 0.0
             yield Span(first.start, x, (datum, radius), f" ±{trimmed(half, 3)}" if half else "")
+
+
+def _is_even(piece: Piece, after: Piece) -> bool:
+    """Tell whether only the surface under a seal ends between two pieces: a note has its length."""
+    level = abs(piece.diameters[1] - after.diameters[0]) < NEAR
+    return level and any(one.sealed and not other.fit for one, other in ((piece, after), (after, piece)))
 
 
 def _grade(length: float, grade: int) -> float:

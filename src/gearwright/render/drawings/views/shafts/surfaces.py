@@ -66,7 +66,7 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
     for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
         neighbours = [neighbour for neighbour in (before, after) if neighbour is not None]
         beside = [neighbour.diameter for neighbour in neighbours if neighbour.tolerance]
-        if not piece.tolerance and piece.diameter in beside and (piece.thread is None or piece.relieved):
+        if not piece.fit and piece.diameter in beside and (piece.thread is None or piece.relieved):
             continue
         x = middle_of(body, piece)
         if piece.thread is not None:
@@ -77,11 +77,11 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
             continue
         if piece.conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
-        suffix = f" {piece.tolerance}" if piece.tolerance else ""
+        suffix = f" {piece.fit}" if piece.fit else ""
         if piece.is_groove:
             shaft = max(neighbour.diameter for neighbour in neighbours)
             suffix = next((text for up_to, text in GROOVE_CLASSES if shaft <= up_to), "")
-        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
+        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.fit else "")
     for toothing in body.splines:
         x = toothing.start + 0.75 * (toothing.end - toothing.start)
         yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
