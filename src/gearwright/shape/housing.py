@@ -19,10 +19,10 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.mass import (
     BOSS,
-    FLANGE,
+    Flanges,
     Leaving,
     Stretch,
-    bolt_of,
+    flanges_of,
     housed,
     leaving_of,
     outline_of,
@@ -123,8 +123,8 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     for k, chamber in enumerate(chambers):
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
-    bolt = bolt_of(reaction_torque(sizing), shell.girth)
-    for k, (place, key, half) in enumerate(_flanges(sizing, stretches, wall, (bolt, shell.girth))):
+    flanges = flanges_of(sizing, shell, reaction_torque(sizing))
+    for k, (place, key, half) in enumerate(_flanges(flanges, stretches, wall)):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
     for part, body in bearing_bodies(sizing):
@@ -297,15 +297,11 @@ def _across(sizing: Sizing) -> Iterator[Opening]:
             yield Opening(sign * along[:2], origin + place * along, radius)
 
 
-def _flanges(
-    sizing: Sizing, stretches: Sequence[Stretch], wall: float, grip: tuple[float, float]
-) -> Iterator[tuple[float, str, Chamber]]:
+def _flanges(flanges: Flanges, stretches: Sequence[Stretch], wall: float) -> Iterator[tuple[float, str, Chamber]]:
     """Yield place, key and solid of both halves of every flange, as heavy as they are weighed."""
-    bolt, girth = grip
-    thick = FLANGE[1] * bolt
-    for k, place in _joints(stretches, max(len(sizing.design.stages), 2), thick, wall):
-        solid = _flange(_inside(stretches[k], wall) + wall, FLANGE[0] * bolt * girth, thick)
-        yield place - thick, f" {k + 1}", solid
+    for k, place in _joints(stretches, flanges.number, flanges.thickness, wall):
+        solid = _flange(_inside(stretches[k], wall) + wall, flanges.face, flanges.thickness)
+        yield place - flanges.thickness, f" {k + 1}", solid
         yield place, f" {k + 1}", solid
 
 

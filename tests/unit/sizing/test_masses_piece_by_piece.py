@@ -9,12 +9,20 @@ import gearwright as gw
 from gearwright.catalogue import bearings
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.gears import blank_volume
-from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
+from gearwright.sizing.mass import (
+    CompleteMass,
+    MassItem,
+    complete_mass,
+    flanges_of,
+    gear_blanks,
+    housed,
+    screw_volume,
+    shell_around,
+)
 from gearwright.sizing.mass.beside import requirement_of
 from gearwright.sizing.mass.calibration import Calibration
 from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
-from gearwright.sizing.mass.housing import bolt_of
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.rolling_mass import loaded_mass, rating_for, similar
 from gearwright.spec import edited
@@ -125,13 +133,23 @@ def test_a_lightened_wheel_has_a_web_for_the_share_of_its_disc(share):
     assert blank.rim_radius == near(rim) or (blank.rim_radius > rim and blank.web_width < 0.3 * blank.width)
 
 
-def test_bolts_of_a_flange_grip_its_torque():
-    """n π/4 d² σ μ r = T, n = U/(5 d), r = U/(2 π), σ = 700 N/mm², μ = 0.15: d = 40 T/(μ σ U²); 6 mm at least."""
-    torque, girth = 40e3, 0.9
-    bolt = bolt_of(torque, girth)
-    grip = girth / (5.0 * bolt) * math.pi / 4.0 * bolt**2 * 700e6 * 0.15 * girth / (2.0 * math.pi)
-    assert bolt > 6e-3 and grip == near(torque)
-    assert bolt_of(100.0, girth) == 6e-3
+def test_screws_of_a_flange_grip_its_torque():
+    """n π/4 d² σ μ r ≥ T, n ≥ U/(5 d), r = U/(2 π), σ = 700 N/mm², μ = 0.15: a thread of ISO 261, M6 at least."""
+    sizing = sized("in-line-h2")
+    shell = shell_around(housed(sizing))._replace(girth=0.9)
+    for torque, thread in ((100.0, 6e-3), (10e3, 6e-3), (40e3, 20e-3), (1.3 * 40e3, 30e-3)):
+        flanges = flanges_of(sizing, shell, torque)
+        section = flanges.screws * math.pi / 4.0 * flanges.thread**2
+        assert flanges.thread == thread and section * 700e6 * 0.15 * 0.9 / (2.0 * math.pi) >= torque
+        assert 0.9 / flanges.screws <= 5.0 * thread < 0.9 / (flanges.screws - 1)
+        assert (flanges.number, flanges.thickness) == (2, 1.2 * thread)
+
+
+def test_a_screw_with_its_nut_is_seven_cubed_diameters():
+    """M6 x 24 with head 4 high and nut 5.2 high, both 10 across flats, two washers 12 x 1.6 of ISO 7089, by hand."""
+    flats = math.sqrt(3.0) / 2.0 * 10.0**2
+    by_hand = 24.0 * math.pi * 9.0 + 4.0 * flats + 5.2 * (flats - math.pi * 9.0) + 3.2 * math.pi * (36.0 - 3.2**2)
+    assert screw_volume(6.0) == near(by_hand, rel=0.06)
 
 
 def test_a_turning_ring_hangs_on_a_disc_as_thick_as_its_torque_asks():

@@ -8,8 +8,9 @@ from gearwright.sizing.mass.bodies import bevel_cones, bevel_hub, bevel_web, gea
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
+from gearwright.sizing.mass.flanges import Flanges, flanges_of, screw_volume
 from gearwright.sizing.mass.housed import housed
-from gearwright.sizing.mass.housing import BOSS, FLANGE, Wall, bolt_of, reaction_torque, wall_of
+from gearwright.sizing.mass.housing import BOSS, MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
@@ -20,12 +21,14 @@ __all__ = [
     "BOSS",
     "BRIDGE",
     "CALIBRATED",
-    "FLANGE",
     "GROUPS",
+    "MOUNTS",
+    "RIBS",
     "Bridge",
     "Cage",
     "Calibration",
     "CompleteMass",
+    "Flanges",
     "Leaving",
     "MassGroup",
     "MassItem",
@@ -39,9 +42,9 @@ __all__ = [
     "bevel_cones",
     "bevel_hub",
     "bevel_web",
-    "bolt_of",
     "cage_of",
     "complete_mass",
+    "flanges_of",
     "gear_blanks",
     "housed",
     "leaving_of",
@@ -50,6 +53,7 @@ __all__ = [
     "reaction_torque",
     "requirement_of",
     "ring_outside",
+    "screw_volume",
     "shell_around",
     "statistics_beside",
     "stretches_around",

@@ -10,6 +10,7 @@ from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, ho
 from gearwright.identity import Role
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
+from gearwright.sizing.mass.flanges import flanges_of, screw_volume
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.mass.shell import Shell
 from gearwright.sizing.mounted import BearingSizing
@@ -21,18 +22,6 @@ RIBS = 0.20
 """Ribs over the shell [-], an estimate: as high as five walls, as thick as one, a fifth of the area each way."""
 MOUNTS = 0.10
 """Feet, lugs and torque arms over the shell [-], an estimate."""
-FLANGE = (2.5, 1.2)
-"""Width and thickness of each of the two halves of a flange, over its bolt [-]: usual proportions of cast housings."""
-LEAST_BOLT = 6e-3
-"""Thinnest bolt that is usual [m]."""
-PITCH = 5.0
-"""From bolt to bolt over the bolt's diameter [-]: room for a spanner, and no gap between."""
-PRELOAD = 700e6
-"""Of bolts of class 10.9, in their section [Pa]: three quarters of R_p0.2 = 940 MPa (ISO 898-1)."""
-FRICTION = 0.15
-"""Of a flange's faces [-]: dry steel or iron."""
-BOLT_VOLUME = 8.0
-"""Bolt, nut and washer over the bolt's diameter cubed [-]: a shank of 6 d and heads of 3.3 d³."""
 BOSS = 0.12
 """Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 SEAT = 1.6
@@ -75,11 +64,11 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     yield _item("shell", skin, f"A t ρ, t by {wall.why}", material.source)
     yield _item("ribs", RIBS * skin, "0.2 of the shell", "estimate")
     yield _item("mounts", MOUNTS * skin, "0.1 of the shell", "estimate")
-    flanges, bolt = max(len(sizing.design.stages), 2), bolt_of(reaction_torque(sizing), shell.girth)
-    ring = 2.0 * FLANGE[0] * FLANGE[1] * bolt**2 * shell.girth * material.density
-    yield _item("flanges", ring, "2 · 2.5 d · 1.2 d · girth", "proportions of cast housings", flanges)
-    bolts = shell.girth / (PITCH * bolt) * BOLT_VOLUME * bolt**3 * STEEL_DENSITY
-    yield _item("bolts", bolts, "8 d³ ρ each, 5 d apart", "grip of a flange against its torque; ISO 898-1", flanges)
+    flanges = flanges_of(sizing, shell, reaction_torque(sizing))
+    ring = 2.0 * flanges.face * flanges.thickness * material.density
+    yield _item("flanges", ring, "2 · 2.5 d · 1.2 d · girth", "proportions of cast housings", flanges.number)
+    screws = flanges.screws * screw_volume(flanges.thread) * STEEL_DENSITY
+    yield _item("bolts", screws, "7 d³ ρ each, at most 5 d apart", "grip of a flange; ISO 898-1", flanges.number)
     yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
     sized = {bearing.name for bearing in sizing.bearings}
     bosses = sum(_boss(item, material) for item in bearings if item.part not in planets | sized)
@@ -106,18 +95,6 @@ def _around(bearing: BearingSizing, material: HousingMaterial) -> float:
     """Return the mass of the boss around a sized bearing, as wide as that [kg]."""
     section = math.pi / 4.0 * ((1.0 + 2.0 * BOSS) ** 2 - 1.0) * bearing.outer_diameter**2
     return section * bearing.width * material.density
-
-
-def bolt_of(torque: float, girth: float) -> float:
-    """Return the diameter of a flange's bolts [m].
-
-    Args:
-        torque: That the flange holds by its grip [N m].
-        girth: Of the flange [m].
-
-    Source: n π/4 d² σ μ r = T with n = U/(5 d) bolts on r = U/(2 π); 6 mm at least.
-    """
-    return max(8.0 * PITCH * torque / (FRICTION * PRELOAD * girth**2), LEAST_BOLT)
 
 
 def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> Wall:
