@@ -128,6 +128,13 @@ def test_what_no_lip_bears_is_said_with_what_is_usual_and_nothing_is_drawn():
     assert weights["gas-turbine seal"] == pytest.approx(40.0 * 0.02349**2, rel=1e-3)
 
 
+def test_a_shaft_as_given_for_which_there_is_no_seal_says_the_next():
+    sizing = with_("ec120b-as-reported", layout__mast__diameter=0.061)
+    told = {str(check.part): check.why for check in open_checks(sizing, (), flown=False) if check.mode == "shaft seal"}
+    assert set(told) == {"main-rotor"}
+    assert "no seal for 61 mm, the next is for 65 mm: make the shaft that thick there" in told["main-rotor"]
+
+
 def test_a_gearbox_in_the_housing_of_another_has_no_seals_of_its_own():
     assert exits_of(sized("geared-turbofan-star")) == ()
 

@@ -66,7 +66,7 @@ def _built(sizing: Sizing) -> Iterator[Exit]:
         if made.elastomer is not None and not sizes:
             wide, best = 1e3 * end.diameter, next_seal_shaft(end.diameter)
             more = "none is larger" if best is None else f"the next is for {1e3 * best:g} mm"
-            lacking = f"ISO 6194-1 and SKF have no seal for {wide:g} mm, {more}: give its hub that diameter"
+            lacking = f"ISO 6194-1 and SKF have no seal for {wide:g} mm, {more}: make the shaft that thick there"
             made = made._replace(lacking=lacking)
         yield made._replace(seal=sizes[0]) if made.elastomer is not None and sizes else made
 
