@@ -129,7 +129,7 @@ def test_what_no_lip_bears_is_said_with_what_is_usual_and_nothing_is_drawn():
 
 
 def test_a_shaft_as_given_for_which_there_is_no_seal_says_the_next():
-    sizing = with_("ec120b-as-reported", layout__mast__diameter=0.061)
+    sizing = with_("ec120b-as-reported", layout__mast__diameter_m=0.061)
     told = {str(check.part): check.why for check in open_checks(sizing, (), flown=False) if check.mode == "shaft seal"}
     assert set(told) == {"main-rotor"}
     assert "no seal for 61 mm, the next is for 65 mm: make the shaft that thick there" in told["main-rotor"]
