@@ -9,10 +9,10 @@ from gearwright.replays.pulvirenti.claims import claims
 from gearwright.replays.verdict import Verdict
 
 PINNED = [
-    ("in-line-lightest", 1.90, None, 0.04),
+    ("in-line-lightest", 1.86, None, 0.04),
     ("off-set-h3-heaviest", 1.17, None, 0.02),
     ("conventional-density", 11.1, None, 0.1),
-    ("hybrid-density", 30.7, 14.4, 0.3),
+    ("hybrid-density", 30.3, 14.4, 0.3),
     ("in-line-h2-best", 1.06, 0.59, 0.02),
     ("optimum-speed", 4200.0, 5500.0, 100.0),
     ("fast-heavier", 6.0, -7.1, 1.0),

@@ -72,10 +72,19 @@ def test_teeth_and_gear_mass_of_the_off_set_box():
 
 @pytest.mark.parametrize(("name", "published"), [("in-line-h2", 8.8), ("in-line", 9.5)])
 def test_shafts_and_carriers_weigh_what_the_stand_in_rules_give(name, published):
-    """Within 20 %: our plates bear T_c as torsion at their hub, our pins the planets' centrifugal force too."""
+    """Within 20 % to the pins' outer edge, where those rules end: our plates bear T_c as torsion at their hub, too.
+
+    The metal outside the pins, which lets them be pressed in, makes that 29 % of In-Line, whose planets swing most.
+    """
     sizing = size(read(shipped_design(name)))
-    assert sizing.shaft_mass + sizing.carrier_mass == pytest.approx(published, rel=0.20)
-    assert sizing.shaft_mass + sizing.carrier_mass > published
+    whole, steel = sizing.shaft_mass + sizing.carrier_mass, sizing.design.shaft_material
+    eyes = sum(
+        sizing.design.carriers.fill * math.pi * steel.density * one.plate_thickness
+        * (one.reach**2 - (one.reach - one.eye_wall) ** 2)
+        for one in sizing.carriers
+    )  # fmt: skip
+    assert published < whole - eyes == pytest.approx(published, rel=0.20)
+    assert whole == pytest.approx(published, rel=0.29)
 
 
 def test_assembly_and_clearance_hold_for_the_chosen_teeth(hybrid, conventional):

@@ -443,7 +443,8 @@ def of_planets(sizing, carrier):
 TANGENTIAL = "F_t = T_c K_γ / (N r_c); compound sets: of all meshes"
 RADIAL = "F_r = F_t tan((α_ws − α_wr)/2); compound sets: of all meshes"
 PLACE = "r_c = a_w"
-FORCES_OF_COMPOUND = (TANGENTIAL, RADIAL, PLACE)
+OUTSIDE = "r_c + d_p/2 + w"
+FORCES_OF_COMPOUND = (TANGENTIAL, RADIAL, PLACE, OUTSIDE)
 """Vectors, which no single number of a carrier gives; tests/unit/sizing/test_compound_pins.py holds them."""
 
 
@@ -463,6 +464,13 @@ def loaded_pin(sizing, carrier):
     return length, mass, 0.0
 
 
+def eye_of(sizing, carrier, solid):
+    """Return wall and shear stress outside the pin that is loaded most; no ring of a shipped design is too narrow."""
+    tear = allowable(sizing, sizing.design.carriers) / 2.0
+    wall = max(carrier.pin_force / (2.0 * carrier.plate_thickness * tear), 0.25 * solid)
+    return wall, carrier.pin_force / (2.0 * wall * carrier.plate_thickness)
+
+
 def of_carriers(sizing, carrier):
     """Return equation -> value for one carrier."""
     rules, steel = sizing.design.carriers, sizing.design.shaft_material
@@ -471,10 +479,11 @@ def of_carriers(sizing, carrier):
     arm, d = carrier.pin_force * length / 2.0, carrier.pin_diameter
     hub = next((shaft.diameter for shaft in sizing.shafts if shaft.name == carrier.shaft), 0.0)
     shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
-    least = rules.plate_ratio * length
+    least = max(rules.plate_ratio * length, carrier.pin_force / (d * allowable(sizing, rules)))
     needed = 2.0 * carrier.torque / (math.pi * hub**2) / (allowable(sizing, rules) / 2.0) if hub else 0.0
     solid = (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0)
     bore = None if carrier.pin_bore is None else d * min((1.0 - (solid / d) ** 3) ** 0.25, 0.8)
+    wall, torn = eye_of(sizing, carrier, solid)
     simple = of_planets(sizing, carrier) if carrier.stage in sizing.design.planetaries else {}
     return {
         **simple,
@@ -488,8 +497,14 @@ def of_carriers(sizing, carrier):
         * arm
         / (math.pi * d**3 * (1.0 - ((carrier.pin_bore or 0.0) / d) ** 4)),
         "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),
-        "share of b, or by τ = 2 T_c/(π d² t)": max(least, needed),
+        "share of b; τ = 2 T_c/(π d² t); p = F/(d_p t)": max(least, needed),
         "τ = 2 T_c / (π d² t)": shear,
+        "F = 2 w t τ; at least a quarter of a solid pin": wall,
+        "τ = F / (2 w t)": torn,
+        "p = F / (d_p t)": carrier.pin_force / (d * carrier.plate_thickness),
+        "R_p0.2 / S over the pressure": over(allowable(sizing, rules), carrier.hole_pressure),
+        "R_p0.2 / (2 S) over τ": over(allowable(sizing, rules) / 2.0, torn),
+        OUTSIDE: carrier.radius + d / 2.0 + wall,
         "R_p0.2 / (2 S) over the stress": over(allowable(sizing, rules) / 2.0, shear) if shear else None,
     }
 

@@ -101,10 +101,10 @@ def _carriers(task: _Task) -> Iterator[Node]:
         frame, cage = set_frame(sizing, carrier.stage), task.cages[carrier.stage]
         own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
         axes = axes_at(frame, middle_of(cage.plates[0].body))
-        pins, bridges = held_at(cage, axes, own)
+        held = held_at(cage, axes, own)
         for k, plate in enumerate(cage.plates):
             label = str(carrier.part) if k == 0 else f"{carrier.part}, plate {k + 1}"
-            task.solids[label] = plate_solid(plate, [*pins, *bridges], task.fine.circle)
+            task.solids[label] = plate_solid(cage, plate, held, task.fine.circle)
             place = axes_at(frame, middle_of(plate.body))
             yield Node(label, carrier.part, "carrier", label, place, 0.0, task.spins(carrier.shaft))
         if cage.bridge is None:
@@ -112,8 +112,8 @@ def _carriers(task: _Task) -> Iterator[Node]:
         key = f"{carrier.part} bridge"
         task.solids[key] = bridge_solid(cage, cage.bridge)
         still, on = dict.fromkeys(sizing.flows, 0.0), str(carrier.part)
-        for k, angle in enumerate(bridges):
-            place = bridge_axes(cage, cage.bridge.radius, axes, angle)
+        for k, arm in enumerate(arm for arm in held if not arm.is_round):
+            place = bridge_axes(cage, cage.bridge.radius, axes, arm.angle)
             yield Node(f"{key} {k + 1}", carrier.part, "carrier", key, place, 0.0, still, on)
 
 

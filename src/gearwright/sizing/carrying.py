@@ -130,13 +130,27 @@ class CarrierSizing:
     pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing")]
     """Allowable over actual stress of the pins [-]."""
     plate_thickness: Annotated[
-        float, Quantity("length"), Origin("share of b, or by τ = 2 T_c/(π d² t)", "first sizing")
+        float, Quantity("length"), Origin("share of b; τ = 2 T_c/(π d² t); p = F/(d_p t)", "first sizing")
     ]
     """Thickness of the plate [m]."""
     plate_stress: Annotated[float, Quantity("stress"), Origin("τ = 2 T_c / (π d² t)", "equilibrium at the hub")]
     """Shear stress of the plate at its hub [Pa]; zero on a carrier that stands still."""
     plate_margin: Annotated[float | None, Quantity("ratio"), Origin("R_p0.2 / (2 S) over the stress", "Tresca")]
     """Allowable over actual shear stress of the plate [-]; None on a carrier that stands still."""
+    eye_wall: Annotated[
+        float, Quantity("length"), Origin("F = 2 w t τ; at least a quarter of a solid pin", "tear-out; estimate")
+    ]
+    """Metal of the plate outside the holes for pins [m]."""
+    eye_stress: Annotated[float, Quantity("stress"), Origin("τ = F / (2 w t)", "tear-out along two planes")]
+    """Shear stress of the plate outside the pin that is loaded most [Pa]."""
+    eye_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / (2 S) over τ", "Tresca")]
+    """Allowable over actual shear stress outside that pin [-]."""
+    hole_pressure: Annotated[float, Quantity("stress"), Origin("p = F / (d_p t)", "projected area")]
+    """Pressure of that pin in its hole [Pa]."""
+    hole_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the pressure", "first sizing")]
+    """Allowable over actual pressure in that hole [-]."""
+    reach: Annotated[float, Quantity("length"), Origin("r_c + d_p/2 + w", "geometry")]
+    """Outer radius of the plate, beyond its outermost pins [m]."""
     mass: Annotated[float, Quantity("mass"), Origin("pins and plate", "geometry")]
     """Pins and plate, without planets [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]

@@ -53,6 +53,9 @@ from gearwright.parts.planetary import (
     assembles,
     even_positions,
     excited_modes,
+    eye_stress,
+    eye_wall,
+    hole_pressure,
     most_planets,
     nearest_positions,
     neighbours_clear,
@@ -287,6 +290,20 @@ def test_pins_and_plates_are_cantilevers_and_discs():
     assert pin_mass(25e-3, 30e-3, 7800.0) == near(7800.0 * PI * 12.5e-3**2 * 30e-3)
     assert plate_mass(80e-3, 12e-3, 7800.0, fill=0.6) == near(0.6 * 7800.0 * PI * 80e-3**2 * 12e-3)
     assert plate_shear_stress(700.0, 40e-3, 12e-3) == near(700.0 / (PI * 40e-3 * 12e-3 * 20e-3))
+
+
+def test_an_eye_bears_its_pin_along_two_planes():
+    """F = 2 w t τ: 12 kN, 8 mm, 100 MPa need 7.5 mm; a quarter of a solid pin where that is more; p = F/(d t).
+
+    Where the hole bears the most that Tresca allows, p = 2 τ, the metal outside it is as thick as the pin: its edge
+    lies 1.5 diameters from the middle.
+    """
+    assert eye_wall(12e3, 8e-3, 100e6, needed=20e-3) == near(7.5e-3)
+    assert eye_wall(12e3, 8e-3, 100e6, needed=40e-3) == near(10e-3)
+    assert eye_stress(12e3, 8e-3, 7.5e-3) == near(100e6)
+    assert hole_pressure(12e3, 30e-3, 8e-3) == near(50e6)
+    pressed = hole_pressure(12e3, 7.5e-3, 8e-3)
+    assert pressed == near(200e6) and eye_wall(12e3, 8e-3, pressed / 2.0, needed=0.0) == near(7.5e-3)
 
 
 @pytest.mark.parametrize(("floating", "free"), [(True, 3.0), (False, 1.0)])

@@ -30,7 +30,7 @@ def test_the_ground_takes_the_reaction_of_the_rings(in_line_h2) -> None:
 def test_margins_come_worst_first_with_every_check(in_line_h2) -> None:
     found = in_line_h2.checks
     assert not any(check.ratio is None for check in found)
-    strength = 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts) + 2 * len(in_line_h2.carriers)
+    strength = 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts) + 4 * len(in_line_h2.carriers)
     # Undercut, contact ratio, three interferences, neighbours and pins of every planetary set.
     assert len(found) == strength + 7 * len(in_line_h2.carriers)
     moved = [check.margin for check in found if check.exponent is not None]

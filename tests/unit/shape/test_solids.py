@@ -24,9 +24,11 @@ from gearwright.shape import DETAILS, edges_of, scene, solid_masses
 from gearwright.shape.overlaps import overlaps
 from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import (
+    Arm,
     Chamber,
     End,
     Opening,
+    Outline,
     bevel_gear,
     chamber_surface,
     chamber_volume,
@@ -35,6 +37,8 @@ from gearwright.shape.solids import (
     face_wheel,
     has_room,
     loop_of,
+    plate,
+    plate_form,
     ring_gear,
     round_hole,
     stepped,
@@ -66,7 +70,8 @@ def test_every_solid_of_a_shipped_design_is_closed(name, detail):
             openings = sum(len(end.holes) if end else 1 for end in solid.ends) + len(solid.openings)
             assert edges.euler == 4 - 2 * openings, label
         else:
-            assert edges.euler in (0, 2), label  # a ring, or a shaft without a bore
+            holes = 2 * len(solid.bores.middles) if solid.bores else 0
+            assert edges.euler + holes in (0, 2), label  # a ring, or a shaft without a bore; each hole a handle
         assert surface.volume > 0.0, label
         assert np.allclose(np.linalg.norm(surface.normals, axis=1), 1.0), label
 
@@ -147,6 +152,39 @@ def test_holes_in_a_web_are_closed_and_no_face_folds_over_them(holes, hub):
         near = 0.05 if segments < 720 else 5e-3  # polygons of 12 and of 180 corners; other circles differ a little, too
         if segments % holes == 0:
             assert plain.volume - bored.volume == pytest.approx(taken, rel=near)
+
+
+def test_a_plate_that_is_left_whole_is_a_disc_less_its_holes():
+    """π (100² − 20² − 3 · 12²) mm² · 8 mm, closed, with a hole for shafts and three for pins."""
+    pins = [Arm(angle, 0.07, 0.02) for angle in (0.1, 2.2, 4.3)]
+    body = plate(pins, Outline(0.1, 0.02, 1.0), 0.008, pin=0.012, segments=720)
+    surface = surface_of(body, 720)
+    volume = math.pi * (0.1**2 - 0.02**2 - 3 * 0.012**2) * 0.008
+    assert surface.volume == pytest.approx(volume, rel=4e-4)  # chords of holes
+    assert edges_of(surface) == (0, -6)  # χ = 2 − 2 · 4 holes
+    blind = surface_of(plate(pins, Outline(0.1, 0.0, 1.0), 0.008, pin=0.012, segments=60), 60)
+    assert edges_of(blind) == (0, -4)
+
+
+@pytest.mark.parametrize("fill", [0.1, 0.35, 0.6, 0.9])
+def test_a_plate_has_metal_all_around_its_pins_and_bridges_and_the_area_that_is_asked(fill):
+    """Eyes of 22 mm on 70 mm and bridges of 12 × 20 mm: no ray ends within them; as much is left as they let."""
+    angles = np.arange(3600) * (math.pi / 1800.0)
+    eyes = [Arm(2.0 * math.pi * k / 3, 0.07, 0.022) for k in range(3)]
+    bridges = [Arm(eye.angle + math.pi / 3.0, 0.075, 0.006, 0.055, is_round=False) for eye in eyes]
+    outline = Outline(0.092, 0.025, fill)
+    radii = plate_form([*eyes, *bridges], outline).radii(angles)
+    around = np.exp(1j * angles)
+    parts = [eye.radius * np.exp(1j * eye.angle) + eye.half * around for eye in eyes]
+    parts += [np.array([x + 1j * y for x in (0.055, 0.075) for y in (-0.006, 0.006)]) * np.exp(1j * one.angle)
+              for one in bridges]  # fmt: skip
+    for points in parts:
+        before = np.floor(np.angle(points) / angles[1] + 1e-9).astype(int)
+        at = np.maximum(radii[before % 3600], radii[(before + 1) % 3600])  # rays of 0.1°
+        assert np.all(np.abs(points) <= at * (1.0 + 2e-3))
+    assert radii.max() <= outline.reach and radii.min() >= 1.05 * outline.bore - 1e-9
+    left = np.mean(radii**2) / outline.reach**2 - (outline.bore / outline.reach) ** 2
+    assert left == pytest.approx(fill, rel=2e-3) if fill > 0.2 else left > fill
 
 
 def test_a_ring_has_the_volume_of_its_wall_and_its_teeth():

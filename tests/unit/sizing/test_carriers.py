@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from gearwright.checks import Status
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse, read
@@ -42,3 +43,46 @@ def test_planets_on_a_carrier_that_stands_still_do_not_pull() -> None:
     carrier = size(read(shipped_design("star"))).carriers[0]
     assert carrier.centrifugal_force == 0.0
     assert carrier.plate_margin is None
+
+
+def test_plates_have_metal_outside_their_pins(sizing: Sizing) -> None:
+    """29.4 kN tear 17.85 mm × 4.2 mm twice at R_p0.2/4: as thick as the pin of 18.6 mm; the second plate's 6.2 mm."""
+    first, second = sizing.carriers
+    steel = sizing.design.shaft_material
+    for carrier, wall in ((first, 17.85e-3), (second, 6.18e-3)):
+        assert carrier.eye_wall == pytest.approx(wall, rel=1e-3)
+        assert carrier.eye_stress == pytest.approx((steel.yield_strength or 0.0) / 4.0)
+        assert carrier.eye_margin == pytest.approx(1.0) and carrier.hole_margin > 1.0
+        assert carrier.reach == pytest.approx(carrier.radius + carrier.pin_diameter / 2.0 + carrier.eye_wall)
+        bodies = [body for body in sizing.arrangement.bodies if body.part == carrier.part]
+        assert {body.radius for body in bodies} == {carrier.reach}
+
+
+def test_a_plate_goes_through_its_ring_and_is_thicker_where_that_leaves_less_metal() -> None:
+    """A pin of 105 mm leaves 1.2 mm inside the ring's teeth less 1 mm: F = 2 w t τ then asks for the thickness."""
+    text = shipped_design("in-line-h2").read_text(encoding="utf-8")
+    sizing = size(parse(text + '\n[overrides]\n"first.pin_diameter_mm" = 105.0\n'))
+    carrier = sizing.carriers[0]
+    ring = next(gear for gear in sizing.gears if gear.name == "first.ring")
+    assert carrier.reach == pytest.approx(ring.pitch_diameter / 2.0 - ring.module - 1e-3)
+    tear = (sizing.design.shaft_material.yield_strength or 0.0) / 4.0
+    assert carrier.plate_thickness == pytest.approx(carrier.pin_force / (2.0 * carrier.eye_wall * tear))
+    assert carrier.plate_thickness > 0.25 * 16.8e-3 and carrier.eye_margin == pytest.approx(1.0)
+
+
+def test_a_plate_that_is_given_too_thin_fails_at_its_holes() -> None:
+    """In the hole p = F/(d t) rises as the plate is thinner; the metal outside the pin grows, so that it holds."""
+    text = shipped_design("in-line-h2").read_text(encoding="utf-8")
+    sizing = size(parse(text + '\n[overrides]\n"first.plate_thickness_mm" = 3.0\n'))
+    carrier = sizing.carriers[0]
+    assert carrier.hole_pressure == pytest.approx(carrier.pin_force / (carrier.pin_diameter * 3e-3))
+    assert carrier.eye_wall == pytest.approx(17.85e-3 * 4.2 / 3.0, rel=1e-3)
+    failed = {check.what for check in sizing.checks if check.part == carrier.part and check.status is Status.FAILS}
+    assert "pin in its hole" in failed and "eye shear" not in failed
+
+
+def test_a_plate_reaches_beyond_the_outermost_pins_of_a_compound_set() -> None:
+    """A Ravigneaux set has pins on two circles; the plate bears both."""
+    sizing = size(read(shipped_design("ravigneaux-automatic")))
+    (carrier,) = sizing.carriers
+    assert carrier.reach > 84.4e-3 + carrier.pin_diameter / 2.0 + 0.9 * carrier.eye_wall

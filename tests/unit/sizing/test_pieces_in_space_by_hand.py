@@ -69,23 +69,30 @@ def test_bearings_side_by_side_are_a_width_apart_unless_the_design_says_how_far(
 
 
 def test_a_carrier_is_two_plates_with_hollow_pins_and_bridges_between_them():
-    """By hand: 0.6 π R² of plates, π/4 (d² − (0.6 d)²) of a pin, the chord less d_a and 1 mm each side by d_a/2."""
+    """By hand: 0.6 π R² of plates, π/4 d² of a pin between them, less its bore of 0.6 d through both plates.
+
+    Bridges: the chord less d_a and 1 mm each side by d_a/2.
+    """
     sizing = sized("in-line-h2")
     (carrier,) = (one for one in sizing.carriers if one.stage == "first")
     (planet,) = (gear for gear in sizing.gears if gear.name == "first.planet")
     cage = cage_of(sizing, carrier, runs(sizing)[0])
     apart = planet.face_width + 2.0 * PLATE_GAP
     assert cage.span[1] - cage.span[0] == near(apart)
-    reach, tip = carrier.radius + carrier.pin_diameter / 2.0, planet.pitch_diameter + 2.0 * planet.module
+    reach = carrier.radius + carrier.pin_diameter / 2.0 + carrier.eye_wall
+    tip = planet.pitch_diameter + 2.0 * planet.module
     second = sizing.design.carriers.plate_ratio * planet.face_width
     plates = sizing.design.carriers.fill * math.pi * reach**2 * (carrier.plate_thickness + second)
-    pins = 3 * math.pi / 4.0 * (1.0 - PIN_BORE**2) * carrier.pin_diameter**2
+    pins = 3 * math.pi / 4.0 * carrier.pin_diameter**2
+    whole = apart + carrier.plate_thickness + second
+    assert cage.whole[1] - cage.whole[0] == near(whole)
+    bores = PIN_BORE**2 * pins * whole
     width = carrier.radius * math.sqrt(3.0) - tip - 2e-3
     sun, ring = (tooth_of(sizing, gear).tip_radius for gear in sizing.gears if gear.name in ("first.sun", "first.ring"))
     inner = max(carrier.radius / 2.0 - tip / 4.0, sun + 1e-3)
     outer = min(carrier.radius / 2.0 + tip / 4.0, math.sqrt((ring - 1e-3) ** 2 - width**2 / 4.0))
     assert width > 0.0 and inner == near(sun + 1e-3)
-    assert cage.volume == near(plates + (pins + 3 * width * (outer - inner)) * apart)
+    assert cage.volume == near(plates + (pins + 3 * width * (outer - inner)) * apart - bores)
 
 
 def test_bearings_of_one_series_weigh_as_the_cube_of_their_bore():

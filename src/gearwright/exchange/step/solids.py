@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -32,10 +33,14 @@ def made_of(solid: Solid | Chamber) -> Any:
         return _chamber(solid)
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
+    if solid.bores is not None:
+        return _bored(made_of(solid._replace(bores=None)), solid, solid.bores.middles, solid.bores.radius)
     if not any(radius for _, radius in solid.profile):
         return _prism(solid)
     if solid.holes is not None:
-        return _bored(made_of(solid._replace(holes=None)), solid)
+        count, circle, radius = solid.holes
+        middles = [cmath.rect(circle, 2.0 * math.pi * k / count) for k in range(count)]
+        return _bored(made_of(solid._replace(holes=None)), solid, middles, radius)
     wires, wall = _wall(solid)
     behind = occ.BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
     flat = _is_flat(solid.sections[0])
@@ -58,14 +63,11 @@ def made_of(solid: Solid | Chamber) -> Any:
     return mended.Shape()
 
 
-def _bored(body: Any, solid: Solid) -> Any:
-    """Return a body with the holes of its web."""
-    assert solid.holes is not None
-    count, circle, radius = solid.holes
+def _bored(body: Any, solid: Solid, middles: Sequence[complex], radius: float) -> Any:
+    """Return a body with round holes along its axis."""
     low, high = (end(place for place, _ in solid.profile) for end in (min, max))
-    for k in range(count):
-        x, y = (circle * turn(2.0 * math.pi * k / count) for turn in (math.cos, math.sin))
-        axis = occ.gp_Ax2(occ.gp_Pnt(MM * x, MM * y, MM * (low - PAST)), _up())
+    for middle in middles:
+        axis = occ.gp_Ax2(occ.gp_Pnt(MM * middle.real, MM * middle.imag, MM * (low - PAST)), _up())
         bored = occ.BRepPrimAPI_MakeCylinder(axis, MM * radius, MM * (high - low + 2.0 * PAST)).Shape()
         body = occ.BRepAlgoAPI_Cut(body, bored).Shape()
     return next(_parts(body, occ.TopAbs_ShapeEnum.TopAbs_SOLID))

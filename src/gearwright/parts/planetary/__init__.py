@@ -14,6 +14,9 @@ from gearwright.parts.planetary.assembly import (
     tip_gap,
 )
 from gearwright.parts.planetary.carrier import (
+    eye_stress,
+    eye_wall,
+    hole_pressure,
     pin_bore,
     pin_diameter,
     pin_mass,
@@ -31,7 +34,7 @@ from gearwright.parts.planetary.compound import (
     touching,
 )
 from gearwright.parts.planetary.compound_assembly import Turns, can_assemble, fitting_turns
-from gearwright.parts.planetary.load_factor import pin_error_share
+from gearwright.parts.planetary.load_factor import pin_error_share, pin_error_within
 from gearwright.parts.planetary.phasing import (
     PlanetPhases,
     excited_modes,
@@ -48,7 +51,10 @@ __all__ = [
     "can_assemble",
     "even_positions",
     "excited_modes",
+    "eye_stress",
+    "eye_wall",
     "fitting_turns",
+    "hole_pressure",
     "module_ratios",
     "most_planet_teeth",
     "most_planets",
@@ -58,6 +64,7 @@ __all__ = [
     "pin_bore",
     "pin_diameter",
     "pin_error_share",
+    "pin_error_within",
     "pin_mass",
     "pin_radii",
     "pin_stress",

@@ -6,6 +6,8 @@ import math
 
 WIDEST_PIN_BORE = 0.8
 """Bore of a pin over its diameter, at most: thinner walls go out of round under rollers or film, an assumption [-]."""
+LEAST_EYE = 0.25
+"""Metal outside the hole of a pin over the diameter that a solid pin needs, at least [-]: an estimate."""
 
 
 def pin_diameter(force: float, face_width: float, allowable: float) -> float:
@@ -62,11 +64,57 @@ def pin_mass(diameter: float, face_width: float, density: float, *, bore: float 
     return math.pi / 4.0 * (diameter**2 - bore**2) * face_width * density
 
 
+def eye_wall(force: float, thickness: float, shear: float, *, needed: float) -> float:
+    """Return the metal that a plate needs outside the hole of a pin [m].
+
+    Args:
+        force: Of one planet on its pin; one plate bears all of it, as the cantilever has it [N].
+        thickness: Of the plate [m].
+        shear: Allowable shear stress [Pa].
+        needed: Diameter of a solid pin that is strong enough [m].
+
+    Source: equilibrium of a block that a pin tears out of an eye along two planes, F = 2 w t τ; by Tresca both sides of
+        the eye in tension, F = 2 w t σ, then bear twice as much. At least `LEAST_EYE` of a solid pin, an estimate.
+
+    Valid for: lugs under a force towards their edge, without the stress concentration at the hole.
+
+    >>> round(1e3 * eye_wall(29428.0, 4.2e-3, 196.25e6, needed=18.58e-3), 2)
+    17.85
+    """
+    return max(force / (2.0 * thickness * shear), LEAST_EYE * needed)
+
+
+def eye_stress(force: float, thickness: float, wall: float) -> float:
+    """Return the shear stress along both planes by which a pin would tear out of its eye [Pa].
+
+    Args:
+        force: Of one planet on its pin [N].
+        thickness: Of the plate [m].
+        wall: Metal outside the hole [m].
+
+    Source: equilibrium, τ = F/(2 w t).
+    """
+    return force / (2.0 * wall * thickness)
+
+
+def hole_pressure(force: float, diameter: float, thickness: float) -> float:
+    """Return the pressure of a pin in the hole of its plate [Pa].
+
+    Args:
+        force: Of one planet on its pin [N].
+        diameter: Of the pin [m].
+        thickness: Of the plate [m].
+
+    Source: force over the projected area, p = F/(d t).
+    """
+    return force / (diameter * thickness)
+
+
 def plate_mass(radius: float, thickness: float, density: float, *, fill: float) -> float:
     """Return the mass of the carrier's plate [kg].
 
     Args:
-        radius: Outer radius, pin circle plus half a pin [m].
+        radius: Outer radius, pin circle plus half a pin and the metal outside it [m].
         thickness: [m].
         density: ρ [kg/m³].
         fill: Share of the disc that is not cut out [-].

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gearwright.errors import Problem, near, refuse
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
+from gearwright.render.drawings.carriers.carrier_sheet import carrier_content
 from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.housing_sheet import housing_content
 from gearwright.render.drawings.shaft_sheet import shaft_content
@@ -24,7 +25,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
 
     Args:
         sizing: What was sized.
-        names: Of sheets, or of kinds of them (``shaft``, ``gear``); none: all sheets.
+        names: Of sheets, or of kinds of them (``shaft``, ``gear``, ``carrier``); none: all sheets.
 
     Raises:
         DesignError: If there is no sheet of a name.
@@ -41,7 +42,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
 
 
 def contents(sizing: Sizing) -> Iterator[Content]:
-    """Yield what every sheet shows: the general arrangement, shafts, gears, bores of the housing.
+    """Yield what every sheet shows: the general arrangement, shafts, gears, carriers, bores of the housing.
 
     Args:
         sizing: What was sized.
@@ -51,6 +52,7 @@ def contents(sizing: Sizing) -> Iterator[Content]:
     for gear in sizing.gears:
         for label, shaft in gear_sheets(sizing, gear).items():
             yield gear_content(sizing, gear, shaft, label)
+    yield from (carrier_content(sizing, carrier) for carrier in sizing.carriers)
     bores = housing_content(sizing)
     if bores is not None:
         yield bores

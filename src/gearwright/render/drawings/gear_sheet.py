@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gearwright.identity import Role
+from gearwright.render.drawings.gears.edges import edge_notes
+from gearwright.render.drawings.gears.gear_end import Circles, end_of_gear, needs_end
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import arrow
 from gearwright.render.drawings.sheet.entities import (
@@ -30,16 +32,11 @@ from gearwright.render.drawings.sheet.tolerances import (
     tolerance_frame,
 )
 from gearwright.render.drawings.views.bevel_view import bevel_view
-from gearwright.render.drawings.views.face_view import face_view, is_face_wheel
+from gearwright.render.drawings.views.face_view import face_teeth, face_view, is_face_wheel
 from gearwright.render.drawings.views.gear_dimensions import FACE_GRADE, LEAN, face_runout, thickness
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
-from gearwright.render.drawings.views.gear_view import (
-    bore_edges,
-    cylinder_section,
-    hub_view,
-    ring_section,
-)
-from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.render.drawings.views.gear_view import bore_edges, cylinder_section, ring_section
+from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
 from gearwright.render.drawings.views.tooth_data import tooth_grid
 from gearwright.render.drawings.views.weights import made_of
@@ -83,10 +80,26 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
         axis = Axis(0j, 1 + 0j, scale)
         drawn = bevel_view if bevel else face_view if is_face_wheel(sizing, gear) else _cylindrical
         main = drawn(sizing, gear, hub, axis)
-        return [[main, *([_hub(hub, axis)] if hub.key is not None else [])]]
+        return [[main, *([end_of_gear(hub, _circles(sizing, gear, hub), axis)] if needs_end(hub) else [])]]
 
     grid = tooth_grid(sizing, gear, shaft)
     return Content(f"gear-{label}", title, views, (grid,), tuple(note for note in notes if note), kind="gear")
+
+
+def _circles(sizing: Sizing, gear: GearSizing, hub: Hub) -> Circles:
+    """Return what is seen of a gear along its axis."""
+    if kind_of(sizing, gear.stage) == "bevel":
+        profile = bevel_profile(sizing, gear)
+        boss = (hub.boss.diameter / 2.0,) if hub.boss is not None else ()
+        return Circles(
+            (profile.large[0].imag, profile.small[0].imag, profile.roots[0].imag, *boss), profile.large[1].imag
+        )
+    if is_face_wheel(sizing, gear):
+        inner, outer = face_teeth(sizing, gear).reach
+        return Circles((outer, inner), MM * gear.pitch_diameter / 2.0)
+    teeth, web = cylindrical_gear(sizing, gear), hub.web
+    edges = (web.rim, web.hub) if web is not None else ()
+    return Circles((MM * teeth.tip_radius, *edges), MM * teeth.pitch_radius)
 
 
 def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
@@ -103,6 +116,9 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
         yield f"Axial run-out of the faces IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
+    if hub.teeth is not None:
+        yield "Datum A is the pitch cylinder of the hub's spline."
+    yield from edge_notes(hub.bore, MM * gear.module)
     if gear.bodies > 1:
         yield f"{gear.bodies} equal bodies." if gear.role is Role.PLANET else ""
     if kind_of(sizing, gear.stage) == "bevel":
@@ -137,7 +153,7 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
         if hub.bore:
             suffix = f" {hub.tolerance}" if hub.tolerance else ""
             entities.append(_across(axis, hub.bore / 2.0, span[0], -ASIDE, suffix))
-            entities += _against_bore(axis, hub.bore / 2.0, MM * teeth.root_radius, span)
+            entities += _against_bore(axis, hub, MM * teeth.root_radius, span)
     if span[1] > 1.5 * MM * gear.face_width:
         middle, root = span[1] / 2.0, MM * teeth.root_radius
         entities += [
@@ -157,14 +173,18 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
         sizing, gear, axis.at(span[0 if left else 1], (1.0 if left else -1.0) * MM * teeth.pitch_radius), left=left
     )
     if hub.teeth is not None:
-        entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation)
+        entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation, "A")
     return entities
 
 
-def _against_bore(axis: Axis, bore: float, root: float, span: tuple[float, float]) -> Iterator[Entity]:
-    """Yield the bore as a datum, and what a face may run out against it: beside the datum, or on the other face."""
-    foot = axis.at(span[0], -bore) - ASIDE
-    yield from datum(foot, -1j, "A")
+def _against_bore(axis: Axis, hub: Hub, root: float, span: tuple[float, float]) -> Iterator[Entity]:
+    """Yield the bore as a datum, and what a face may run out against it: beside the datum, or on the other face.
+
+    The datum of a spline is its pitch cylinder, and stands at its designation.
+    """
+    bore = hub.bore / 2.0
+    if hub.teeth is None:
+        yield from datum(axis.at(span[0], -bore) - ASIDE, -1j, "A")
     level = (axis.at(span[0], -bore) - 1j * (TRIANGLE + 2.0 + 2.0 * HIGH)).imag
     tolerance = face_runout(root)
     if tolerance is None:
@@ -201,21 +221,11 @@ def _flank(sizing: Sizing, gear: GearSizing, pitch_point: complex, *, left: bool
         yield Path((pitch_point, pitch_point + far + (-2.0 if left else 2.0)), Layer.SYMBOL)
 
 
-def _leader(target: complex, words: str) -> Iterator[Entity]:
+def _leader(target: complex, words: str, letter: str) -> Iterator[Entity]:
+    """Yield a designation, and the datum that its pitch cylinder is."""
     knee = target + complex(-7.0, 7.0)
     written = Words(knee - 1.0 + 1.0j, words, TEXT, "right", layer=Layer.DIMENSION)
-    yield Path((target, knee, knee - 2.0 - written.length), Layer.DIMENSION)
+    end = knee - 2.0 - written.length
+    yield Path((target, knee, end), Layer.DIMENSION)
     yield written
-
-
-def _hub(hub: Hub, axis: Axis) -> list[Entity]:
-    assert hub.key is not None
-    entities = hub_view(axis, hub)
-    radius, half, top = hub.bore / 2.0, MM * hub.key.width / 2.0, hub.reach / 2.0
-    entities.append(
-        Distance(axis.at(-half, top), axis.at(half, top), axis.at(0.0, top) + 1j * ASIDE, 0.0, axis.scale, suffix=" P9")
-    )
-    side = axis.at(radius) + ASIDE
-    reach = Distance(axis.at(0.0, -radius), axis.at(half, top), side, math.pi / 2.0, axis.scale)
-    words = Words(axis.at(0.0, -radius) - 1j * ASIDE, hub.designation, TEXT, "middle")
-    return [*entities, reach, words]
+    yield from datum(end + HIGH, -1j, letter)

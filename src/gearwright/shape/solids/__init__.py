@@ -16,31 +16,35 @@ from gearwright.shape.solids.chambers import (
 )
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, cut_chamber, spans_in, united, without
-from gearwright.shape.solids.round_bodies import arms, bearing, bell, block, stepped, tube, turned
+from gearwright.shape.solids.plates import Arm, Form, Outline, plate, plate_form
+from gearwright.shape.solids.round_bodies import bearing, bell, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
-from gearwright.shape.solids.surface import Edges, Surface, edges_of
+from gearwright.shape.solids.surface import Edges, Surface, circle, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
 __all__ = [
+    "Arm",
     "Chamber",
     "Cut",
     "Edges",
     "End",
     "Fineness",
+    "Form",
     "Leg",
     "Loop",
     "Opening",
+    "Outline",
     "Rectangle",
     "Section",
     "Solid",
     "Surface",
-    "arms",
     "bearing",
     "bell",
     "bevel_gear",
     "block",
     "chamber_surface",
     "chamber_volume",
+    "circle",
     "cut_chamber",
     "depth_in",
     "disc_gear",
@@ -48,6 +52,8 @@ __all__ = [
     "face_wheel",
     "has_room",
     "loop_of",
+    "plate",
+    "plate_form",
     "rim_of",
     "ring_gear",
     "round_hole",

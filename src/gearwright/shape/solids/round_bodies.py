@@ -8,13 +8,10 @@ import numpy as np
 
 from gearwright.parts.gears import Blank
 from gearwright.shape.solids.solid import Solid
-from gearwright.shape.solids.surface import circle
 from gearwright.shape.solids.toothed import Loop, disc_gear
 
 RING = 0.28
 """Thickness of a bearing's ring over its section, an assumption [-]."""
-USUAL = 60
-"""Corners of circles up to which outlines of plates are cut as coarsely [-]."""
 RECESS = 0.15
 """How far rolling elements and cage stand behind the faces of the rings over the width, an assumption [-]."""
 
@@ -70,34 +67,6 @@ def bearing(bore: float, outer: float, width: float) -> Solid:
            (-half, radii[3]), (half, radii[3]), (half, radii[2]), (inner, radii[2]), (inner, radii[1]),
            (half, radii[1]), (half, radii[0]), (-half, radii[0])]  # fmt: skip
     return Solid(tuple(way))
-
-
-def arms(angles: Sequence[float], reach: float, thickness: float, *, bore: float, fill: float, segments: int) -> Solid:
-    """Return the plate of a carrier, with as much of its disc left as its fill says, beside its bore.
-
-    Args:
-        angles: Of what it holds [rad].
-        reach: Outer radius [m].
-        thickness: [m].
-        bore: Radius of its bore; 0: none [m].
-        fill: Share of the disc that is left [-].
-        segments: Corners of a circle; its outline has as many, or a seventh of it an arm, a quarter where it is fine.
-    """
-    count = max(segments, segments * len(angles) // (7 if segments <= USUAL else 4))
-    turn = circle(count)
-    near = np.min(np.abs(np.angle(np.exp(1j * (turn[:, None] - np.asarray(angles)[None, :])))), axis=1)
-    share = np.clip(0.5 + 1.1 * np.cos(np.minimum(near * len(angles), np.pi)), 0.0, 1.0)
-    share = share**2 * (3.0 - 2.0 * share)  # without corners: splines through the outline stay on it
-    low, high, left = min(1.05 * bore, 0.95 * reach), reach, min(fill + (bore / reach) ** 2, 1.0)
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        radius = middle + (reach - middle) * share
-        area = float(np.mean(radius * np.roll(radius, -1))) * np.sinc(2.0 / count) / reach**2
-        low, high = (low, middle) if area > left else (middle, high)
-    radius = np.full(count, reach) if left >= 1.0 else low + (reach - low) * share
-    loop = Loop(radius, turn, np.zeros(count, dtype=bool))
-    blank = Blank(reach, 0.0, bore, bore, thickness, thickness)
-    return disc_gear(loop, [(-thickness / 2.0, 0.0), (thickness / 2.0, 0.0)], blank)
 
 
 def block(width: float, depth: float, length: float) -> Solid:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.shape.solids.holes import Holes, pierced
+from gearwright.shape.solids.holes import Bores, Holes, bored_ends, pierced
 from gearwright.shape.solids.surface import Surface, around_hole, circle, joined, revolved, strip
 
 
@@ -43,8 +43,12 @@ class Solid(NamedTuple):
     """Whether the body lies around its teeth, as a ring's does."""
     holes: Holes | None = None
     """Between the two faces of its profile on which they lie."""
+    bores: Bores | None = None
+    """Through both ends of a plate, whose profile is its own hole, as wide at both."""
 
 
+BORE_STEPS = 3
+"""Corners of a quarter of a bore through a plate [-]."""
 RING_CORNERS = 2
 """Corners of the outside of a ring over those of other circles: thin walls lose most by chords [-]."""
 SAME_ROOT = 1e-9
@@ -64,6 +68,8 @@ def surface_of(solid: Solid, segments: int) -> Surface:
     """
     if not solid.sections or solid.edges is None:
         return revolved(_widened(solid.profile, segments), segments)
+    if solid.bores is not None:
+        return _plate(solid, solid.edges, solid.bores)
     corners = segments * (RING_CORNERS if solid.inside else 1)
     profile = solid.profile if solid.inside else _widened(solid.profile, segments)
     if not any(radius for _, radius in profile):
@@ -81,6 +87,19 @@ def surface_of(solid: Solid, segments: int) -> Surface:
     toothed = wall(solid.sections, solid.edges, inside=solid.inside)
     behind = revolved(profile, corners) if solid.holes is None else pierced(profile, solid.holes, corners)
     return joined([toothed, *(ends[::-1] if solid.inside else ends), behind])
+
+
+def _plate(solid: Solid, edges: Bools, bores: Bores) -> Surface:
+    """Return a plate with its bores: its hole has corners on the rays of those of its outline."""
+    low, high = solid.sections
+    (_, bore), _ = solid.profile
+    span, turn = (float(low.height[0]), float(high.height[0])), np.exp(1j * low.angle)
+    hole = bore / math.cos(0.5 * float(np.max(np.diff(low.angle, append=low.angle[0] + 2.0 * math.pi))))
+    pieces = [wall(solid.sections, edges), bored_ends(low.radius * turn, hole * turn, span, bores.as_large(BORE_STEPS))]
+    if bore:
+        ring = [section._replace(radius=np.full(len(turn), hole)) for section in solid.sections]
+        pieces.append(wall(ring, edges, inside=True))
+    return joined(pieces)
 
 
 def _widened(profile: Sequence[tuple[float, float]], segments: int) -> list[tuple[float, float]]:

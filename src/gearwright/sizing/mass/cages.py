@@ -1,4 +1,4 @@
-"""Carriers as they are made: a plate on both sides of the planets, hollow pins between, bridges where there is room.
+"""Carriers as they are made: a plate on both sides of the planets, hollow pins through them, bridges with room.
 
 What weighs them and what draws them take them from here.
 """
@@ -39,11 +39,11 @@ class Plate(NamedTuple):
     bore: float
     """Radius of the hole for the shafts that go through it [m]."""
     fill: float
-    """Share of its disc that is left, the hole among what is taken [-]."""
+    """Share of its disc that is left, the hole for shafts among what is taken, holes for pins not [-]."""
 
     @property
     def volume(self) -> float:
-        """[m³]"""
+        """With its holes for pins closed [m³]."""
         radius = self.body.radius
         return math.pi * min(self.fill * radius**2, radius**2 - self.bore**2) * self.body.length
 
@@ -67,8 +67,12 @@ class Cage(NamedTuple):
     span: tuple[float, float]
     """From the inner face of one plate to that of the other, or to the far end of the planets, along the first plate's
     axis from its origin [m]."""
+    whole: tuple[float, float]
+    """Where pins begin and end: flush with the outer faces of their plates; as `span` [m]."""
     pin_diameter: float
     """[m]"""
+    eye_wall: float
+    """Metal of plates outside the holes for pins [m]."""
     pin_bore: float
     """[m]"""
     pins: int
@@ -81,10 +85,10 @@ class Cage(NamedTuple):
     @property
     def volume(self) -> float:
         """[m³]"""
-        length = self.span[1] - self.span[0]
-        pins = self.pins * math.pi / 4.0 * (self.pin_diameter**2 - self.pin_bore**2)
+        length, pin = self.span[1] - self.span[0], math.pi / 4.0 * self.pin_diameter**2
         bridges = 0.0 if self.bridge is None else self.bridges * self.bridge.width * self.bridge.depth
-        return sum(plate.volume for plate in self.plates) + (pins + bridges) * length
+        pins = self.pins * (pin * length - math.pi / 4.0 * self.pin_bore**2 * (self.whole[1] - self.whole[0]))
+        return sum(plate.volume for plate in self.plates) + pins + bridges * length
 
 
 def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage:
@@ -103,7 +107,12 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
     plates = tuple(Plate(body, plate_bore(sizing, body, runs), fill) for body in bodies)
     bridge = bridge_between(sizing, carrier, planets) if len(plates) > 1 else None
     span = _between(sizing, bodies)
-    return Cage(plates, span, carrier.pin_diameter, bore, sum(pins.values()), bridge, max(pins.values()))
+    ends = [end for body in bodies for end in along_body(bodies[0], body)]
+    whole = (min(span[0], *ends), max(span[1], *ends))
+    return Cage(
+        plates, span, whole, carrier.pin_diameter, carrier.eye_wall, bore, sum(pins.values()), bridge,
+        max(pins.values()),
+    )  # fmt: skip
 
 
 def _between(sizing: Sizing, plates: Sequence[Body]) -> tuple[float, float]:

@@ -197,12 +197,11 @@ def _carrier(parts: Parts, carrier: CarrierSizing) -> Iterator[Body]:
         side = -side if rings == {side} else side
         suns = {shaft for gear in own if gear.role is Role.SUN for shaft in gear.shafts if sides.get(shaft) == side}
         through = max((shaft.diameter / 2.0 + PLATE_GAP for shaft in parts.shafts if shaft.name in suns), default=0.0)
-        bore = through if through < carrier.radius - carrier.pin_diameter / 2.0 else 0.0
+        bore = through if through < carrier.radius - carrier.pin_diameter / 2.0 - carrier.eye_wall else 0.0
     beside = set_length(parts.context, parts.gears, carrier.stage) / 2.0 + PLATE_GAP
-    radius = carrier.radius + carrier.pin_diameter / 2.0
     for way in (side, -side) if carrier.stage in parts.arrangement.two_sided else (side,):
         ends = sorted((middle + way * beside, middle + way * (beside + carrier.plate_thickness)))
-        yield _cylinder(carrier.part, carrier.shaft, frame, (ends[0], ends[1]), radius, bore=bore)
+        yield _cylinder(carrier.part, carrier.shaft, frame, (ends[0], ends[1]), carrier.reach, bore=bore)
 
 
 def _bearing(parts: Parts, bearing: BearingSizing) -> Body:

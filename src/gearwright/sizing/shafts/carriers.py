@@ -8,8 +8,19 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
-from gearwright.parts.planetary import pin_bore, pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.parts.planetary import (
+    eye_stress,
+    eye_wall,
+    hole_pressure,
+    pin_bore,
+    pin_diameter,
+    pin_mass,
+    pin_stress,
+    plate_mass,
+    plate_shear_stress,
+)
 from gearwright.ranking import largest
+from gearwright.sizing.blanks import external_tooth
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
@@ -19,6 +30,8 @@ from gearwright.sizing.shafts.shafts import shaft_material
 
 ROUNDING = 1e-9
 """Torque on a free carrier over the largest of its parts that counts as none [-]."""
+THROUGH = 1e-3
+"""Room between a plate and the tips of the ring that it is put in through, an assumption [m]."""
 
 
 class _Pins(NamedTuple):
@@ -32,6 +45,17 @@ class _Pins(NamedTuple):
     """Diameter under what the planets turn on; 0 where it follows the strength [m]."""
     rings: float = 0.0
     """Mass of inner rings on one [kg]."""
+
+
+class _Asked(NamedTuple):
+    """What a carrier has to bear, and on what."""
+
+    equal: int
+    """Pins of each planet body [-]."""
+    torque: float
+    """[N m]"""
+    hub: float
+    """Diameter of its shaft; 0 where it stands still [m]."""
 
 
 def size_carriers(
@@ -57,7 +81,7 @@ def size_carriers(
 
 def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
     """Return a carrier with a second plate on the other side of its planets; its pins stay as they are."""
-    given, reach = context.given, carrier.radius + carrier.pin_diameter / 2.0
+    given, reach = context.given, carrier.reach
     more = plate_mass(
         reach, carrier.plate_thickness, shaft_material(context).density, fill=context.design.carriers.fill
     )
@@ -77,7 +101,8 @@ def _carrier(
     loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
     pins = {str(Role.PLANET): _pins_of(planet, radius)}
     count = context.design.planetaries[name].planets
-    return _sized(context, name, pins, loads, count=count, torque=max(torques), diameters=diameters)
+    asked = _Asked(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
+    return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
 
 
 def _compound(
@@ -89,7 +114,15 @@ def _compound(
         body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in set_pins(context, name, own).items()
     }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
-    return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
+    asked = _Asked(stage.sets, torque, diameters.get(stage.carrier, 0.0))
+    return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
+
+
+def _room(context: Context, name: str, gears: Mapping[str, GearSizing]) -> float:
+    """Return the radius of the narrowest ring of a set inside its teeth, through which a plate goes [m]."""
+    rings = [gear for gear in gears.values() if gear.stage == name and gear.rim]
+    tips = [external_tooth(context.design, ring)._replace(side=-1).tip_radius for ring in rings]
+    return min(tips, default=math.inf) - THROUGH
 
 
 def _pins_of(planet: GearSizing, radius: float) -> _Pins:
@@ -101,24 +134,32 @@ def _pins_of(planet: GearSizing, radius: float) -> _Pins:
 
 
 def _sized(
-    context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad],
-    *, count: int, torque: float, diameters: Mapping[str, float],
-) -> CarrierSizing:  # fmt: skip
+    context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad], *, asked: _Asked, room: float
+) -> CarrierSizing:
     """Return a carrier with equal pins, as strong as the one that is loaded most needs."""
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
-    material = shaft_material(context)
+    material, torque, hub = shaft_material(context), asked.torque, asked.hub
     allowable = (material.yield_strength or 0.0) / rules.safety
     worst = largest(loads, lambda load: load.pin * load.lever)
-    length, hub = pins[worst.body].length, diameters.get(shaft, 0.0)
+    length, outermost = pins[worst.body].length, max(equal.radius for equal in pins.values())
     needed = pin_diameter(worst.pin, worst.lever, allowable)
     pin = given.get(f"{name}.pin_diameter", max(needed, pins[worst.body].seat))
     bore = pin_bore(pin, needed) if pins[worst.body].seat else 0.0
-    thickness = _thickness(rules.plate_ratio * length, torque, hub, allowable=allowable)
+    room = room - outermost - pin / 2.0
+    thinnest = max(rules.plate_ratio * length, worst.pin / (pin * allowable))
+    thickness = _thickness(thinnest, torque, hub, allowable=allowable)
+    if room > 0.0:  # where the ring leaves less metal outside the pins, the plate is thicker
+        thickness = max(thickness, worst.pin / (room * allowable))
     thickness = given.get(f"{name}.plate_thickness", thickness)
+    wall = eye_wall(worst.pin, thickness, allowable / 2.0, needed=needed)
+    if 0.0 < room < wall:
+        wall = room
     bending = pin_stress(worst.pin, worst.lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
+    torn, pressed = eye_stress(worst.pin, thickness, wall), hole_pressure(worst.pin, pin, thickness)
+    count = asked.equal
     masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
-    reach = max(equal.radius for equal in pins.values()) + pin / 2.0
+    reach = outermost + pin / 2.0 + wall
     plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
     about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
     part = carrier_part(name)
@@ -139,6 +180,12 @@ def _sized(
         plate_thickness=thickness,
         plate_stress=shear,
         plate_margin=allowable / 2.0 / shear if shear else None,
+        eye_wall=wall,
+        eye_stress=torn,
+        eye_margin=allowable / 2.0 / torn if torn else math.inf,
+        hole_pressure=pressed,
+        hole_margin=allowable / pressed if pressed else math.inf,
+        reach=reach,
         mass=given.get(f"{part}.mass", sum(masses.values()) + plate),
         inertia=given.get(f"{part}.inertia", about + plate * reach**2 / 2.0),
     )

@@ -31,13 +31,15 @@ def shaft_checks(shaft: ShaftSizing) -> Iterator[Check]:
 
 
 def carrier_checks(carrier: CarrierSizing) -> Iterator[Check]:
-    """Yield the checks of a carrier's pins and, where it turns, of its plate.
+    """Yield the checks of a carrier's pins, of the plate around them and, where it turns, of the plate at its hub.
 
     Args:
         carrier: As sized.
     """
     part, case = carrier.part, carrier.case
     yield stressed(part, "pin bending", "cantilever", carrier.pin_stress, carrier.pin_margin, case=case)
+    yield stressed(part, "pin in its hole", "p = F/(d t)", carrier.hole_pressure, carrier.hole_margin, case=case)
+    yield stressed(part, "eye shear", "tear-out, Tresca", carrier.eye_stress, carrier.eye_margin, case=case)
     if carrier.plate_margin is not None:
         yield stressed(part, "plate shear", "Tresca", carrier.plate_stress, carrier.plate_margin, case=case)
 

@@ -36,6 +36,7 @@ from gearwright.parts.iso6336.loads.mesh_loads import (
     specific_load,
 )
 from gearwright.parts.iso6336.loads.stiffness import MeshSprings, iron_factor, mesh_springs
+from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 
 __all__ = [
     "CENTRED",
@@ -59,6 +60,7 @@ __all__ = [
     "dynamic_factor",
     "dynamic_factor_by_speed",
     "face_load_factor",
+    "flank_tolerances",
     "iron_factor",
     "lead_allowance",
     "load_cycles",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from gearwright.arrays import Floats
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
 from gearwright.parts.bevel import face_and_root, mean_thickness
 from gearwright.parts.gears import (
@@ -19,6 +20,7 @@ from gearwright.parts.gears import (
     spanned_teeth,
     thinned,
 )
+from gearwright.parts.iso6336 import flank_tolerances
 from gearwright.render.drawings.sheet.entities import trimmed
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.face_view import face_teeth, is_face_wheel
@@ -41,6 +43,8 @@ CASE = (0.15, 0.2)
 """Depth of the case over the module, at least and at most [-]: within 0.1 to 0.2 of ISO 6336-5."""
 BALL = 1.75
 """Diameter of measuring balls over the module, rounded to 0.25 mm [-]."""
+LEADS = {"none": "as cut", "crowning": "crowned", "corrected": "corrected for the shafts' deflection"}
+"""Modification of the lead -> as the table says it."""
 Row = tuple[str, str, str]
 
 
@@ -220,6 +224,8 @@ def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
 def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     making = making_of(sizing, gear.stage)
     yield "Flank tolerance class", "", making.accuracy
+    if kind_of(sizing, gear.stage) == "cylindrical" and making.iso_class is not None:
+        yield from _deviations(sizing, gear, making.iso_class)
     if making.roughness is not None:
         flank, root = (f"{1e6 * roughness:g}" for roughness in making.roughness)
         yield "Roughness of flank / root", "R_{z}", f"{flank} / {root} µm"
@@ -229,6 +235,25 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     if "case-hardened" in steel:
         low, high = (_mm(share * gear.module) for share in CASE)
         yield "Case depth at 550 HV, ground (assumed)", "CHD", f"{low} to {high}; bore and splines soft"
+
+
+def _deviations(sizing: Sizing, gear: GearSizing, grade: int) -> Iterator[Row]:
+    """Yield what teeth may deviate by their class, and how their flanks are modified."""
+    d, b = gear.pitch_diameter, gear.face_width
+    may = flank_tolerances(d, gear.module, b, grade=grade)
+    yield "Single pitch", "f_{pT}", _microns(may.single_pitch)
+    yield "Profile slope / form", "f_{HαT} / f_{fαT}", f"{_microns(may.profile_slope)} / {_microns(may.profile_form)}"
+    yield "Helix slope", "f_{HβT}", _microns(may.helix_slope)
+    yield "Run-out of the teeth", "F_{rT}", _microns(runout_tolerance(d, gear.module, grade))
+    rules = sizing.design.rules(gear.stage).iso6336
+    relief = f"{1e6 * rules.tip_relief:.3g} µm" if rules.tip_relief else "none"
+    yield "Tip relief", "C_{a}", relief
+    yield "Lead", "", LEADS[rules.helix_modification]
+
+
+def _microns(value: float | Floats) -> str:
+    """Return a deviation, to 1 µm from 10 µm on, to 0.1 µm below [µm]."""
+    return f"{1e6 * float(value):.0f} µm" if float(value) >= 1e-5 else f"{trimmed(1e6 * float(value), 1)} µm"
 
 
 def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
