@@ -254,3 +254,12 @@ class JointSizing:
     """Of a key: A with round ends, B with square ones."""
     module: Length = 0.0
     """Of a spline [m]; zero for others."""
+
+
+def hub_bore_of(joint: JointSizing) -> Length:
+    """Return what a hub slides over [m]: its seat, of a spline what the hub's tips leave, d_B − 2 m (DIN 5480-1).
+
+    Args:
+        joint: As sized.
+    """
+    return joint.diameter - 2.0 * joint.module

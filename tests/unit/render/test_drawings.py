@@ -39,6 +39,7 @@ from gearwright.render.drawings.sheet.tolerances import Tolerance, frame_length,
 from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.render.drawings.views.positions import positions
 from gearwright.render.drawings.views.shaft_parts import shaft_body
+from gearwright.render.drawings.views.shafts.splines import hob_room
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.mass import complete_mass, gear_blanks
@@ -476,10 +477,10 @@ def test_a_first_sizing_has_no_datums_and_a_bored_gear_has_its_bore():
 
 
 def test_a_spline_stands_with_its_data():
-    """DIN 5480 - W 78 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.2 m, x = (d_B − m z − 1.1 m)/(2 m)."""
+    """DIN 5480 - W 77 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.2 m, x = (d_B − m z − 1.1 m)/(2 m)."""
     sheet = sheets(sized("ec120b"), ["shaft-mast"])[0]
     rows = table(sheet)
-    assert {"77.4", "70.5"} & {rows["Tip diameter"]} and {"71.4", "65.5"} & {rows["Root diameter, hobbed"]}
+    assert {"76.4", "70.5"} & {rows["Tip diameter"]} and {"70.4", "65.5"} & {rows["Root diameter, hobbed"]}
 
 
 def test_a_file_is_the_same_each_time(drawings):
@@ -564,6 +565,16 @@ def test_shoulders_teeth_and_splines_run_out_against_the_axis_of_both_seats():
     d = 88.0 / math.cos(math.radians(12.0))
     runout = 0.9 * (0.002 * d + 0.55 * math.sqrt(d) + 0.7 + 12.0) / math.sqrt(2.0)
     assert texts_of["shaft-tail"].count(f"{1e-3 * round(runout):g}") == 1
+
+
+def test_a_spline_that_a_hob_cannot_leave_is_to_be_shaped():
+    """1.5 mm from W 77 x 3 to the collar; a hob of Ø60 leaves teeth 3 mm deep over √(3 · 57) = 13.1 mm."""
+    said = {name: " ".join(words.text for words in words_of(sheets(sized("ec120b"), [name])[0]))
+            for name in ("shaft-mast", "shaft-intermediate")}  # fmt: skip
+    assert "DIN 5480 - W 77 x 3 x 24: shaped, as 1.5 mm lie before the next shoulder" in said["shaft-mast"]
+    assert "runs out over 13.1 mm" in said["shaft-mast"] and "shaped" not in said["shaft-intermediate"]
+    (teeth,) = shaft_body(sized("ec120b"), "intermediate").splines
+    assert hob_room(shaft_body(sized("ec120b"), "intermediate"), teeth) == pytest.approx(151.0 - 110.5)
 
 
 def test_hardened_teeth_have_a_line_beside_them_and_say_what_stays_soft():

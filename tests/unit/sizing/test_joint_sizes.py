@@ -4,8 +4,11 @@ import math
 
 import pytest
 
+import gearwright as gw
 from gearwright.catalogue import materials
 from gearwright.errors import DesignError
+from gearwright.render.drawings.views.shaft_parts import shaft_body
+from gearwright.sizing.mounted import hub_bore_of
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.sizing.shafts.joints import (
     Seat,
@@ -17,6 +20,7 @@ from gearwright.sizing.shafts.joints import (
     spline_root,
 )
 from gearwright.spec.design import Joint
+from shipped_work import sized
 
 STEEL = materials()["carburised-9310"]
 D = 0.050
@@ -193,3 +197,46 @@ def test_an_interference_of_the_users_may_be_too_small_at_speed():
     assert 0.0 < sized.running_pressure < sized.needed_pressure <= sized.pressure * (1.0 + 1e-9)
     loose = size_joint(joint, SEAT._replace(speed=20e3), D, STEEL)
     assert loose.running_pressure == 0.0
+
+
+def outside(shaft, seat):
+    """Return the thickest diameter over which what sits on a seat is slid on, from the side where that is less [m]."""
+    place = next(step for step in shaft.steps if step.seat == seat)
+    sides = (
+        [step.diameter for step in shaft.steps if step.end <= place.start],
+        [step.diameter for step in shaft.steps if step.start >= place.end],
+    )
+    return min(max(side, default=0.0) for side in sides)
+
+
+def test_hubs_of_splines_pass_with_their_teeth_over_what_is_further_out():
+    """W 70 x 2.5: d_B − 2 m = 65 mm over the bearings' seats of 65 mm; the mast beyond its rotor is turned to 66 mm."""
+    sizing = sized("ec120b")
+    shafts = {shaft.name: shaft for shaft in sizing.built_shafts}
+    splined = [joint for joint in sizing.joints if joint.kind == "spline"]
+    assert len(splined) == 5
+    for joint in splined:
+        assert hub_bore_of(joint) == pytest.approx(joint.diameter - 2.0 * joint.module)
+        assert hub_bore_of(joint) >= outside(shafts[joint.shaft], joint.part) - 1e-9, joint.part
+    (wheel,) = (joint for joint in splined if joint.part == "helical.wheel")
+    assert (wheel.designation, outside(shafts["intermediate"], "helical.wheel")) == (
+        "DIN 5480 - W 70 x 2.5 x 26",
+        0.065,
+    )
+    assert [shafts["mast"].steps[-1].diameter, shafts["mast"].steps[-2].seat] == [0.066, "main-rotor"]
+
+
+def test_a_spline_that_does_not_pass_over_the_seats_outside_it_is_refused_with_one_that_does():
+    text = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+    given = '"helical.wheel" = { kind = "spline", diameter_mm = 66 }'
+    with pytest.raises(DesignError, match=r"teeth that leave 61 mm in a seat of 66 mm .* over 65 mm .* give it 70 mm"):
+        gw.size(gw.parse(text.replace('"helical.wheel".kind = "spline"', given)))
+
+
+def test_splines_are_cut_on_to_the_end_of_their_seat_from_which_the_hub_comes():
+    """12 mm of the tail drive's hub of 30 mm bear, about 145 mm; its teeth go on to the end of the shaft at 160 mm."""
+    sizing = sized("ec120b")
+    (teeth,) = shaft_body(sizing, "tail").splines
+    assert (teeth.start, teeth.end) == pytest.approx((139.0, 160.0))
+    (wheel,) = shaft_body(sizing, "intermediate").splines
+    assert wheel.start == pytest.approx(73.5) and wheel.end == pytest.approx(92.0 + 37.0 / 2.0)

@@ -60,9 +60,11 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
         shoulder: [m].
 
     Source: DIN 743-2:2012: 1 + 1/√(A r/t + 2 B r/d (1 + 2 r/d)² + C (r/t)^z d/D), bending A = 0.62, B = 5.8,
-        C = 0.2, z = 3; torsion A = 3.4, B = 19, C = 1, z = 2. With an undercut of bottom d in a shaft of d_1:
-        (α_R − α_A) √((d_1 − d)/(D − d)) + α_A, of the shoulder and of a round groove, whose bending has A = 0.2,
-        B = 2.75, torsion A = 0.7, B = 10.3, C = 0.
+        C = 0.2, z = 3; torsion A = 3.4, B = 19, C = 1, z = 2; of a round groove, bending A = 0.2, B = 2.75, torsion
+        A = 0.7, B = 10.3, C = 0, as two public programs have them alike (GitHub: hanslhansl/din743,
+        sydgtfzguhgfhtr/ME_Wellennachweis). With an undercut of bottom d in a shaft of d_1, 5.2.2 of the standard:
+        (α_R − α_A) √((d_1 − d)/(D − d)) + α_A, of the shoulder and of a groove of the same d in D. This equation is
+        from memory; what finite elements say of it is told in docs/theory/shafts-in-bearings.md.
 
     Valid for: r/t ≥ 0.03, d/D ≤ 0.98.
 
@@ -76,12 +78,11 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
 
 
 def _undercut(shoulder: Shoulder, plain: float, groove: tuple[float, float, float]) -> float:
-    """Return α between that of the shoulder and that of the round groove that its undercut would be alone."""
+    """Return α between that of the shoulder, d_1 = d, and that of the groove that it ends as where d_1 = D."""
     if not shoulder.undercut:
         return plain
-    alone = shoulder._replace(larger=shoulder.diameter + 2.0 * shoulder.undercut)
-    share = math.sqrt((alone.larger - alone.diameter) / (shoulder.larger - shoulder.diameter))
-    return plain + share * (_alpha(alone, groove, 1.0) - plain)
+    share = math.sqrt(2.0 * shoulder.undercut / (shoulder.larger - shoulder.diameter))
+    return plain + share * (_alpha(shoulder, groove, 1.0) - plain)
 
 
 def _alpha(shoulder: Shoulder, shape: tuple[float, float, float], exponent: float) -> float:

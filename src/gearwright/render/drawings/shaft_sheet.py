@@ -19,6 +19,7 @@ from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, shaft
 from gearwright.render.drawings.views.shafts.hardness import Zone, zone_grid, zone_lines, zones
 from gearwright.render.drawings.views.shafts.keyways import keyway_section
 from gearwright.render.drawings.views.shafts.lengths import BETWEEN_SHOULDERS, TO_GROOVE, TO_TEETH, lengths
+from gearwright.render.drawings.views.shafts.splines import run_out_notes, spline_grids
 from gearwright.render.drawings.views.shafts.surfaces import (
     AXIS,
     DATUMS,
@@ -53,7 +54,7 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     mass = f"{mass_with_gears(sizing, body.gears, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
-    fits = (*_fits(body), *_fillets(body), *_splines(body), *(thread_grid(thread) for thread in body.threads))
+    fits = (*_fits(body), *_fillets(body), *spline_grids(body), *(thread_grid(thread) for thread in body.threads))
     return Content(
         f"shaft-{name}",
         title,
@@ -176,23 +177,6 @@ def _holder(held: Retention) -> str:
     return "nothing yet"
 
 
-def _splines(body: ShaftBody) -> Iterator[Grid]:
-    """Yield the data of every spline."""
-    for toothing in body.splines:
-        teeth = toothing.teeth
-        rows = (
-            ("Number of teeth", "z", f"{teeth.teeth}"),
-            ("Module", "m", millimetres(MM * teeth.module)),
-            ("Pressure angle", "α", "30°"),
-            ("Profile shift coefficient", "x", f"{teeth.profile_shift:.3g}"),
-            ("Reference diameter", "d_{B}", millimetres(MM * teeth.reference_diameter)),
-            ("Pitch diameter", "d", millimetres(MM * teeth.pitch_diameter)),
-            ("Tip diameter", "d_{a1}", millimetres(MM * teeth.shaft_tip)),
-            ("Root diameter, hobbed", "d_{f1}", millimetres(MM * teeth.shaft_root)),
-        )
-        yield Grid(f"Spline: {toothing.designation}", rows)
-
-
 def _limits(piece: Piece) -> tuple[str, str]:
     low, high = shaft_limits(piece.diameter / MM, piece.fit)
     return _deviation(high), _deviation(low)
@@ -219,6 +203,7 @@ def _notes(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[
     if body.slots:
         forms = " and ".join(sorted({slot.form for slot in body.slots}))
         yield f"Keyways DIN 6885-1, form {forms}, width P9, as symmetric as half of IT9 (assumed)."
+    yield from run_out_notes(body)
     if all(shaft.name != body.name for shaft in sizing.built_shafts):
         yield (
             "First sizing: one cylinder that bears bending and torsion. Shoulders, seats and joints are not sized, "

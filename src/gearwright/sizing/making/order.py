@@ -17,6 +17,7 @@ from gearwright.identity import GEARBOX, Kind, PartId, Role
 from gearwright.sizing import BuiltShaft, Sizing
 from gearwright.sizing.arranged import Body, Point, Station
 from gearwright.sizing.making.running import mates_of
+from gearwright.sizing.mounted import hub_bore_of
 from gearwright.sizing.places import room_between
 
 ENDS = {-1: "first", 1: "second"}
@@ -88,7 +89,7 @@ def slid_parts(sizing: Sizing, shaft: BuiltShaft) -> Iterator[Slid]:
     """
     parts = [(bearing.name, bearing.position, bearing.inner_diameter, True)
              for bearing in sizing.bearings if bearing.shaft == shaft.name]  # fmt: skip
-    parts += [(joint.part, joint.position, joint.diameter, False)
+    parts += [(joint.part, joint.position, hub_bore_of(joint), False)
               for joint in sizing.joints if joint.shaft == shaft.name and joint.kind != "integral"]  # fmt: skip
     for name, place, bore, rolls in sorted(parts, key=lambda part: part[1]):
         ways = {-1: [step.diameter for step in shaft.steps if step.end < place],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from gearwright.catalogue import Bearing
@@ -18,7 +18,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import cylinder
 from gearwright.sizing.shafts.bending import Bent
-from gearwright.sizing.shafts.joints import Seat, size_joint, spline_root
+from gearwright.sizing.shafts.joints import Seat, hub_bore, size_joint, spline_root
 from gearwright.sizing.shafts.sections import Borne, HubNotch, Section, Strength, borne, sections_of
 from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay, with_seals
 from gearwright.spec.design import NOTHING_GIVEN, Joint
@@ -176,7 +176,8 @@ def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) ->
     }
     plan = task.forces.plan
     ends = {name: max(needed.get(name, 0.0), THINNEST) for name in _loaded(task, items)}
-    return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings)
+    passes = {name: partial(hub_bore, joint) for name, joint in task.joints.items() if joint.kind == "spline"}
+    return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings, passes)
 
 
 def _leaves(task: Task) -> tuple[bool, bool]:

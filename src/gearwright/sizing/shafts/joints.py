@@ -243,6 +243,16 @@ def spline_root(joint: Joint, diameter: float) -> float:
     return _teeth(joint, diameter).shaft_root
 
 
+def hub_bore(joint: Joint, diameter: float) -> float:
+    """Return what a hub slides over: its seat, of a spline the tip circle of the hub [m].
+
+    Args:
+        joint: As the design gives it.
+        diameter: Of the seat [m].
+    """
+    return _teeth(joint, diameter).hub_tip if joint.kind == "spline" else diameter
+
+
 def _press_fit(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
     """Return a press fit as long as its hub that holds at speed; what the weaker of hub and shaft bears is allowed."""
     length = joint.length or (seat.hub_length if math.isfinite(seat.hub_length) else diameter)

@@ -2,8 +2,10 @@
 
 Parts are put on from both ends, so that diameters fall from the thickest stretch outwards. That is, in this order: the
 gears of one piece with the shaft; the hub between the bearings that needs the thickest seat; the stretch between the
-bearings. A bearing leans on a shoulder on its inner side where the next seat is thick enough for one, else on a spacer
-ring. A hub at the thickest seat leans on a collar on its longer side.
+bearings. The hub of a spline passes with its own teeth over what is further out, so that its seat is thicker than that
+by their height, and an end that sticks out of it and carries nothing is thinner. A bearing leans on a shoulder on its
+inner side where the next seat is thick enough for one, else on a spacer ring. A hub at the thickest seat leans on a
+collar on its longer side.
 
 Shoulders are as high as makers ask for their bearings: `SHOULDER` of the ring height D − d on the diameter, with a
 fillet of `BEARING_FILLET` of it: 52 mm and 1 mm for a 6209, 69 mm and 1.3 mm for an NU 2212, 101 mm and 1.5 mm for a
@@ -14,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
 from gearwright.catalogue import Bearing, next_seal_shaft, seals_for
@@ -107,6 +109,17 @@ class Wanted:
     """Thickest diameter without gears of one piece that the user gives [m]."""
     bearings: tuple[float, float]
     """Middles of the radial bearings [m]."""
+    passes: Mapping[str, Callable[[float], float]] = field(default_factory=dict)
+    """Hub with teeth -> what it slides over, by the diameter of its seat [m]; others slide over that."""
+
+    def over(self, hub: str, diameter: float) -> float:
+        """Return what a hub slides over [m].
+
+        Args:
+            hub: Its name.
+            diameter: Of its seat [m].
+        """
+        return self.passes[hub](diameter) if hub in self.passes else diameter
 
 
 def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
@@ -134,9 +147,12 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
 
     left = _climb(shaft, bare[:low], wanted, bounded, limit=limit)
     right = _climb(shaft, bare[high + 1 :][::-1], wanted, bounded, limit=limit)
-    middle = _core(shaft, bare[low : high + 1], (left, right), wanted)
+    # A hub at the thickest place leans on a collar on its longer side, and is slid on from the other one.
+    beyond = right if bare[low - 1].length > bare[high + 1].length else left
+    past = beyond[-1].diameter if beyond and bare[low].kind == "hub" else 0.0
+    middle = _core(shaft, bare[low : high + 1], (left, right), wanted, past=past)
     laid = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
-    return tuple(_ends(_collared(laid, low, high))), chosen
+    return tuple(_ends(_collared(laid, low, high), wanted)), chosen
 
 
 def with_seals(stretches: tuple[Stretch, ...], ends: tuple[bool, bool]) -> tuple[Stretch, ...]:
@@ -210,18 +226,39 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
         if stretch.kind == "bearing":
             laid = _seated(stretch, choose(stretch.name, needed, limit))
         elif stretch.kind == "hub":
-            laid = stretch.of(wanted.fixed.get(stretch.name, _whole(needed)))
+            laid = stretch.of(wanted.fixed.get(stretch.name, _passing(stretch.name, wanted, needed, reached)))
         else:
             laid = stretch.of(_whole(needed) if needed > reached else reached)
-        if laid.diameter < reached - _SAME:
-            message = (
-                f"{stretch.name} has a seat of {1e3 * laid.diameter:.4g} mm on {shaft!r} and must be slid over"
-                f" {1e3 * reached:.4g} mm further out; give it {1e3 * reached:.4g} mm or more, or move it"
-            )
-            raise DesignError([Problem(_path(stretch), message)])
+        _refuse_past(shaft, laid, wanted, reached)
         climbed = [*_shouldered(climbed, laid), laid] if laid.kind != "between" else [*climbed, laid]
         reached = laid.diameter
     return climbed
+
+
+def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
+    """Return the thinnest seat that a hub needs and that lets it slide over what is further out [m]."""
+    diameter = _whole(needed)
+    while wanted.over(hub, diameter) < past - _SAME:
+        diameter += 1e-3
+    return diameter
+
+
+def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None:
+    """Raise where a part does not slide over what is further out."""
+    over = wanted.over(laid.name, laid.diameter) if laid.kind == "hub" else laid.diameter
+    if over < past - _SAME:
+        least = _passing(laid.name, wanted, past, past) if laid.kind == "hub" else past
+        seat = f"{1e3 * laid.diameter:.4g} mm"
+        has = (
+            f"a seat of {seat}"
+            if over == laid.diameter
+            else f"teeth that leave {1e3 * over:.4g} mm in a seat of {seat}"
+        )
+        message = (
+            f"{laid.name} has {has} on {shaft!r} and must be slid over {1e3 * past:.4g} mm further out;"
+            f" give it {1e3 * least:.4g} mm or more, or move it"
+        )
+        raise DesignError([Problem(_path(laid), message)])
 
 
 def _path(stretch: Stretch) -> str:
@@ -254,9 +291,9 @@ def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
 
 
 def _core(
-    shaft: str, middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted
+    shaft: str, middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted, *, past: float
 ) -> list[Stretch]:
-    """Return the thickest stretches with their diameters."""
+    """Return the thickest stretches with their diameters; a hub there slides over what is past it."""
     beside = max((side[-1].diameter for side in sides if side), default=0.0)
     needed = max(beside, *(wanted.needed.get(stretch.name, 0.0) for stretch in middle))
     if middle[0].kind == "integral":
@@ -270,7 +307,9 @@ def _core(
             f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
         )
         raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
-    return [only.of(_whole(needed) if diameter is None else diameter)]
+    laid = only.of(_passing(only.name, wanted, needed, past) if diameter is None else diameter)
+    _refuse_past(shaft, laid, wanted, past)
+    return [laid]
 
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
@@ -307,10 +346,16 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
-def _ends(stretches: list[Stretch]) -> list[Stretch]:
-    """Return the stretches that have a length; an end that carries nothing is as thick as what sits beside it."""
+def _ends(stretches: list[Stretch], wanted: Wanted) -> list[Stretch]:
+    """Return the stretches that have a length; an end that carries nothing is as thick as what slides over it."""
     if stretches[0].diameter == 0.0:
-        stretches = [stretches[0].of(stretches[1].diameter), *stretches[1:]]
+        stretches = [stretches[0].of(_beside(stretches[1], wanted)), *stretches[1:]]
     if stretches[-1].diameter == 0.0:
-        stretches = [*stretches[:-1], stretches[-1].of(stretches[-2].diameter)]
+        stretches = [*stretches[:-1], stretches[-1].of(_beside(stretches[-2], wanted))]
     return [stretch for stretch in stretches if stretch.length > _SAME]
+
+
+def _beside(stretch: Stretch, wanted: Wanted) -> float:
+    """Return how thick an end beside a part is: as the part's seat, beside a hub with teeth as they leave it [m]."""
+    over = wanted.over(stretch.name, stretch.diameter)
+    return stretch.diameter if over == stretch.diameter else math.floor(1e3 * over + 1e-6) / 1e3

@@ -12,7 +12,7 @@ from gearwright.parts import bevel
 from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
-from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
+from gearwright.sizing import BuiltShaft, GearSizing, JointSizing, ShaftStep, Sizing
 from gearwright.sizing.shafts import Cut, Thread, grooves, sealed_exits, threads, undercuts_of
 
 MM = 1e3
@@ -152,7 +152,7 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         tuple(pieces),
         MM * built.bore,
         slots=tuple(_slot(joint) for joint in joints if joint.kind == "key"),
-        splines=tuple(_toothing(joint) for joint in joints if joint.kind == "spline"),
+        splines=tuple(_toothing(joint, built) for joint in joints if joint.kind == "spline"),
         gears=tuple(joint.part for joint in integral),
         fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections
                       if section.fillet and (section.position, section.diameter) not in feet),
@@ -268,9 +268,15 @@ def _slot(joint: JointSizing) -> Slot:
     return Slot(middle - half, middle + half, MM * joint.diameter, section, joint.designation, joint.form)
 
 
-def _toothing(joint: JointSizing) -> Toothing:
-    middle, half = MM * joint.position, MM * joint.length / 2.0
-    return Toothing(middle - half, middle + half, spline_of(joint), joint.designation)
+def _toothing(joint: JointSizing, built: BuiltShaft) -> Toothing:
+    """Return splines as long as they bear, and on to the end of their seat from which the hub is slid on."""
+    seat = next((step for step in built.steps if step.seat == joint.part), None)
+    low, high = joint.position - joint.length / 2.0, joint.position + joint.length / 2.0
+    if seat is not None:
+        before = max((step.diameter for step in built.steps if step.end <= seat.start), default=0.0)
+        behind = max((step.diameter for step in built.steps if step.start >= seat.end), default=0.0)
+        low, high = (seat.start, high) if before <= behind else (low, seat.end)
+    return Toothing(MM * low, MM * high, spline_of(joint), joint.designation)
 
 
 def spline_of(joint: JointSizing) -> Spline:

@@ -11,7 +11,7 @@ from gearwright.render.drawings.sheet.tolerances import Tolerance
 from gearwright.render.drawings.views.marks import ACROSS, AT_FACE, Mark, marked
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, thread_name
 from gearwright.render.drawings.views.shaft_view import Axis
-from gearwright.render.drawings.views.shafts.lengths import rests
+from gearwright.render.drawings.views.shafts.lengths import NEAR, rests
 from gearwright.render.style.labels import spread
 from gearwright.shape.teeth import cylindrical_gear, gear_of, kind_of, making_of
 from gearwright.sizing import Sizing
@@ -52,12 +52,17 @@ def surfaces(sizing: Sizing, axis: Axis, body: ShaftBody, seats: Sequence[Piece]
 
 
 def middle_of(body: ShaftBody, piece: Piece) -> float:
-    """Return where the diameter of a piece is dimensioned, beside keyways [mm].
+    """Return where the diameter of a piece is dimensioned, beside keyways and splines [mm].
 
     Args:
         body: The shaft.
         piece: Of it.
     """
+    for toothing in body.splines:
+        low, high = max(toothing.start, piece.start), min(toothing.end, piece.end)
+        if low < high:  # in the middle of what is longer beside them
+            before = low - piece.start > piece.end - high
+            return (piece.start + low) / 2.0 if before else (high + piece.end) / 2.0
     share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
     return piece.start + share * (piece.end - piece.start)
 
@@ -69,6 +74,8 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
         if not piece.fit and piece.diameter in beside and (piece.thread is None or piece.relieved):
             continue
         x = middle_of(body, piece)
+        if any(toothing.start - NEAR <= x <= toothing.end + NEAR for toothing in body.splines):
+            continue
         if piece.thread is not None:
             if not piece.relieved:
                 yield Mark(x, piece.diameter / 2.0, "", thread_name(piece.thread))
