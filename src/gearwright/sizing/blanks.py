@@ -16,6 +16,11 @@ BACKUP = 1.2
 AGMA 2001-D04, rim thickness factor."""
 PLANET_HUB = 1.1
 """Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
+CORNER = 2e-3
+"""Radius between web, rim and hub [m], an assumption."""
+GROOVE = 2.0
+"""Depth of a groove beside a web over its width between the corners, at most [-]: what is turned with usual tools, an
+estimate."""
 WALL = 0.6
 """Metal left under the roots where a shaft is as thick as they are, and around the roots of a ring, in modules [-]."""
 
@@ -59,6 +64,16 @@ def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tup
     return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)
 
 
+def turned_out(blank: Blank) -> Blank:
+    """Return a body whose grooves beside the web are at most as deep as a tool reaches; a narrow one is not turned.
+
+    Args:
+        blank: Its radii and widths, with the web that the rules give.
+    """
+    deepest = GROOVE * max(blank.rim_radius - blank.hub_radius - 2.0 * CORNER, 0.0)
+    return blank._replace(web_width=max(blank.web_width, blank.width - 2.0 * deepest))
+
+
 def planet_body_volume(design: Design, planet: GearSizing, outside: float) -> float:
     """Return what a planet fills under its teeth: rim, web, and a hub around what it turns on [m³].
 
@@ -69,4 +84,4 @@ def planet_body_volume(design: Design, planet: GearSizing, outside: float) -> fl
     """
     root = cylindrical_gear(design, planet).root_radius
     seat = (outside, PLANET_HUB * outside)
-    return blank_volume(blank_by_rules(planet, design.rules(planet.stage), root, seat=seat))
+    return blank_volume(turned_out(blank_by_rules(planet, design.rules(planet.stage), root, seat=seat)))

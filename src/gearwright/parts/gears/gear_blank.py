@@ -31,8 +31,8 @@ class Blank(NamedTuple):
 
     @property
     def is_solid(self) -> bool:
-        """Whether rim and hub meet, so that there is no web."""
-        return self.rim_radius <= self.hub_radius
+        """Whether rim and hub meet, or nothing is turned out between them."""
+        return self.rim_radius <= self.hub_radius or self.web_width >= self.width
 
     @property
     def hole_circle(self) -> float:

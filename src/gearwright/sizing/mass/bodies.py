@@ -22,7 +22,7 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.sizing.blanks import PLANET_HUB, WALL, blank_by_rules, external_tooth
+from gearwright.sizing.blanks import PLANET_HUB, WALL, blank_by_rules, external_tooth, turned_out
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.places import BOSS
@@ -190,10 +190,13 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
     """
     teeth, rules = cylindrical_gear(sizing.design, gear), sizing.design.rules(gear.stage)
     blank = blank_by_rules(gear, rules, teeth.root_radius, seat=_seat(sizing, gear, seats))
+    joint = sizing.design.joints.get(gear.name)
+    if joint is not None and joint.kind == "integral":  # one piece with its shaft, as its sheet has it
+        return blank._replace(web_width=blank.width)
     if gear.role is not Role.WHEEL:
-        return blank
+        return turned_out(blank)
     blank = blank._replace(holes=rules.web_holes if _kind(sizing, gear) == "cylindrical" else 0)
-    return _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else blank
+    return _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else turned_out(blank)
 
 
 def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:
