@@ -3,9 +3,10 @@
 Envelopes and places are `sizing`'s; pages and drawings that show solids are `render`'s.
 """
 
+from gearwright.shape.casings.flanges import FLANGES, screw_places
 from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
-from gearwright.shape.housing import CHAMBER, FLANGES
+from gearwright.shape.housing import CHAMBER
 from gearwright.shape.masses import SolidMass, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
@@ -43,6 +44,7 @@ __all__ = [
     "is_internal",
     "kind_of",
     "scene",
+    "screw_places",
     "sized_mesh",
     "solid_masses",
     "stands_of",

@@ -11,6 +11,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
+from gearwright.shape.casings.flanges import FLANGES, flange_halves
+from gearwright.shape.casings.loops import NEAR, SAME, fits, inside_of, loop_around
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
 from gearwright.shape.solids import Chamber, End, Opening, Solid, chamber_volume, has_room, round_hole, tube
@@ -19,13 +21,11 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.mass import (
     BOSS,
-    Flanges,
     Leaving,
     Stretch,
     flanges_of,
     housed,
     leaving_of,
-    outline_of,
     reaction_torque,
     shell_around,
     stretches_around,
@@ -34,24 +34,14 @@ from gearwright.sizing.mass import (
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
-SAME = 1e-4
-"""Steps of a wall that are less are none [m]."""
 LIP = 2e-4
 """How far a plate stands inside of its own wall [m]."""
 SAME_WAY = 1e-9
 """How far directions of one line may differ [-]."""
-NEAR = 1e-7
-"""Corners that are nearer are one [m]."""
 LEAST = 2.0
 """Length of a chamber over the wall's thickness, below which it is one with its neighbour [-]."""
 CHAMBER = "chamber"
 """What pieces of the shell are named."""
-FLANGES = "flange"
-"""What halves of flanges are named."""
-NEARLY = (0.8, 0.6, 0.4, 0.0)
-"""Perimeter over the longest one from which a cross-section carries flanges [-]: the width of flanges grows with it."""
-ROOM = 3.6
-"""From flange to flange over the thickness of a half [-]: both halves, nut, washer and end of a screw."""
 AROUND = 1.06
 """Hole for a shaft over the shaft's diameter [-]: as much as the housing leaves around what turns."""
 
@@ -124,7 +114,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
     flanges = flanges_of(sizing, shell, reaction_torque(sizing))
-    for k, (place, key, half) in enumerate(_flanges(flanges, stretches, wall)):
+    for k, (place, key, half) in enumerate(flange_halves(flanges, stretches, wall)):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
     for part, body in bearing_bodies(sizing):
@@ -191,61 +181,16 @@ def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: tuple[list[
             ends.append(None)
             continue
         span[side] += way * wall
-        holes = [] if beside is None else [_outline(np.minimum(_inside(own, wall) - LIP, _inside(beside, wall)))]
+        holes = [] if beside is None else [loop_around(np.minimum(inside_of(own, wall) - LIP, inside_of(beside, wall)))]
         for (low, high), middle, radius in leaving[0]:
-            through = beside is not None and _fits(beside.reach + wall, middle, -radius)
+            through = beside is not None and fits(beside.reach + wall, middle, -radius)
             is_there = low - LEAST * wall < plane < high + LEAST * wall
-            if is_there and not through and _fits(_inside(own, wall), middle, radius):
+            if is_there and not through and fits(inside_of(own, wall), middle, radius):
                 holes.append(round_hole(middle, radius))
         ends.append(End(wall, tuple(holes)))
-    inside = _inside(own, wall)
-    found = Chamber(_outline(inside + wall), _outline(inside), (span[0], span[1]), (ends[0], ends[1]))
+    inside = inside_of(own, wall)
+    found = Chamber(loop_around(inside + wall), loop_around(inside), (span[0], span[1]), (ends[0], ends[1]))
     return found._replace(openings=tuple(opening for opening in leaving[1] if has_room(found, opening)))
-
-
-def _inside(own: Stretch, wall: float) -> Floats:
-    """Return how far the inside of a wall is: the wall's middle where it is weighed, where there is room for it."""
-    corners = _outline(own.reach - wall / 2.0)
-    return np.asarray(np.maximum(np.max(corners @ _ways(len(own.reach)).T, axis=0), own.least))
-
-
-def _ways(count: int) -> Floats:
-    angle = 2.0 * math.pi * np.arange(count) / count
-    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
-
-
-def _fits(reach: Floats, middle: Floats, radius: float) -> bool:
-    """Tell whether a circle lies in a cross-section; of a negative radius, whether any of it does."""
-    return bool(np.all(_ways(len(reach)) @ middle + radius < reach))
-
-
-def _outline(reach: Floats) -> Floats:
-    """Return the corners of the polygon n·p ≤ h, also where some of its sides lie outside of others [m]."""
-    loop, ways = outline_of(reach), _ways(len(reach))
-    if np.all(loop @ ways.T <= reach + NEAR):
-        return _cleaned(loop)
-    wide = 2.0 * float(np.max(np.abs(reach)))
-    corners = [complex(wide, -wide), complex(wide, wide), complex(-wide, wide), complex(-wide, -wide)]
-    for way, limit in zip((ways[:, 0] - 1j * ways[:, 1]).tolist(), reach.tolist(), strict=True):
-        far = [(corner * way).real - limit for corner in corners]
-        if max(far) <= 0.0:
-            continue
-        kept: list[complex] = []
-        for here, there, corner, onward in zip(
-            far, [*far[1:], far[0]], corners, [*corners[1:], corners[0]], strict=True
-        ):
-            if here <= 0.0:
-                kept.append(corner)
-            if (here < 0.0 < there) or (there < 0.0 < here):
-                kept.append(corner + here / (here - there) * (onward - corner))
-        corners = kept
-    loop = np.array([[corner.real, corner.imag] for corner in corners])
-    return _cleaned(loop)
-
-
-def _cleaned(loop: Floats) -> Floats:
-    """Return a loop with one corner where several coincide."""
-    return np.asarray(loop[np.linalg.norm(loop - np.roll(loop, 1, axis=0), axis=1) > NEAR])
 
 
 def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
@@ -295,52 +240,3 @@ def _across(sizing: Sizing) -> Iterator[Opening]:
             sign, place = (1.0, leaving.start) if leaving.start else (-1.0, leaving.end)
             along, origin = (np.array([one.y, one.z, one.x]) for one in (frame.along, frame.origin))
             yield Opening(sign * along[:2], origin + place * along, radius)
-
-
-def _flanges(flanges: Flanges, stretches: Sequence[Stretch], wall: float) -> Iterator[tuple[float, str, Chamber]]:
-    """Yield place, key and solid of both halves of every flange, as heavy as they are weighed."""
-    for k, place in _joints(stretches, flanges.number, flanges.thickness, wall):
-        solid = _flange(_inside(stretches[k], wall) + wall, flanges.face, flanges.thickness)
-        yield place - flanges.thickness, f" {k + 1}", solid
-        yield place, f" {k + 1}", solid
-
-
-def _joints(stretches: Sequence[Stretch], count: int, thick: float, wall: float) -> list[tuple[int, float]]:
-    """Return number of the cross-section and place of every flange, from the first end to the last [m].
-
-    They stand apart around cross-sections nearly as long around as the longest one; where there is no room for screws
-    between them, around shorter ones, too.
-    """
-    longest, found = max(one.perimeter for one in stretches), list[tuple[int, float]]()
-    free = [_beside_plates(stretches, k, 2.0 * thick + wall) for k in range(len(stretches))]
-    for least in NEARLY:
-        wide = [k for k, one in enumerate(stretches) if one.perimeter >= least * longest and free[k][0] <= free[k][1]]
-        ends = np.cumsum([stretches[k].length for k in wide])
-        found = []
-        for share in np.linspace(0.0, float(ends[-1]), count):
-            j = int(np.searchsorted(ends, share - NEAR))
-            place = stretches[wide[j]].end + share - float(ends[j])
-            low, high = free[wide[j]]
-            found.append((wide[j], min(max(place, low), high)))
-        if all(other[1] - one[1] > ROOM * thick for one, other in pairwise(found)):
-            break
-    return found
-
-
-def _beside_plates(stretches: Sequence[Stretch], k: int, room: float) -> tuple[float, float]:
-    """Return from where to where a flange may stand: away from plates of wider chambers beside its own [m]."""
-    own, low, high = stretches[k], stretches[k].start, stretches[k].end
-    if k > 0 and np.any(stretches[k - 1].reach > own.reach + SAME):
-        low += room
-    if k + 1 < len(stretches) and np.any(stretches[k + 1].reach > own.reach + SAME):
-        high -= room
-    return low, high
-
-
-def _flange(reach: Floats, face: float, thick: float) -> Chamber:
-    """Return one half of a flange around a wall: as wide as its face is large [m²]."""
-    inner = _outline(reach)
-    around = float(np.sum(np.linalg.norm(np.roll(inner, -1, axis=0) - inner, axis=1)))
-    more = len(reach) * math.tan(math.pi / len(reach))
-    wide = (math.sqrt(around**2 + 4.0 * more * face) - around) / (2.0 * more)
-    return Chamber(_outline(reach + wide), inner, (0.0, thick))

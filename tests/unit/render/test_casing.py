@@ -7,13 +7,16 @@ import pytest
 
 import gearwright as gw
 from gearwright.render.drawings.casing.casing_section import casing_section
+from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, span_of
 from gearwright.render.drawings.casing.section_path import lanes
+from gearwright.render.drawings.casing_sheet import casing_content
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Hatch, Words
+from gearwright.render.drawings.sheet.entities import Distance, Hatch, Words
 from gearwright.render.drawings.views.positions import positions
+from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.mass import complete_mass
+from gearwright.sizing.mass import complete_mass, flanges_of, housed, reaction_torque, shell_around
 from shipped_work import sized
 
 MM = 1e3
@@ -150,3 +153,70 @@ def test_a_view_that_stands_elsewhere_has_an_arrow_and_a_letter():
     assert len(letters) == 2
     (none,) = sheets(sized("in-line-h2"), ["arrangement"])
     assert not [mark for mark in none.entities if isinstance(mark, Words) and mark.height == 5.0 and mark.text == "A"]
+
+
+@pytest.mark.parametrize("name", ["ec120b", "face-gear-split-torque", "in-line-h2", "off-set-h2"])
+def test_the_sheet_of_the_housing_cuts_the_metal_that_is_there(name):
+    """Also where the arrangement has no true section: the plane goes through the first axis and most of the others."""
+    scene = gw.scene(sized(name))
+    casing = casing_of(sized(name), scene)
+    rectangles = [one for cut in casing.section.cuts for one in cut.rectangles]
+    bosses = [node for node in scene.nodes if "boss of" in node.name]
+    box = [pick(values) for values in zip(*((one.start, one.end, one.low, one.high) for one in rectangles), strict=True)
+           for pick in (min, max)]  # fmt: skip
+    rng = np.random.default_rng(11)
+    metal = 0
+    for x, y in zip(rng.uniform(box[0], box[3], 1500), rng.uniform(box[4], box[7], 1500), strict=True):
+        point = np.array([x, *(casing.foot + y * casing.up)])
+        if any(near(scene, node, point) for node in bosses):
+            continue
+        drawn = any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
+        local = [((point - node.axes.origin) @ node.axes.turned, solid) for node, solid in casing.pieces]
+        depth = max(depth_in(at[None], solid) for at, solid in local)
+        assert drawn == (depth > 0.0), (x, y)
+        metal += drawn
+    assert metal > 50
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_screws_stand_in_the_faces_of_flanges_as_far_apart_as_a_spanner_asks(name):
+    sizing = sized(name)
+    casing = casing_of(sizing, gw.scene(sizing))
+    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    for _, half in casing.halves:
+        places = screw_places(half, flanges.screws)
+        for shift in (0.0, 0.55 * flanges.thread, -0.55 * flanges.thread):
+            off = places - places.mean(axis=0)
+            moved = places + shift * off / np.linalg.norm(off, axis=1)[:, None]
+            points = np.column_stack([moved, np.full(len(places), half.span[1] / 2.0)])
+            assert all(depth_in(point[None], half) > 0.0 for point in points)
+        apart = np.linalg.norm(places - np.roll(places, 1, axis=0), axis=1)
+        assert apart.max() < 6.5 * flanges.thread  # 5 d along the wall that is weighed, more along the face
+
+
+def test_the_sheet_of_the_housing_says_what_is_weighed_and_how_axes_stand():
+    """js7 of 213.669 mm, 23 µm; the whole length by its chambers; 45 screws M6 for a girth of 1.347 m, 5 d apart."""
+    sizing = sized("ec120b")
+    content = casing_content(sizing)
+    grids = {grid.title: grid.rows for grid in content.grids}
+    assert {row[4] for row in grids["Flanges [mm]"]} == {"45 x M6"} and len(grids["Flanges [mm]"]) == 3
+    assert ("tail", "-79.231", "0") in grids["Axes along the first shaft [mm]"]
+    mass = sum(item.total for item in complete_mass(sizing).parts
+               if item.group == "housing" and item.part != "housing bolts")  # fmt: skip
+    assert content.title.mass == f"{mass:.1f}"
+    (sheet,) = [sheet for sheet in sheets(sizing, ["housing"]) if sheet.name == "housing"]
+    said = [mark for mark in sheet.entities if isinstance(mark, Distance)]
+    assert any(mark.text == "213.67 ±0.023" for mark in said)
+    casing = casing_of(sizing, gw.scene(sizing))
+    ends = [place for piece in casing.chambers for place in span_of(*piece)]
+    assert any(math.isclose(mark.measured, MM * (max(ends) - min(ends)), rel_tol=1e-9) for mark in said)
+
+
+def test_what_is_seen_from_the_first_end_hides_what_is_behind_it():
+    """In-line: four chambers, of which the last lies behind wider ones, and one flange before an equal one."""
+    sizing = sized("in-line-h2")
+    casing = casing_of(sizing, gw.scene(sizing))
+    radii = sorted({round(max(abs(point) for point in path.points)) for path in end_outlines(casing, 1.0)})
+    outer = [solid.outer for _, solid in (*casing.chambers[:3], casing.halves[0])]
+    wide = [MM * float(np.linalg.norm(loop, axis=1).max()) for loop in outer]
+    assert radii[-4:] == [round(each) for each in wide]

@@ -507,7 +507,7 @@ def test_crossed_axes_are_seen_along_the_first_shaft_too():
 
 def test_bores_of_the_housing_have_their_bearings_sizes_and_what_they_must_keep():
     sizing = sized("ec120b")
-    (sheet,) = sheets(sizing, ["housing"])
+    (sheet,) = sheets(sizing, ["housing-bores"])
     values = measured(sheet)
     for bearing in sizing.bearings:
         assert any(math.isclose(1e3 * bearing.outer_diameter, value, rel_tol=1e-9) for value in values), bearing.name

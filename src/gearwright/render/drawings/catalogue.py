@@ -8,6 +8,7 @@ from dataclasses import replace
 from gearwright.errors import Problem, near, refuse
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.carriers.carrier_sheet import carrier_content
+from gearwright.render.drawings.casing_sheet import casing_content
 from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.housing_sheet import housing_content
 from gearwright.render.drawings.shaft_sheet import shaft_content
@@ -42,7 +43,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
 
 
 def contents(sizing: Sizing) -> Iterator[Content]:
-    """Yield what every sheet shows: the general arrangement, shafts, gears, carriers, bores of the housing.
+    """Yield what every sheet shows: the general arrangement, shafts, gears, carriers, the housing and its bores.
 
     Args:
         sizing: What was sized.
@@ -53,9 +54,7 @@ def contents(sizing: Sizing) -> Iterator[Content]:
         for label, shaft in gear_sheets(sizing, gear).items():
             yield gear_content(sizing, gear, shaft, label)
     yield from (carrier_content(sizing, carrier) for carrier in sizing.carriers)
-    bores = housing_content(sizing)
-    if bores is not None:
-        yield bores
+    yield from (content for content in (casing_content(sizing), housing_content(sizing)) if content is not None)
 
 
 def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:

@@ -8,7 +8,7 @@ from gearwright.sizing.mass.bodies import bevel_cones, bevel_hub, bevel_web, gea
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.flanges import Flanges, flanges_of, screw_volume
+from gearwright.sizing.mass.flanges import HOLE, Flanges, flanges_of, screw_volume
 from gearwright.sizing.mass.housed import housed
 from gearwright.sizing.mass.housing import BOSS, MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
@@ -22,6 +22,7 @@ __all__ = [
     "BRIDGE",
     "CALIBRATED",
     "GROUPS",
+    "HOLE",
     "MOUNTS",
     "RIBS",
     "Bridge",

@@ -77,7 +77,7 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     steps = tuple(lane.end for lane in ways[:-1])
     legs = [leg for lane in ways for leg in lane.legs]
     flat = all(abs(float(leg.along @ legs[0].along)) > 1.0 - SQUARE for leg in legs)
-    return CasingSection(tuple(united(rectangles, _joints(scene))), steps, flat, tuple(leaning))
+    return CasingSection(tuple(united(rectangles, joints_of(scene))), steps, flat, tuple(leaning))
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
@@ -94,8 +94,12 @@ def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle
     return found
 
 
-def _joints(scene: Scene) -> list[float]:
-    """Return where halves of flanges meet, along the first shaft [m]."""
+def joints_of(scene: Scene) -> list[float]:
+    """Return where halves of flanges meet, along the first shaft [m].
+
+    Args:
+        scene: With the housing.
+    """
     halves = [node for node in scene.nodes if node.look == "housing" and FLANGES in node.name]
     places = sorted(float(node.axes.origin[0]) for node in halves)
     return places[1::2]

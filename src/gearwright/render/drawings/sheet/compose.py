@@ -19,7 +19,7 @@ AIR = 8.0
 """Free room around views and tables [mm]."""
 FILLED = 0.25
 """Share of an A0 sheet below which a smaller scale is better [-]."""
-WISHES = ((1.0, 2), (0.5, 3), (0.2, 4), (0.0, 4))
+WISHES = ((1.0, 2), (0.5, 3), (0.2, 4), (0.1, 4), (0.05, 4), (0.0, 4))
 """Scales that are wished for, one after the other [-], each with the number of sheet sizes to try for it."""
 
 View = list[Entity]

@@ -51,7 +51,7 @@ def end_view(sizing: Sizing, scale: float) -> list[Entity]:
     down = sum(frames[name].along[2] for name in frames if name not in along) < 0.0
     if down:  # shafts across the view are drawn upright, as the section has them
         entities, names_of = _upside_down(entities), [(-middle, name) for middle, name in names_of]
-    return [*entities, *_names(names_of, list(segments(entities)))]
+    return [*entities, *names_beside(names_of, list(segments(entities)))]
 
 
 def _upside_down(entities: Sequence[Entity]) -> list[Entity]:
@@ -97,8 +97,13 @@ def _seen(point: Sequence[float], scale: float) -> complex:
     return scale * MM * complex(point[1], point[2])
 
 
-def _names(named: Sequence[tuple[complex, str]], lines: Sequence[Segment]) -> list[Words]:
-    """Return the names of shafts beside their axes, each at the nearest place that no line and no name crosses."""
+def names_beside(named: Sequence[tuple[complex, str]], lines: Sequence[Segment]) -> list[Words]:
+    """Return the names of shafts beside their axes, each at the nearest place that no line and no name crosses.
+
+    Args:
+        named: Axes [mm of paper] with their names.
+        lines: Of the view.
+    """
     found: list[Words] = []
     for middle, name in named:
         wide = words_length(name, SMALL)

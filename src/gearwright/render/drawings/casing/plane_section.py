@@ -1,0 +1,226 @@
+"""The housing alone: cut by a plane along the first shaft, and seen from its first end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of
+from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
+from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.shape import FLANGES, Node, Scene, screw_places
+from gearwright.shape.solids import Chamber, Leg, Rectangle, Solid, cut_chamber, spans_in, united, without
+from gearwright.sizing import Sizing
+
+LINED = 1e-9
+"""How far axes may turn from along the plane, or from square to it [-]."""
+COVERED = 1e-5
+"""By how much what stands before an edge is taken as wider, so that equal edges are drawn once [-]."""
+SHOWN = 1e-4
+"""Edges that are shorter are left out [m]."""
+
+
+@dataclass(frozen=True)
+class Casing:
+    """A housing by itself."""
+
+    scene: Scene
+    up: Floats
+    """What the sheet has upwards, across the first shaft: y and z in space [-], shape (2,)."""
+    foot: Floats
+    """Where the first shaft stands [m], shape (2,)."""
+    section: CasingSection
+    """In the plane of the first shaft and of that direction, heights from the first shaft on."""
+
+    @property
+    def pieces(self) -> list[tuple[Node, Chamber]]:
+        """Its chambers and halves of flanges, from the first end on."""
+        nodes = [(node, self.scene.solids[node.surface]) for node in self.scene.nodes if node.look == "housing"]
+        found = [(node, solid) for node, solid in nodes if isinstance(solid, Chamber)]
+        return sorted(found, key=lambda piece: span_of(*piece)[0])
+
+    @property
+    def chambers(self) -> list[tuple[Node, Chamber]]:
+        """Its chambers, from the first end on."""
+        return [piece for piece in self.pieces if FLANGES not in piece[0].name]
+
+    @property
+    def halves(self) -> list[tuple[Node, Chamber]]:
+        """Halves of its flanges, from the first end on."""
+        return [piece for piece in self.pieces if FLANGES in piece[0].name]
+
+    @property
+    def leg(self) -> Leg:
+        """The plane of the section as a way across the first shaft."""
+        return Leg(-math.inf, math.inf, self.foot, self.up)
+
+    @property
+    def start(self) -> float:
+        """Where it begins along the first shaft [m]."""
+        return span_of(*self.pieces[0])[0]
+
+    def seen(self, points: Floats) -> Floats:
+        """Return points across the first shaft as the view from the first end has them, x + i y [m], shape (n,).
+
+        Args:
+            points: y and z in space [m], shape (n, 2).
+        """
+        off = np.asarray(points) - self.foot
+        return np.asarray(off @ np.array([-self.up[1], self.up[0]]) + 1j * (off @ self.up))
+
+
+def span_of(node: Node, solid: Chamber) -> tuple[float, float]:
+    """Return from where to where along the first shaft a chamber or half of a flange is [m].
+
+    Args:
+        node: The piece.
+        solid: Its solid.
+    """
+    at = float(node.axes.origin[0])
+    return at + solid.span[0], at + solid.span[1]
+
+
+def casing_of(sizing: Sizing, scene: Scene) -> Casing | None:
+    """Return the housing by itself; None where there is none, or no plane along the first shaft cuts it squarely.
+
+    The plane goes through as many axes as can be.
+
+    Args:
+        sizing: What was sized.
+        scene: Its solids.
+    """
+    if not sizing.design.housing.own:
+        return None
+    frames = list(sizing.arrangement.frames.values())
+    foot, ways = np.array(frames[0].origin[1:]), [np.array([1.0, 0.0]), np.array([0.0, 1.0])]
+    for frame in frames:
+        off = np.array(frame.origin[1:]) - foot
+        if float(np.linalg.norm(off)) > SHOWN and abs(frame.along.x) > 1.0 - LINED:
+            ways.append(off / np.linalg.norm(off))
+    held = [sum(abs(float((np.array(frame.origin[1:]) - foot) @ [-way[1], way[0]])) < SHOWN for frame in frames)
+            for way in ways]  # fmt: skip
+    for k in sorted(range(len(ways)), key=lambda k: -held[k]):
+        section = _section(scene, foot, ways[k])
+        if section is not None:
+            return Casing(scene, ways[k], foot, section)
+    return None
+
+
+def _section(scene: Scene, foot: Floats, up: Floats) -> CasingSection | None:
+    leg = Leg(-math.inf, math.inf, foot, up)
+    rectangles: list[Rectangle] = []
+    for node in (node for node in scene.nodes if node.look == "housing"):
+        solid, at = scene.solids[node.surface], float(node.axes.origin[0])
+        found = cut_chamber(solid, [leg]) if isinstance(solid, Chamber) else _cut_boss(node, solid, foot, up)
+        if found is None:
+            return None
+        moved = at if isinstance(solid, Chamber) else 0.0
+        rectangles += [one._replace(start=one.start + moved, end=one.end + moved) for one in found]
+    return CasingSection(tuple(united(rectangles, joints_of(scene))), (), flat=True, leaning=())
+
+
+def _cut_boss(node: Node, solid: Solid, foot: Floats, up: Floats) -> list[Rectangle] | None:
+    """Return what a plane along the first shaft cuts of a boss; None where it cuts it neither along nor beside it."""
+    along, origin, half = node.axes.along, node.axes.origin, max(z for z, _ in solid.profile)
+    inner, outer = (pick(radius for _, radius in solid.profile) for pick in (min, max))
+    out = np.array([0.0, -up[1], up[0]])
+    off = float((origin[1:] - foot) @ out[1:])
+    height = float((origin[1:] - foot) @ up)
+    if abs(float(along @ out)) > LINED:
+        return [] if abs(off) > half * abs(float(along @ out)) + outer else None
+    if abs(off) >= outer:
+        return []
+    far, near = math.sqrt(outer**2 - off**2), math.sqrt(max(inner**2 - off**2, 0.0))
+    pieces = ((near, far), (-far, -near)) if near else ((-far, far),)
+    if abs(along[0]) > 1.0 - LINED:
+        return [Rectangle(origin[0] - half, origin[0] + half, height + low, height + high) for low, high in pieces]
+    if abs(along[0]) < LINED:
+        return [Rectangle(origin[0] + low, origin[0] + high, height - half, height + half) for low, high in pieces]
+    return None
+
+
+def holes_behind(casing: Casing, scale: float) -> Iterator[Entity]:
+    """Yield the edges of holes in plates that are seen beyond the section.
+
+    Args:
+        casing: The housing.
+        scale: mm of paper per mm [-].
+    """
+    leg, paper = casing.leg, scale * MM
+    for node, solid in casing.chambers:
+        for place, way, end in zip(span_of(node, solid), (1.0, -1.0), solid.ends, strict=True):
+            for low, high in (span for hole in (end.holes if end else ()) for span in spans_in(hole, [leg])):
+                for x in (place, place + way * (end.thickness if end else 0.0)):
+                    yield Path((paper * complex(x, low), paper * complex(x, high)), Layer.OUTLINE)
+
+
+def uncut(casing: Casing, scale: float) -> Iterator[Entity]:
+    """Yield the outlines of chambers that the plane does not meet, dashed.
+
+    Args:
+        casing: The housing.
+        scale: mm of paper per mm [-].
+    """
+    for node, solid in casing.chambers:
+        if not spans_in(solid.outer, [casing.leg]):
+            (start, end), heights = span_of(node, solid), casing.seen(solid.outer).imag
+            low, high = float(heights.min()), float(heights.max())
+            corners = (complex(start, low), complex(end, low), complex(end, high), complex(start, high))
+            yield Path(tuple(scale * MM * corner for corner in corners), Layer.HIDDEN, closed=True)
+
+
+def end_outlines(casing: Casing, scale: float) -> Iterator[Entity]:
+    """Yield what is seen of chambers, flanges and holes from the first end; what others before them hide is left out.
+
+    Args:
+        casing: The housing.
+        scale: mm of paper per mm [-].
+    """
+    before: list[Floats] = []
+    for _, solid in casing.pieces:
+        yield from _edges(casing, solid.outer, before, scale)
+        for hole in solid.ends[0].holes if solid.ends[0] else ():
+            yield from _edges(casing, hole, before, scale)
+        before.append(solid.outer + COVERED * (solid.outer - solid.outer.mean(axis=0)))
+
+
+def _edges(casing: Casing, loop: Floats, before: Sequence[Floats], scale: float) -> Iterator[Path]:
+    """Yield what is seen of a loop past what stands before it, in lines as long as can be."""
+    run: list[complex] = []
+    for here, there in pairwise(np.concatenate([loop, loop[:1]])):
+        length = float(np.linalg.norm(there - here))
+        if length < 1e-9:
+            continue
+        leg = Leg(0.0, length, here, (there - here) / length)
+        left = [(0.0, length)]
+        for other in before:
+            left = without(left, spans_in(other, [leg]))
+        for low, high in left:
+            points = casing.seen(np.array([here + at * leg.along for at in (low, high)]))
+            ends = [complex(point) * scale * MM for point in points]
+            if run and abs(run[-1] - ends[0]) < 1e-6:
+                run.append(ends[1])
+                continue
+            if len(run) > 1:
+                yield Path(tuple(run), Layer.OUTLINE)
+            run = ends
+    if len(run) > 1:
+        yield Path(tuple(run), Layer.OUTLINE)
+
+
+def screw_circles(casing: Casing, number: int, hole: float, scale: float) -> list[Arc]:
+    """Return the holes of the first flange, seen from the first end.
+
+    Args:
+        casing: The housing.
+        number: Of screws.
+        hole: Radius [m].
+        scale: mm of paper per mm [-].
+    """
+    places = casing.seen(screw_places(casing.halves[0][1], number))
+    return [Arc(complex(at) * scale * MM, hole * scale * MM, Layer.THIN) for at in places]
