@@ -240,7 +240,7 @@ def _notes(sizing: Sizing, casing: Casing, flanges: Flanges) -> Iterator[str]:
         yield "Dashed: chambers that the plane does not meet."
     yield "Lengths from the outside of the first end. y and z across the first shaft, as in the arrangement."
     yield f"Positions of axes by {CENTRE_FIT} (DIN 3964) where the design gives nothing; flatness of joints assumed."
-    hidden = [name.removeprefix("housing ") for name in made_of(sizing).casing if name not in (*SHOWN, SCREWS)]
+    hidden = [name for name in made_of(sizing).casing if name not in (*SHOWN, SCREWS)]
     if hidden:
         yield f"In the mass, not drawn: {', '.join(hidden)}. Radii, drafts and walls that carry bosses are not sized."
     if sizing.bearings:

@@ -220,4 +220,4 @@ def _notes() -> Iterator[str]:
     yield f"Position of axes: as far as centre distances may vary, {CENTRE_FIT} (DIN 3964) where nothing is given."
     yield f"Axes of a bevel pair are square to {grade} of the distance of its bearings (assumed)."
     yield "Free bores have 1 mm more than their bearings, which bear no radial load. Frames at bores mean their axes."
-    yield f"Walls and shoulders as wide as drawn ({LIP:g} mm) are not sized; the housing around them is on its own sheet."
+    yield f"Walls and shoulders as wide as drawn ({LIP:g} mm) are not sized; the housing has its own sheet."
