@@ -14,7 +14,7 @@ from gearwright.shape.stands import Stand
 from gearwright.shape.teeth import bevel_pair, halves_of, hand_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.mass import bevel_hub, bevel_web, ring_outside, tooth_of
+from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web, ring_outside, tooth_of
 
 
 class Leaning(NamedTuple):
@@ -69,7 +69,8 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
         pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
         bore = blanks[gear.name].bore_radius
         web = bevel_web(sizing, gear, bore)
-        way = bevel_way(pair, side, bore, web, bevel_hub(sizing, gear, bore))
+        hub, dish = bevel_hub(sizing, gear, bore), bevel_dish(sizing, gear)
+        way = bevel_way(pair, side, bore, web, hub, dish=dish)
         return bevel_gear(pair, side, way, hand=leaning.hand, fine=fine)
     if kind == "face" and gear.role is Role.WHEEL:
         pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)

@@ -60,7 +60,7 @@ def bevel_form(pair: BevelPair, side: int, *, fillet: int, flank: int) -> tuple[
 
 
 def bevel_way(
-    pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None
+    pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None, *, dish: float = 0.0
 ) -> list[tuple[float, float]]:
     """Return the way behind the teeth from the large end to the small one, z and radius [m].
 
@@ -70,16 +70,19 @@ def bevel_way(
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate between rim and hub over the face width [-].
         seat: The hub where its seat is sized.
+        dish: By how much the plate leans away from the apex towards the hub [-].
 
     Source: cones about the apex, ISO 23509:2016; rim 1.2 times the depth of the teeth behind the roots (AGMA 2001-D04).
     """
     tooth, mean = virtual_tooth(pair, side), pair.mean_cone_distance
     back = tooth.root_radius - RIM * (tooth.tip_radius - tooth.root_radius) - tooth.pitch_radius
     toe, heel = (_under(pair, side, far, back * far / mean) for far in _ends(pair))
-    return way_behind(toe, heel, bore, web=web * pair.face_width, seat=seat)
+    return way_behind(toe, heel, bore, web=web * pair.face_width, seat=seat, dish=dish)
 
 
-def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None) -> float:
+def bevel_volume(
+    pair: BevelPair, side: int, bore: float, web: float = WEB, seat: SeatHub | None = None, *, dish: float = 0.0
+) -> float:
     """Return what a bevel gear fills: its teeth, and the body under their roots [m³].
 
     Args:
@@ -88,6 +91,7 @@ def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB, seat
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate between rim and hub over the face width [-].
         seat: The hub where its seat is sized.
+        dish: By how much the plate leans away from the apex towards the hub [-].
 
     Source: teeth that taper to the apex are a pyramid's frustum, V = z A (R_e³ − R_i³)/(3 R_m²), as every point of a
         back cone is R from the apex along its normal; frusta of cones behind them.
@@ -96,7 +100,7 @@ def bevel_volume(pair: BevelPair, side: int, bore: float, web: float = WEB, seat
     crown = pair.teeth[side] * outline_area(tooth) * (outer**3 - inner**3) / (3.0 * mean**2)
     root = (tooth.root_radius - tooth.pitch_radius) / mean
     roots = [_under(pair, side, far, root * far) for far in (inner, outer)]
-    return crown + revolved_volume([*bevel_way(pair, side, bore, web, seat), *roots])
+    return crown + revolved_volume([*bevel_way(pair, side, bore, web, seat, dish=dish), *roots])
 
 
 def lightened_web(pair: BevelPair, side: int, bore: float, share: float, seat: SeatHub | None = None) -> float:
@@ -109,7 +113,7 @@ def lightened_web(pair: BevelPair, side: int, bore: float, share: float, seat: S
         share: Of the volume with a plate as thick as the rim is long [-]; the nearest that a web gives.
         seat: The hub where its seat is sized.
 
-    Source: `bevel_volume` by bisection.
+    Source: `bevel_volume` by bisection, of a straight web, which a dished one weighs as much as but for its ends.
     """
     low, high = _THINNEST, _WHOLE
     target = share * bevel_volume(pair, side, bore, high, seat)

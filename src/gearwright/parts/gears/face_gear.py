@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears.transverse_form import TransverseTooth
 
 RIM = 1.2
@@ -118,8 +119,26 @@ class SeatHub(NamedTuple):
     """Outside; at most what the rim leaves."""
 
 
+def _under_rim(
+    toe: tuple[float, float], heel: tuple[float, float], upper: float, dish: float
+) -> tuple[float, tuple[float, float]]:
+    """Return which share of a rim a plate takes, and where its back meets it, z and radius [m]."""
+    long = heel[0] - toe[0]
+    if long == 0.0:
+        return 1.0, (upper, heel[1])
+    # On the rim z = upper − dish (r − r_toe), with r − r_toe in proportion to z − z_toe.
+    share = min((upper - toe[0]) / long / (1.0 + dish * (heel[1] - toe[1]) / long), 1.0)
+    return share, (toe[0] + share * long, toe[1] + share * (heel[1] - toe[1]))
+
+
 def way_behind(
-    toe: tuple[float, float], heel: tuple[float, float], bore: float, *, web: float, seat: SeatHub | None = None
+    toe: tuple[float, float],
+    heel: tuple[float, float],
+    bore: float,
+    *,
+    web: float,
+    seat: SeatHub | None = None,
+    dish: float = 0.0,
 ) -> list[tuple[float, float]]:
     """Return the way behind teeth on a cone or a face from heel to toe: a rim, a plate, a hub about the bore.
 
@@ -129,9 +148,13 @@ def way_behind(
         bore: Radius of what the gear sits on [m].
         web: Thickness of the plate [m].
         seat: The hub where its seat is sized; None: about the plate, in proportion to the bore.
+        dish: By how much the plate leans along z towards the hub [-]; its thickness along z is kept.
 
     Returns:
         One that goes straight to the bore where rim and hub meet, or the gear has no bore.
+
+    Raises:
+        DesignError: A plate that leans so far that it does not meet its hub with all of its thickness.
 
     Source: geometry.
     """
@@ -140,9 +163,13 @@ def way_behind(
     if (seat is None and hub > 0.8 * toe[1]) or bore <= 0.0:
         return [heel, (heel[0], bore), (toe[0], bore), toe]
     upper = min(toe[0] + web, heel[0])
-    share = 1.0 if heel[0] == toe[0] else (upper - toe[0]) / (heel[0] - toe[0])
-    under = (upper, toe[1] + share * (heel[1] - toe[1]))
+    share, under = _under_rim(toe, heel, upper, dish)
     middle, half = (toe[0] + upper) / 2.0, max(1.6 * (upper - toe[0]), 1.2 * (hub - bore)) / 2.0
     low, high = (middle - half, middle + half) if seat is None else (seat.low, seat.high)
     way = [heel] + ([under] if share < 1.0 else [])
-    return [*way, (upper, hub), (high, hub), (high, bore), (low, bore), (low, hub), (toe[0], hub), toe]
+    lean = dish * (toe[1] - hub)
+    back, front = upper + lean, toe[0] + lean
+    if dish and not low <= front <= back <= high:
+        message = f"{dish:g} given; the web would stand {1e3 * max(low - front, back - high):.3g} mm beside its hub"
+        raise DesignError([Problem("gears.web_dish", f"{message}: lean it less")])
+    return [*way, (back, hub), (high, hub), (high, bore), (low, bore), (low, hub), (front, hub), toe]

@@ -28,6 +28,8 @@ class Blank(NamedTuple):
     """Of the web between them."""
     holes: int = 0
     """Evenly spaced ones in the web that lighten it [-]."""
+    dish: float = 0.0
+    """How far the web stands at the hub from where it stands at the rim, along the axis [m]."""
 
     @property
     def is_solid(self) -> bool:
@@ -54,7 +56,8 @@ def blank_volume(blank: Blank) -> float:
     Args:
         blank: Its radii and widths.
 
-    Source: annuli; one alone where rim and hub meet; less what is bored through the web.
+    Source: annuli; one alone where rim and hub meet; less what is bored through the web. A dished web is sheared along
+        the axis, so that it is as thick along it, and fills as much (Cavalieri).
     """
     root, bore = blank.root_radius, min(blank.bore_radius, blank.root_radius)
     inside = max(blank.rim_radius, blank.hub_radius)

@@ -31,10 +31,10 @@ from gearwright.render.drawings.sheet.tolerances import (
     frame_length,
     tolerance_frame,
 )
-from gearwright.render.drawings.views.bevel_view import bevel_view
+from gearwright.render.drawings.views.bevel_view import bevel_plate, bevel_view
 from gearwright.render.drawings.views.face_view import face_teeth, face_view, is_face_wheel
 from gearwright.render.drawings.views.gear_dimensions import FACE_GRADE, LEAN, face_runout, thickness
-from gearwright.render.drawings.views.gear_parts import Hub, hub_of
+from gearwright.render.drawings.views.gear_parts import Hub, Web, hub_of
 from gearwright.render.drawings.views.gear_view import bore_edges, cylinder_section, ring_section
 from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
@@ -49,6 +49,7 @@ from gearwright.shape.teeth import (
 )
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.blanks import BACKUP
+from gearwright.sizing.mass import bevel_dish
 from gearwright.sizing.places import BOSS
 
 LEAST_ACROSS = 20.0
@@ -111,6 +112,13 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         if hub.web.holes:
             across, circle = (trimmed(2.0 * size, 2) for size in (hub.web.hole, hub.web.circle))
             yield f"{hub.web.holes} holes Ø{across} through the web on Ø{circle}, evenly spaced; the section cuts them."
+        if hub.web.dish:
+            aside, lean = trimmed(abs(hub.web.dish), 2), math.degrees(math.atan(ratio_of(hub.web)))
+            end = "second" if hub.web.dish > 0.0 else "first"
+            yield (
+                f"Web dished: at the hub {aside} towards the shaft's {end} end, {trimmed(lean, 2)}°; its thickness is"
+                " along the axis. The stiffness of its cone is not assessed."
+            )
         yield f"Inner corners R{CORNER:g} (assumed; not weighed)."
     if hub.bore and kind_of(sizing, gear.stage) == "bevel":
         yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
@@ -122,6 +130,22 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
     if gear.bodies > 1:
         yield f"{gear.bodies} equal bodies." if gear.role is Role.PLANET else ""
     if kind_of(sizing, gear.stage) == "bevel":
+        plate, dish = bevel_plate(hub), bevel_dish(sizing, gear)
+        if plate is not None:
+            apex = bevel_profile(sizing, gear).apex
+            wide, front, inside, behind = (
+                trimmed(size, 2) for size in (plate.width, plate.front - apex, 2.0 * plate.rim, 2.0 * plate.behind)
+            )
+            yield (
+                f"Web {wide} thick, its front {front} from the apex at the rim; rim inside Ø{inside} in front,"
+                f" Ø{behind} behind: as weighed."
+            )
+        if dish:
+            way = "away from" if dish > 0.0 else "towards"
+            yield (
+                f"Web dished by {trimmed(math.degrees(math.atan(abs(dish))), 2)}°: at its hub {way} the apex;"
+                " its thickness is along the axis. The stiffness of its cone is not assessed."
+            )
         yield "Assumed: teeth taper towards the apex (standard depth, ISO 23509)."
         if hub.bore:
             yield f"Assumed: rim {BACKUP:g} × tooth depth behind the root; the apex-to-back distance follows from it."
@@ -133,6 +157,15 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
     if is_face_wheel(sizing, gear):
         yield "Teeth: the envelope of a shaper with the teeth of the pinion, whole between the diameters drawn."
         yield f"Assumed: rim {BACKUP:g} × tooth depth behind the roots, web 0.6 of it, hub: as weighed."
+
+
+def ratio_of(web: Web) -> float:
+    """Return how far a web leans [-].
+
+    Args:
+        web: Dished.
+    """
+    return abs(web.dish) / (web.rim - web.hub)
 
 
 def _span(gear: GearSizing) -> tuple[float, float]:
@@ -162,8 +195,9 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     entities.append(_across(axis, outer, span[1], ASIDE + 16.0))
     if hub.web is not None and not internal and 2.0 * axis.scale * hub.web.hub > LEAST_ACROSS:
         entities += [_across(axis, hub.web.hub, span[1], ASIDE), _across(axis, hub.web.rim, span[1], ASIDE + 8.0)]
-        middle, half = (span[0] + span[1]) / 2.0, hub.web.width / 2.0
+        half = hub.web.width / 2.0
         beyond_hub = hub.web.circle - hub.web.hole if hub.web.holes else hub.web.rim
+        middle = (span[0] + span[1]) / 2.0 + hub.web.aside((hub.web.hub + beyond_hub) / 2.0)
         for named in thickness(axis, (middle - half, middle + half), (hub.web.hub, beyond_hub)):
             aside = -3.0 - words_length(named.text, TEXT) / 2.0
             entities.append(replace(named, text_at=complex(axis.at(span[0]).real + aside, named.line.imag + GAP)))

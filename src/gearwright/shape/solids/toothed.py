@@ -67,8 +67,11 @@ def inner_profile(blank: Blank) -> list[tuple[float, float]]:
     if blank.is_solid:
         return [(half, blank.bore_radius), (-half, blank.bore_radius)]
     rim, hub, bore = blank.rim_radius, blank.hub_radius, blank.bore_radius
-    upper = [(half, rim), (web, rim), (web, hub), (half, hub), (half, bore)]
-    return [*upper, *((-place, radius) for place, radius in reversed(upper))]
+    upper, lower = (
+        [(side * half, rim), (side * web, rim), (side * web + blank.dish, hub), (side * half, hub), (side * half, bore)]
+        for side in (1.0, -1.0)
+    )
+    return [*upper, *lower[::-1]]
 
 
 def disc_gear(loop: Loop, levels: Sequence[tuple[float, float]], blank: Blank) -> Solid:

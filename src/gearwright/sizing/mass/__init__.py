@@ -4,7 +4,15 @@ The mass of gears, shafts and carriers by which designs are chosen is `Sizing.ma
 """
 
 from gearwright.sizing.mass.beside import Statistics, band_of, requirement_of, statistics_beside
-from gearwright.sizing.mass.bodies import bevel_cones, bevel_hub, bevel_web, gear_blanks, ring_outside, tooth_of
+from gearwright.sizing.mass.bodies import (
+    bevel_cones,
+    bevel_dish,
+    bevel_hub,
+    bevel_web,
+    gear_blanks,
+    ring_outside,
+    tooth_of,
+)
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
@@ -41,6 +49,7 @@ __all__ = [
     "as_made",
     "band_of",
     "bevel_cones",
+    "bevel_dish",
     "bevel_hub",
     "bevel_web",
     "cage_of",

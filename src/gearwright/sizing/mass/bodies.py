@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from gearwright.catalogue import key_for_shaft
+from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role
 from gearwright.parts.bevel import WEB, BevelPair, bevel_volume, lightened_web
 from gearwright.parts.gears import (
@@ -103,7 +104,8 @@ def gear_volume(sizing: Sizing, gear: GearSizing, seats: Seats) -> float:
     if kind == "bevel":
         pair, side = bevel_cones(sizing, gear.stage), 0 if gear.role is Role.PINION else 1
         bore = gear_blank(sizing, gear, seats).bore_radius
-        return bevel_volume(pair, side, bore, bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore))
+        web, hub = bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore)
+        return bevel_volume(pair, side, bore, web, hub, dish=bevel_dish(sizing, gear))
     if kind == "face" and gear.role is Role.WHEEL:
         return _face_volume(sizing, gear, gear_blank(sizing, gear, seats).bore_radius)
     tooth = tooth_of(sizing, gear)
@@ -145,6 +147,16 @@ def bevel_web(sizing: Sizing, gear: GearSizing, bore: float) -> float:
     if gear.role is Role.PINION or share >= 1.0:
         return WEB
     return lightened_web(bevel_cones(sizing, gear.stage), 1, bore, share, bevel_hub(sizing, gear, bore))
+
+
+def bevel_dish(sizing: Sizing, gear: GearSizing) -> float:
+    """Return by how much the web of a bevel wheel leans away from its apex towards the hub [-]; 0 of a pinion.
+
+    Args:
+        sizing: As sized.
+        gear: A bevel gear.
+    """
+    return 0.0 if gear.role is Role.PINION else sizing.design.rules(gear.stage).web_dish
 
 
 def bevel_hub(sizing: Sizing, gear: GearSizing, bore: float) -> SeatHub | None:
@@ -196,7 +208,23 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
     if gear.role is not Role.WHEEL:
         return turned_out(blank)
     blank = blank._replace(holes=rules.web_holes if _kind(sizing, gear) == "cylindrical" else 0)
-    return _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else turned_out(blank)
+    blank = _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else turned_out(blank)
+    return _dished(gear, blank, rules.web_dish) if rules.web_dish and _kind(sizing, gear) == "cylindrical" else blank
+
+
+def _dished(gear: GearSizing, blank: Blank, dish: float) -> Blank:
+    """Return a body whose web stands aside at the hub, which it must meet with all of its thickness."""
+    height, halves = blank.rim_radius - blank.hub_radius, max(gear.bodies // max(len(gear.shafts), 1), 1)
+    if height <= 0.0:
+        return blank
+    most = halves * (blank.width - blank.web_width) / 2.0 / height
+    if abs(dish) > most:
+        raise DesignError([Problem("gears.web_dish", _too_far(gear.name, dish, most))])
+    return blank._replace(dish=dish * height)
+
+
+def _too_far(name: str, dish: float, most: float) -> str:
+    return f"{dish:g} given; the web of {name} meets its hub with all of its thickness up to {most:.3g} either way"
 
 
 def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:

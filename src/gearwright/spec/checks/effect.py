@@ -31,7 +31,7 @@ _DECIDED = {
 }
 """Table -> key that only estimates what another key states."""
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
-_OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio", "web_holes", "cutter_radius")
+_OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio", "web_holes", "web_dish", "cutter_radius")
 """Rules of gears that planetary sets, spur and without wheels, do not read."""
 _OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 """Rules of gears that pairs, without planets and rings, do not read."""

@@ -53,7 +53,27 @@ def gear_problems(design: Design) -> Iterator[Problem]:
         yield from problems or _shifted(name, pair, design)
     for name, stage in design.stages.items():
         yield from _covered(f"{design.table(name)}.gears.rating", stage, design.rules(name).rating)
+    yield from _dished(design)
     yield from _agma_steels(design)
+
+
+def _dished(design: Design) -> Iterator[Problem]:
+    """Find dished webs with holes, and dished webs of face gears, neither of which is worked out; once each."""
+    found = set[str]()
+    for name, pair in design.pairs.items():
+        rules = design.rules(name)
+        own = pair.gears is not None and "web_dish" in pair.gears.model_fields_set
+        path = f"pairs.{name}.gears.web_dish" if own else "gears.web_dish"
+        if not rules.web_dish or path in found:
+            continue
+        if rules.web_holes and pair.kind == "cylindrical":
+            message = f"{rules.web_dish:g} given with {rules.web_holes} holes; a web has one of the two: leave one out"
+        elif pair.kind == "face":
+            message = f"{rules.web_dish:g} given; webs of face gears are straight: leave it out for this pair"
+        else:
+            continue
+        found.add(path)
+        yield Problem(path, message)
 
 
 def _agma_steels(design: Design) -> Iterator[Problem]:

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.crossing import Segment, crossings, segments
@@ -64,11 +65,44 @@ def bevel_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[E
     if hub.boss is not None:
         outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
         entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
-        front, back = hub.way[-1], hub.way[1]
-        radii = (hub.boss.diameter / 2.0, min(front.imag, back.imag))
-        if front.real < back.real:
-            entities += thickness(axis, (front.real, back.real), radii)
+        web = bevel_plate(hub)
+        if web is not None:
+            low, high = web.hub, web.rim
+            front = web.front + web.lean * (high - 0.5 * (low + high))
+            entities += thickness(axis, (front, front + web.width), (low, high))
     return entities
+
+
+class Plate(NamedTuple):
+    """The web of a bevel gear, from the mean point along the axis away from the apex [mm]."""
+
+    front: float
+    """Where its face towards the apex meets the rim."""
+    width: float
+    """Along the axis."""
+    lean: float
+    """Towards its hub [-]."""
+    hub: float
+    """Radius of the hub."""
+    rim: float
+    """Radius inside the rim, on the face towards the apex."""
+    behind: float
+    """The same behind."""
+
+
+def bevel_plate(hub: Hub) -> Plate | None:
+    """Return the web of a bored bevel gear; None where rim and hub meet.
+
+    Args:
+        hub: Of the gear.
+    """
+    if len(hub.way) < len(("heel", "back", "hub", "bore", "bore", "hub", "front", "toe")):
+        return None
+    toe, front = hub.way[-1], hub.way[-2]
+    at = 2 if hub.way[1].imag != hub.way[2].imag else 1
+    back = hub.way[at]
+    lean = (front.real - toe.real) / (toe.imag - front.imag)
+    return Plate(toe.real, back.real - front.real, lean, front.imag, toe.imag, hub.way[at - 1].imag)
 
 
 def _back_runout(axis: Axis, profile: BevelProfile, back: float, right: float) -> Iterator[Entity]:

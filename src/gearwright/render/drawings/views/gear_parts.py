@@ -13,7 +13,7 @@ from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_prof
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, is_internal, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
-from gearwright.sizing.mass import bevel_hub, bevel_web
+from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web
 from gearwright.sizing.places import BOSS
 
 LEAST_WALL = 1.0
@@ -47,6 +47,16 @@ class Web(NamedTuple):
     """Radius of the circle of their middles."""
     hole: float = 0.0
     """Radius of one."""
+    dish: float = 0.0
+    """How far it stands at the hub from where it stands at the rim, towards the shaft's second end."""
+
+    def aside(self, radius: float) -> float:
+        """Return how far it stands from the middle at a radius [mm].
+
+        Args:
+            radius: Between hub and rim [mm].
+        """
+        return self.dish * (self.rim - radius) / (self.rim - self.hub)
 
 
 @dataclass(frozen=True)
@@ -95,7 +105,8 @@ def _way(sizing: Sizing, gear: GearSizing, hub: Hub) -> tuple[complex, ...]:
         return ()
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
     bore = made_of(sizing).blanks[gear.name].bore_radius
-    points = bevel_way(pair, side, bore, bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore))
+    web, seat = bevel_web(sizing, gear, bore), bevel_hub(sizing, gear, bore)
+    points = bevel_way(pair, side, bore, web, seat, dish=bevel_dish(sizing, gear))
     inner = min(radius for _, radius in points)
     return tuple(complex(MM * z, hub.bore / 2.0 if radius == inner else MM * radius) for z, radius in points)
 
@@ -105,7 +116,9 @@ def _web(sizing: Sizing, gear: GearSizing) -> Web | None:
     blank = made_of(sizing).blanks.get(gear.name)
     if blank is None or blank.is_solid or kind_of(sizing, gear.stage) != "cylindrical":
         return None
-    web = Web(MM * blank.rim_radius, MM * blank.hub_radius, MM * halves_of(gear) * blank.web_width)
+    web = Web(
+        MM * blank.rim_radius, MM * blank.hub_radius, MM * halves_of(gear) * blank.web_width, dish=MM * blank.dish
+    )
     if not blank.hole_radius:
         return web
     return web._replace(holes=blank.holes, circle=MM * blank.hole_circle, hole=MM * blank.hole_radius)

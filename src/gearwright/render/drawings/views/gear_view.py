@@ -52,7 +52,7 @@ def _recesses(span: tuple[float, float], web: Web, side: float) -> list[list[com
     middle, half = (span[0] + span[1]) / 2.0, web.width / 2.0
     ways = ((span[0], middle - half), (span[1], middle + half))
     return [
-        [complex(face, side * web.hub), complex(deep, side * web.hub),
+        [complex(face, side * web.hub), complex(deep + web.dish, side * web.hub),
          complex(deep, side * web.rim), complex(face, side * web.rim)]
         for face, deep in ways
     ]  # fmt: skip

@@ -105,6 +105,13 @@ class GearRules(Record):
         description="Holes that lighten the webs of cylindrical wheels of pairs, as wide as 0.6 of the room between rim"
         " and hub, or between neighbours",
     )
+    web_dish: Ratio = Field(
+        0.0,
+        ge=-1,
+        le=1,
+        description="Dish of the webs of wheels of pairs: by how much they stand aside at the hub over their height,"
+        " towards the shaft's second end, of bevel wheels away from the apex; their thickness along the axis is kept",
+    )
     rim_thickness_ratio: Ratio = Field(
         3.95,
         ge=1,
