@@ -11,6 +11,7 @@ from gearwright.parts.iso6336 import flank_tolerances
 from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.gears.edges import edge_notes
 from gearwright.render.drawings.sheet.entities import Arc, Layer, Words
+from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import edited
 from shipped_work import sized
@@ -27,7 +28,9 @@ def test_a_splined_wheel_is_seen_along_its_axis_by_its_right_half():
     sizing = sized("ec120b")
     (sheet,) = sheets(sizing, ["gear-helical.wheel"])
     blank, wide = gear_blanks(sizing)["helical.wheel"], arcs(sheet, Layer.OUTLINE)
-    for radius in (357.73 / 2.0, 1e3 * blank.rim_radius, 1e3 * blank.hub_radius, 30.0):
+    wheel = next(gear for gear in sizing.gears if gear.name == "helical.wheel")
+    bore = hub_of(sizing, wheel, wheel.shafts[0]).bore
+    for radius in (357.73 / 2.0, 1e3 * blank.rim_radius, 1e3 * blank.hub_radius, bore / 2.0):
         assert any(math.isclose(ring, radius, abs_tol=5e-3) and about == math.pi for ring, about in wide), radius
     assert any(math.isclose(ring, 353.73 / 2.0, abs_tol=5e-3) for ring, _ in arcs(sheet, Layer.PITCH))
     assert any(about == math.pi for _, about in arcs(sheet, Layer.THIN))
