@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.render.drawings.casing.casing_section import casing_section
+from gearwright.render.drawings.casing.casing_section import casing_section, joints_of
 from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, span_of
 from gearwright.render.drawings.casing.section_path import lanes
 from gearwright.render.drawings.casing_sheet import casing_content
@@ -16,7 +16,7 @@ from gearwright.render.drawings.views.positions import positions
 from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.mass import complete_mass, flanges_of, housed, reaction_torque, shell_around
+from gearwright.sizing.mass import complete_mass, flanges_of, housed, reaction_torque, screw_volume, shell_around
 from shipped_work import sized
 
 MM = 1e3
@@ -52,7 +52,8 @@ def test_what_is_hatched_is_metal_and_what_is_not_is_none(name):
     """Points at random in the sheet's plane against the depth in the chambers and flanges of the scene."""
     sizing = sized(name)
     plane = positions(sizing)
-    way, section, scene = lanes(sizing, plane), casing_section(sizing, plane), gw.scene(sizing)
+    section, scene = casing_section(sizing, plane), gw.scene(sizing)
+    way = lanes(sizing, plane, joints_of(scene))
     rectangles = [one for cut in section.cuts for one in cut.rectangles]
     box = [pick(values) for values in zip(*((one.start, one.end, one.low, one.high) for one in rectangles), strict=True)
            for pick in (min, max)]  # fmt: skip
@@ -117,6 +118,10 @@ def test_the_list_of_parts_has_the_housing_with_its_mass():
         mass = sum(item.total for item in complete_mass(sizing).parts
                    if item.group == "housing" and item.part != "housing bolts")  # fmt: skip
         assert said[said.index("Housing") + 2] == f"{mass:.3g}"
+        flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+        row = said.index("Screw of flange")
+        assert said[row - 1] == f"{flanges.number * flanges.screws}"
+        assert said[row + 1 : row + 3] == ["M6 x 24, 10.9, nut, washers", f"{7850 * screw_volume(6e-3):.3g}"]
         assert {mark.spacing for mark in sheet.entities if isinstance(mark, Hatch)} >= {3.0, 4.0}
 
 
@@ -220,3 +225,15 @@ def test_what_is_seen_from_the_first_end_hides_what_is_behind_it():
     outer = [solid.outer for _, solid in (*casing.chambers[:3], casing.halves[0])]
     wide = [MM * float(np.linalg.norm(loop, axis=1).max()) for loop in outer]
     assert radii[-4:] == [round(each) for each in wide]
+
+
+@pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set"])
+def test_centre_lines_of_screws_run_through_both_halves_of_flanges(name):
+    """At least one above and one below for every flange that the section meets."""
+    section = casing_section(sized(name), positions(sized(name)))
+    rectangles = [one for cut in section.cuts for one in cut.rectangles]
+    assert len(section.screws) >= 4
+    for start, end in section.screws:
+        middle = (start + end) / 2.0 / MM
+        for x in (middle.real - 2e-3, middle.real + 2e-3):
+            assert any(one.start < x < one.end and one.low < middle.imag < one.high for one in rectangles)

@@ -174,7 +174,7 @@ def _parts(shown: _Shown, scale: float) -> tuple[list[Entity], list[Item]]:
         entities, items = entities + drawn, items + listed
     if shown.casing is not None:
         entities += casing_entities(shown.casing, scale)
-        items += casing_items(sizing, scale * shown.casing.anchor)
+        items += casing_items(sizing, shown.casing, scale)
     return entities, items
 
 

@@ -16,7 +16,7 @@ from gearwright.sizing.mass.bodies import (
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.flanges import HOLE, Flanges, flanges_of, screw_volume
+from gearwright.sizing.mass.flanges import HOLE, LENGTH, Flanges, flanges_of, screw_volume
 from gearwright.sizing.mass.housed import housed
 from gearwright.sizing.mass.housing import BOSS, MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
@@ -31,6 +31,7 @@ __all__ = [
     "CALIBRATED",
     "GROUPS",
     "HOLE",
+    "LENGTH",
     "MOUNTS",
     "RIBS",
     "Bridge",

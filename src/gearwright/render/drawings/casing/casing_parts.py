@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.render.drawings.casing.casing_section import CasingSection
-from gearwright.render.drawings.sheet.entities import millimetres
+from gearwright.render.drawings.sheet.entities import millimetres, trimmed
 from gearwright.render.drawings.views.arrangement_parts import Item
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import housed, shell_around, wall_of
+from gearwright.sizing.mass import LENGTH, flanges_of, housed, reaction_torque, shell_around, wall_of
 
 SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses")
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
@@ -18,16 +18,22 @@ SCREWS = "housing bolts"
 """What of it is not one piece with it."""
 
 
-def casing_items(sizing: Sizing, anchor: complex) -> Iterator[Item]:
+def casing_items(sizing: Sizing, section: CasingSection, scale: float) -> Iterator[Item]:
     """Yield the housing and the screws of its flanges as the list of parts has them.
 
     Args:
         sizing: What was sized.
-        anchor: Where the number of the housing points [mm of paper].
+        section: What is drawn of the housing.
+        scale: mm of paper per mm [-].
     """
     masses = made_of(sizing).casing
     mass = sum(each for name, each in masses.items() if name != SCREWS)
-    yield Item("Housing", sizing.design.housing.material, 1, mass, anchor)
+    yield Item("Housing", sizing.design.housing.material, 1, mass, scale * section.anchor)
+    if SCREWS in masses:
+        flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+        count, size = flanges.number * flanges.screws, f"M{trimmed(MM * flanges.thread, 1)}"
+        remark = f"{size} x {trimmed(MM * LENGTH * flanges.thread, 1)}, 10.9, nut, washers"
+        yield Item("Screw of flange", remark, count, masses[SCREWS] / count, scale * section.screw)
 
 
 def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]:
@@ -47,7 +53,7 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
             f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
             f"measured, as {wall.why} asks, with flanges and bosses."
         )
-        hidden = {name: mass for name, mass in made_of(sizing).casing.items() if name not in SHOWN}
+        hidden = {name: mass for name, mass in made_of(sizing).casing.items() if name not in (*SHOWN, SCREWS)}
         if hidden:
             listed = ", ".join(f"{name} {mass:.3g} kg" for name, mass in hidden.items())
             yield f"Weighed, not drawn: {listed}."

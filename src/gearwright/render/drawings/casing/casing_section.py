@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -15,11 +15,13 @@ from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape import FLANGES, Node, Scene
 from gearwright.shape import scene as scene_of
-from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, cut_chamber, united
+from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, cut_chamber, spans_in, united, without
 from gearwright.sizing import Sizing
 
 LEAN, SPACING = math.pi / 4.0, 4.0
 """Of the hatching of the housing [rad] and [mm]: wider than that of gears; parts beside a joint lean the other way."""
+OVER = 2.0
+"""Half a centre line of a screw over the thickness of a half of its flange [-]."""
 SQUARE = 1e-9
 """How far an axis on the sheet may turn from upright or level [-]."""
 
@@ -37,6 +39,16 @@ class CasingSection:
     leaning: tuple[tuple[complex, ...], ...]
     """Outlines of bosses on axes that lean on the sheet [mm]."""
 
+    screws: tuple[tuple[complex, complex], ...] = ()
+    """Centre lines of screws in flanges, through both halves, heads and nuts [mm]."""
+
+    @property
+    def screw(self) -> complex:
+        """Where the item number of a flange's screw points [mm]: the highest one."""
+        return (
+            max((start + end for start, end in self.screws), key=lambda twice: (round(twice.imag, 6), twice.real)) / 2.0
+        )
+
     @property
     def anchor(self) -> complex:
         """Where the item number points [mm]: into the longest wall."""
@@ -52,10 +64,10 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
         sizing: What was sized.
         plane: Where shafts lie.
     """
-    ways = lanes(sizing, plane) if sizing.design.housing.own else None
-    if ways is None:
+    if not sizing.design.housing.own or lanes(sizing, plane) is None:
         return None
     scene = scene_of(sizing, detail="coarse")
+    ways = lanes(sizing, plane, joints_of(scene)) or ()
     nodes = [node for node in scene.nodes if node.look == "housing"]
     rectangles: list[Rectangle] = []
     for node in nodes:
@@ -77,7 +89,8 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     steps = tuple(lane.end for lane in ways[:-1])
     legs = [leg for lane in ways for leg in lane.legs]
     flat = all(abs(float(leg.along @ legs[0].along)) > 1.0 - SQUARE for leg in legs)
-    return CasingSection(tuple(united(rectangles, joints_of(scene))), steps, flat, tuple(leaning))
+    screws = tuple(_screws(nodes, scene, ways))
+    return CasingSection(tuple(united(rectangles, joints_of(scene))), steps, flat, tuple(leaning), screws)
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
@@ -92,6 +105,18 @@ def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle
             if start < end:
                 found.append(Rectangle(start, end, one.low, one.high))
     return found
+
+
+def _screws(nodes: Sequence[Node], scene: Scene, ways: tuple[Lane, ...]) -> Iterator[tuple[complex, complex]]:
+    """Yield the centre lines of screws where the section cuts flanges, as if it met one there [mm]."""
+    for node in (node for node in nodes if FLANGES in node.name):
+        half, at = scene.solids[node.surface], float(node.axes.origin[0])
+        joint = any(abs(at - place) < SQUARE for place in joints_of(scene))
+        lane = next(lane for lane in ways if at <= lane.end)
+        if joint and isinstance(half, Chamber):
+            reach = OVER * half.span[1]
+            for low, high in without(spans_in(half.outer, lane.legs), spans_in(half.inner, lane.legs)):
+                yield tuple(MM * complex(x, (low + high) / 2.0) for x in (at - reach, at + reach))  # type: ignore[misc]
 
 
 def joints_of(scene: Scene) -> list[float]:
@@ -134,6 +159,8 @@ def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
             yield Hatch(tuple(paper * corner for corner in corners), lean, SPACING)
         for loop in cut.loops:
             yield from _outline([paper * complex(*corner) for corner in loop], [paper * at for at in section.steps])
+    for start, end in section.screws:
+        yield Path((scale * start, scale * end), Layer.CENTRE)
     for outline in section.leaning:
         boss = tuple(scale * corner for corner in outline)
         yield from (Hatch(boss, LEAN, SPACING), Path(boss, Layer.OUTLINE, closed=True))

@@ -8,7 +8,7 @@ from one plane to the other. It is a true section or none.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -21,6 +21,8 @@ from gearwright.shape.solids import Leg
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Frame
 
+BESIDE = 0.02
+"""From a joint to a step of the section [m]: beyond flanges of common screws."""
 FLAT = 1e-9
 """How far a unit vector's part may be from what it should be [-]."""
 
@@ -49,12 +51,13 @@ class _Across(NamedTuple):
     """From and to on the sheet's height [m]."""
 
 
-def lanes(sizing: Sizing, plane: Positions) -> tuple[Lane, ...] | None:
+def lanes(sizing: Sizing, plane: Positions, joints: Sequence[float] = ()) -> tuple[Lane, ...] | None:
     """Return where the section runs, from the first end to the last; None where no true section is what is drawn.
 
     Args:
         sizing: What was sized.
         plane: Where shafts lie on the sheet.
+        joints: Places along the first shaft beside which the section does not step [m].
     """
     frames, flat = sizing.arrangement.frames, dict[str, Lying]()
     for name, lying in plane.shafts.items():
@@ -70,7 +73,7 @@ def lanes(sizing: Sizing, plane: Positions) -> tuple[Lane, ...] | None:
             if one is None:
                 return None
             across.append(one)
-    found = _laid(corners, across, _spans(flat))
+    found = _laid(corners, across, _spans(flat), joints)
     reach = {name: max((body.radius for body in sizing.arrangement.bodies if body.shaft == name), default=0.0)
              for name in flat}  # fmt: skip
     axes = [(lying.origin.imag / MM, np.array(frames[name].origin[1:]), reach[name]) for name, lying in flat.items()]
@@ -134,7 +137,9 @@ def _across(sizing: Sizing, name: str, lying: Lying, corners: Corners) -> _Acros
     return _Across(at, up, (xs[0] - wide, xs[1] + wide), (ys[0], ys[1]))
 
 
-def _laid(corners: Corners, across: list[_Across], spans: list[tuple[float, float, float]]) -> tuple[Lane, ...] | None:
+def _laid(
+    corners: Corners, across: list[_Across], spans: list[tuple[float, float, float]], joints: Sequence[float]
+) -> tuple[Lane, ...] | None:
     """Return the lanes: one, or two where shafts across stand beside what is on their side of an axis."""
     first = across[0].up if across else np.array([1.0, 0.0])
     base = _Way.of(corners, first)
@@ -157,12 +162,19 @@ def _laid(corners: Corners, across: list[_Across], spans: list[tuple[float, floa
     low, high = min(span[1] for span in aside), max(span[2] for span in aside)
     way = _Way(corners[other.level : other.level + 1], (-other.up, other.up))
     if high < other.span[0]:
-        step = (high + other.span[0]) / 2.0
+        step = _step(high, other.span[0], joints)
         return (Lane(-math.inf, step, base.legs), Lane(step, math.inf, way.legs))
     if low > other.span[1]:
-        step = (low + other.span[1]) / 2.0
+        step = _step(other.span[1], low, joints)
         return (Lane(-math.inf, step, way.legs), Lane(step, math.inf, base.legs))
     return None
+
+
+def _step(low: float, high: float, joints: Sequence[float]) -> float:
+    """Return the middle between two places, or a place beside it that is further from joints [m]."""
+    tried = [low + share * (high - low) for share in (0.5, 0.375, 0.625, 0.25, 0.75)]
+    far = [min((abs(step - joint) for joint in joints), default=math.inf) for step in tried]
+    return next((step for step, room in zip(tried, far, strict=True) if room > BESIDE), tried[far.index(max(far))])
 
 
 class _Way(NamedTuple):

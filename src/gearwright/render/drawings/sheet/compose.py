@@ -152,7 +152,7 @@ def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
         aside, main = [[rows[0][0]]], [[rows[0][1]]]
         far = right - max(wide, _rows_size(aside)[0] + AIR) - AIR
         under = low + AIR / 2.0 + notes_height(content.notes, far - foot.real) + AIR
-        rooms = (far + AIR, top.imag, right - half, high - half), (left + half, under, far, high - half)
+        rooms = (far + AIR, top.imag - half, right - half, high - half / 2.0), (left + half, under, far, high - half)
         yield Plan(((aside, rooms[0]), (main, rooms[1])), tuple(corners), (foot, far - foot.real))
 
 
