@@ -76,7 +76,7 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     teeth = cylindrical_gear(sizing, gear)
     internal = teeth.side < 0
     yield "Kind", "", "internal" if internal else "external"
-    yield "Number of teeth", "z", f"{teeth.teeth}"
+    yield "Number of teeth", "z", f"{teeth.teeth}".replace("-", "−")
     yield "Normal module", "m_{n}", _mm(teeth.module)
     yield from _pitches(teeth.module, teeth.helix_angle)
     yield "Normal pressure angle", "α_{n}", _degrees(teeth.rack.pressure_angle)
