@@ -12,7 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
 from gearwright.shape.casings.flanges import FLANGES, flange_halves
-from gearwright.shape.casings.loops import NEAR, SAME, fits, inside_of, loop_around
+from gearwright.shape.casings.loops import NEAR, SAME, fits, inside_of, loop_around, loop_size
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
 from gearwright.shape.solids import Chamber, End, Opening, Solid, chamber_volume, has_room, round_hole, tube
@@ -20,9 +20,10 @@ from gearwright.shape.stands import Axes, axes_at, middle_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.mass import (
-    BOSS,
     Leaving,
     Stretch,
+    bosses_of,
+    cover_at,
     flanges_of,
     housed,
     leaving_of,
@@ -42,14 +43,19 @@ LEAST = 2.0
 """Length of a chamber over the wall's thickness, below which it is one with its neighbour [-]."""
 CHAMBER = "chamber"
 """What pieces of the shell are named."""
+BESIDE = 5e-4
+"""Between a cover and the hole of the wall in which it lies [m], an assumption."""
 AROUND = 1.06
 """Hole for a shaft over the shaft's diameter [-]: as much as the housing leaves around what turns."""
 
 
 STEPS, ALIKE = 8, 1e-3
 """How often a wall is tried, and how near the metal is to what is weighed [-]."""
-Hole = tuple[tuple[float, float], Floats, float]
-"""Where along the first shaft plates may stand that it goes through, middle across it and radius of a hole [m]."""
+Hole = tuple[tuple[float, float], Floats, tuple[float, ...]]
+"""Where along the first shaft plates may stand that it goes through, middle across it and radii of a hole, of which the
+first that fits is taken [m]."""
+Ways = tuple[list[Hole], list[tuple[Opening, ...]]]
+"""Through plates, and through walls, of which the first that fits is taken."""
 
 
 class Piece(NamedTuple):
@@ -117,14 +123,15 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     for k, (place, key, half) in enumerate(flange_halves(flanges, stretches, wall)):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
+    bosses = bosses_of(sizing) if sizing.bearings else {}
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
-        boss = tube(span, body.radius * (1.0 + 2.0 * BOSS), body.radius)
+        boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
 
 
 def _as_weighed(
-    stretches: list[Stretch], leaving: tuple[list[Hole], list[Opening]], wall: float, metal: float | None
+    stretches: list[Stretch], leaving: Ways, wall: float, metal: float | None
 ) -> tuple[float, list[Chamber]]:
     """Return the wall with which the chambers have the metal that is weighed, A t of a thin shell, and the chambers.
 
@@ -140,20 +147,26 @@ def _as_weighed(
 
 
 def _long_enough(stretches: list[Stretch], wall: float) -> list[Stretch]:
-    """Return cross-sections without steps that are too short to be cast: they are as wide as what is beside them."""
+    """Return cross-sections without steps that are too short to cast: one with the neighbour that grows least."""
     found = list(stretches)
     while len(found) > 1:
         k = min(range(len(found)), key=lambda k: found[k].length)
         if found[k].length >= LEAST * wall:
             break
-        beside = [j for j in (k - 1, k + 1) if 0 <= j < len(found)]
-        j = min(beside, key=lambda j: abs(found[j].area - found[k].area))
-        low, high = min(j, k), max(j, k)
-        wide, least = (np.maximum(one, other) for one, other in zip(found[low][2:4], found[high][2:4], strict=True))
-        larger = max(found[j], found[k], key=lambda one: one.area)
-        one = larger._replace(start=found[low].start, end=found[high].end, reach=wide, least=least)
-        found[low : high + 1] = [one]
+        beside = [_joined(found[j], found[k]) for j in (k - 1, k + 1) if 0 <= j < len(found)]
+        _, one = min(beside, key=lambda choice: choice[0])
+        low = next(j for j, each in enumerate(found) if each.start == one.start)
+        found[low : low + 2] = [one]
     return found
+
+
+def _joined(one: Stretch, other: Stretch) -> tuple[float, Stretch]:
+    """Return by how much two neighbours grow when they become one [m³], and that one."""
+    reach, least = np.maximum(one.reach, other.reach), np.maximum(one.least, other.least)
+    whole = min(one, other, key=lambda each: each.start)
+    around, area = loop_size(reach)
+    whole = Stretch(whole.start, max(one.end, other.end), reach, least, around, area)
+    return whole.area * whole.length - one.area * one.length - other.area * other.length, whole
 
 
 def _nested(stretches: list[Stretch]) -> list[Stretch]:
@@ -169,7 +182,7 @@ def _nested(stretches: list[Stretch]) -> list[Stretch]:
     return found
 
 
-def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: tuple[list[Hole], list[Opening]]) -> Chamber:
+def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: Ways) -> Chamber:
     """Return a chamber; the plate of a step belongs to its wider side, and stands beside what turns in it."""
     own, span, ends = stretches[k], [stretches[k].start, stretches[k].end], list[End | None]()
     for side, way in ((0, -1), (1, 1)):
@@ -182,15 +195,18 @@ def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: tuple[list[
             continue
         span[side] += way * wall
         holes = [] if beside is None else [loop_around(np.minimum(inside_of(own, wall) - LIP, inside_of(beside, wall)))]
-        for (low, high), middle, radius in leaving[0]:
-            through = beside is not None and fits(beside.reach + wall, middle, -radius)
+        for (low, high), middle, radii in leaving[0]:
             is_there = low - LEAST * wall < plane < high + LEAST * wall
-            if is_there and not through and fits(inside_of(own, wall), middle, radius):
-                holes.append(round_hole(middle, radius))
+            for radius in radii if is_there else ():
+                through = beside is not None and fits(beside.reach + wall, middle, -radius)
+                if not through and fits(inside_of(own, wall), middle, radius):
+                    holes.append(round_hole(middle, radius))
+                    break
         ends.append(End(wall, tuple(holes)))
     inside = inside_of(own, wall)
     found = Chamber(loop_around(inside + wall), loop_around(inside), (span[0], span[1]), (ends[0], ends[1]))
-    return found._replace(openings=tuple(opening for opening in leaving[1] if has_room(found, opening)))
+    fitting = [[opening for opening in choices if has_room(found, opening)] for choices in leaving[1]]
+    return found._replace(openings=tuple(choices[0] for choices in fitting if choices))
 
 
 def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
@@ -208,35 +224,37 @@ def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
         place = sizing.arrangement.plans[shaft].places[machine]
         end, radius = (low[0], low[2]) if place - low[0] < high[1] - place else (high[1], high[2])
         place = frame.origin.x + end * frame.along.x
-        found = ((place, place), np.array([frame.origin.y, frame.origin.z]), AROUND * radius)
+        found = ((place, place), np.array([frame.origin.y, frame.origin.z]), (AROUND * radius,))
         key = tuple(np.round([place, *found[1]], 4))
         ends[key] = max(ends.get(key, found), found, key=lambda one: one[2])  # one shaft within the other
     yield from ends.values()
 
 
-def _passing(sizing: Sizing) -> Iterator[tuple[Leaving, float]]:
-    """Yield the ends of shafts that leave, and the radius of what goes round there, rings and nuts too [m]."""
+def _passing(sizing: Sizing) -> Iterator[tuple[Leaving, tuple[float, ...]]]:
+    """Yield the ends of shafts that leave, and radii of holes: for the cover there, for what goes round there [m]."""
     for leaving in leaving_of(sizing):
         around = [holder.outer / 2.0 for holder in holders_of(sizing)
                   if holder.shaft == leaving.shaft and holder.turns
                   and holder.start > leaving.start - NEAR and holder.end < leaving.end + NEAR]  # fmt: skip
-        yield leaving, AROUND * max([leaving.radius, *around])
+        cover = cover_at(sizing, leaving)
+        wide = () if cover is None else (cover.outer / 2.0 + BESIDE,)
+        yield leaving, (*wide, AROUND * max([leaving.radius, *around]))
 
 
 def _leaving_built(sizing: Sizing) -> Iterator[Hole]:
     """Yield the holes for ends of built shafts along the first one that leave towards machines [m]."""
-    for leaving, radius in _passing(sizing):
+    for leaving, radii in _passing(sizing):
         frame = sizing.arrangement.frames[leaving.shaft]
         if abs(frame.along.x) > 1.0 - SAME_WAY:
             places = sorted(frame.origin.x + at * frame.along.x for at in (leaving.start, leaving.end))
-            yield (places[0], places[1]), np.array([frame.origin.y, frame.origin.z]), radius
+            yield (places[0], places[1]), np.array([frame.origin.y, frame.origin.z]), radii
 
 
-def _across(sizing: Sizing) -> Iterator[Opening]:
-    """Yield the openings for ends of built shafts square to the first one that leave towards machines."""
-    for leaving, radius in _passing(sizing):
+def _across(sizing: Sizing) -> Iterator[tuple[Opening, ...]]:
+    """Yield the openings for ends of built shafts square to the first one, of which the first that fits is taken."""
+    for leaving, radii in _passing(sizing):
         frame = sizing.arrangement.frames[leaving.shaft]
         if abs(frame.along.x) < SAME_WAY:
             sign, place = (1.0, leaving.start) if leaving.start else (-1.0, leaving.end)
             along, origin = (np.array([one.y, one.z, one.x]) for one in (frame.along, frame.origin))
-            yield Opening(sign * along[:2], origin + place * along, radius)
+            yield tuple(Opening(sign * along[:2], origin + place * along, radius) for radius in radii)

@@ -47,6 +47,18 @@ def fits(reach: Floats, middle: Floats, radius: float) -> bool:
     return bool(np.all(ways_of(len(reach)) @ middle + radius < reach))
 
 
+def loop_size(reach: Floats) -> tuple[float, float]:
+    """Return perimeter [m] and area [m²] of the polygon n·p ≤ h.
+
+    Args:
+        reach: h in every direction [m].
+    """
+    loop = loop_around(reach)
+    after = np.roll(loop, -1, axis=0)
+    area = float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
+    return float(np.sum(np.linalg.norm(after - loop, axis=1))), area
+
+
 def loop_around(reach: Floats) -> Floats:
     """Return the corners of the polygon n·p ≤ h, also where some of its sides lie outside of others [m], shape (n, 2).
 

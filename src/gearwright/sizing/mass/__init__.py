@@ -17,8 +17,8 @@ from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.flanges import HOLE, LENGTH, Flanges, flanges_of, screw_volume
-from gearwright.sizing.mass.housed import housed
-from gearwright.sizing.mass.housing import BOSS, MOUNTS, RIBS, Wall, reaction_torque, wall_of
+from gearwright.sizing.mass.housed import bosses_of, cover_at, housed
+from gearwright.sizing.mass.housing import MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
@@ -26,7 +26,6 @@ from gearwright.sizing.mass.shell import Shell, Stretch, outline_of, shell_aroun
 from gearwright.sizing.sealing import Leaving, leaving_of
 
 __all__ = [
-    "BOSS",
     "BRIDGE",
     "CALIBRATED",
     "GROUPS",
@@ -53,8 +52,10 @@ __all__ = [
     "bevel_dish",
     "bevel_hub",
     "bevel_web",
+    "bosses_of",
     "cage_of",
     "complete_mass",
+    "cover_at",
     "flanges_of",
     "gear_blanks",
     "housed",

@@ -1,23 +1,98 @@
-"""What a housing stands around: all but the ends of built shafts that leave it."""
+"""What a housing stands around: all but the ends of built shafts that leave it, with bosses and covers of bearings."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from gearwright.identity import Kind
-from gearwright.sizing.arranged import Body
+from gearwright.catalogue import housing_materials
+from gearwright.identity import HOUSING, Kind
+from gearwright.sizing.arranged import Body, Point, Station
+from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import NEAR, Leaving, leaving_of
+from gearwright.sizing.shafts import Holder, holders_of
+
+BOSS = 0.12
+"""Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 
 
 def housed(sizing: Sizing) -> tuple[Body, ...]:
     """Return the bodies around which a housing stands: all but the ends of built shafts that leave it.
 
+    Bosses of bearings on built shafts are among them, and what holds bearings but where a shaft leaves: a cover there
+    lies in the wall.
+
     Args:
         sizing: As sized.
     """
     ends = tuple(leaving_of(sizing))
-    return tuple(body for body in sizing.arrangement.bodies if not any(_is_in(sizing, body, end) for end in ends))
+    inside = [body for body in sizing.arrangement.bodies if not any(_is_in(sizing, body, end) for end in ends)]
+    return (*inside, *_still(sizing, ends))
+
+
+def boss_diameter(bearing: BearingSizing, covers: tuple[Holder, ...], least_wall: float) -> float:
+    """Return the outside of the boss around a bearing of a built shaft [m].
+
+    Args:
+        bearing: As sized.
+        covers: What is screwed onto the boss.
+        least_wall: Of the casting [m].
+
+    Source: a wall of 0.12 D, an estimate; as wide as its cover and the thinnest wall around it.
+    """
+    widest = max((cover.outer + 2.0 * least_wall for cover in covers), default=0.0)
+    return max((1.0 + 2.0 * BOSS) * bearing.outer_diameter, widest)
+
+
+def bosses_of(sizing: Sizing) -> dict[str, float]:
+    """Return bearing of a built shaft -> outside diameter of its boss [m].
+
+    Args:
+        sizing: As sized.
+    """
+    least, holders = housing_materials()[sizing.design.housing.material].least_wall, holders_of(sizing)
+    return {
+        bearing.name: boss_diameter(bearing, tuple(_covers(holders, bearing)), least) for bearing in sizing.bearings
+    }
+
+
+def cover_at(sizing: Sizing, leaving: Leaving) -> Holder | None:
+    """Return the cover through which the end of a shaft leaves; None where there is none.
+
+    Args:
+        sizing: As sized.
+        leaving: The end.
+    """
+    covers = [holder for holder in holders_of(sizing) if holder.kind == "cover" and holder.shaft == leaving.shaft]
+    beyond = [cover for cover in covers if leaving.way * ((cover.start + cover.end) / 2.0 - leaving.face) > 0.0]
+    return next(iter(beyond), None)
+
+
+def _covers(holders: tuple[Holder, ...], bearing: BearingSizing) -> Iterator[Holder]:
+    return (holder for holder in holders if holder.kind == "cover" and holder.beside == bearing.name)
+
+
+def _still(sizing: Sizing, ends: tuple[Leaving, ...]) -> Iterator[Body]:
+    """Yield bosses, and what holds bearings within the housing, not where a shaft leaves."""
+    bosses = bosses_of(sizing)
+    for bearing in sizing.bearings:
+        half = bearing.width / 2.0
+        yield _round(sizing, bearing.shaft, (bearing.position - half, bearing.position + half), bosses[bearing.name])
+    for holder in holders_of(sizing):
+        beyond = (
+            end.way * (holder.start + holder.end - 2.0 * end.face) > 0.0 for end in ends if end.shaft == holder.shaft
+        )
+        if not any(beyond):
+            yield _round(sizing, holder.shaft, (holder.start, holder.end), holder.outer)
+
+
+def _round(sizing: Sizing, shaft: str, span: tuple[float, float], diameter: float) -> Body:
+    frame = sizing.arrangement.frames[shaft]
+    origin = Point(*(np.asarray(frame.origin) + span[0] * np.asarray(frame.along)).tolist())
+    circles = (Station(0.0, diameter / 2.0), Station(span[1] - span[0], diameter / 2.0))
+    return Body(HOUSING, shaft, "", origin, frame.along, circles)
 
 
 def _is_in(sizing: Sizing, body: Body, end: Leaving) -> bool:

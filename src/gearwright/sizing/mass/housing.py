@@ -11,6 +11,7 @@ from gearwright.identity import Role
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.flanges import flanges_of, screw_volume
+from gearwright.sizing.mass.housed import BOSS, bosses_of
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.mass.shell import Shell
 from gearwright.sizing.mounted import BearingSizing
@@ -22,8 +23,6 @@ RIBS = 0.20
 """Ribs over the shell [-], an estimate: as high as five walls, as thick as one, a fifth of the area each way."""
 MOUNTS = 0.10
 """Feet, lugs and torque arms over the shell [-], an estimate."""
-BOSS = 0.12
-"""Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 SEAT = 1.6
 """Outside of a bearing over its shaft [-]: light series of ISO 15."""
 _SHARE = STEEL_SHARE[BearingKind.CYLINDRICAL]
@@ -72,8 +71,9 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
     sized = {bearing.name for bearing in sizing.bearings}
     bosses = sum(_boss(item, material) for item in bearings if item.part not in planets | sized)
-    bosses += sum(_around(bearing, material) for bearing in sizing.bearings)
-    yield _item("bosses", bosses, "wall of 0.12 D around bearings", "estimate")
+    outside = bosses_of(sizing) if sizing.bearings else {}
+    bosses += sum(_around(bearing, outside[bearing.name], material) for bearing in sizing.bearings)
+    yield _item("bosses", bosses, "wall of 0.12 D around bearings, as wide as covers at least", "estimate")
 
 
 def _item(part: str, mass: float, formula: str, source: str, count: int = 1) -> MassItem:
@@ -91,9 +91,9 @@ def _boss(bearing: MassItem, material: HousingMaterial) -> float:
     return float(bearing.count * section * 0.25 * outside * material.density)
 
 
-def _around(bearing: BearingSizing, material: HousingMaterial) -> float:
+def _around(bearing: BearingSizing, outside: float, material: HousingMaterial) -> float:
     """Return the mass of the boss around a sized bearing, as wide as that [kg]."""
-    section = math.pi / 4.0 * ((1.0 + 2.0 * BOSS) ** 2 - 1.0) * bearing.outer_diameter**2
+    section = math.pi / 4.0 * (outside**2 - bearing.outer_diameter**2)
     return section * bearing.width * material.density
 
 
