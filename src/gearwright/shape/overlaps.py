@@ -36,7 +36,7 @@ class Overlap(NamedTuple):
 
 
 def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
-    """Return which bodies that turn against each other stand into each other, the deepest first.
+    """Return which bodies that turn against each other, or covers and walls, stand into each other, the deepest first.
 
     Args:
         sizing: As sized.
@@ -50,14 +50,16 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
             depth = max(_deep(scene, one, other), _deep(scene, other, one))
             if depth > TOUCH:
                 found.append(Overlap(one.name, other.name, depth))
-    found += _into_walls(scene, [node for node in nodes if any(node.spins.values()) or node.on])
+    found += _into_walls(
+        scene, [node for node in nodes if any(node.spins.values()) or node.on or node.look == "holder"]
+    )
     return tuple(sorted(found, key=lambda overlap: -overlap.depth))
 
 
-def _into_walls(scene: Scene, turning: list[Node]) -> Iterator[Overlap]:
-    """Yield what turns and stands in a wall or a plate of the housing, at rest."""
+def _into_walls(scene: Scene, bodies: list[Node]) -> Iterator[Overlap]:
+    """Yield what stands in a wall or a plate of the housing, at rest."""
     walls = [(node, chamber) for node in scene.nodes if isinstance(chamber := scene.solids.get(node.surface), Chamber)]
-    for node in turning:
+    for node in bodies:
         points = scene.surfaces[node.surface].points @ node.axes.turned.T + node.axes.origin
         for wall, chamber in walls:
             depth = depth_in((points - wall.axes.origin) @ wall.axes.turned, chamber)

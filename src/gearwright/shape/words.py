@@ -50,7 +50,7 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
     if sizing.design.housing.own:
         yield (
             "the housing is the shell of the complete mass, a statistical one, as thick as it is weighed, with its "
-            "flanges, and bosses of 0.12 diameters around sized bearings; ribs, feet, screws, walls that carry bosses, "
+            "flanges, and bosses around sized bearings; ribs, feet, screws, walls that carry bosses, "
             "and openings for shafts that leave it across the first one are left out"
         )
     if any(holder.lip for holder in holders_of(sizing)):

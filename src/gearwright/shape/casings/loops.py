@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, following
 from gearwright.sizing.mass import Stretch, outline_of
 
 SAME = 1e-4
 """Steps of a wall that are less are none [m]."""
+GAP = 5e-4
+"""Between a wall and the end of what stands square to it, at least [m], an assumption."""
 NEAR = 1e-7
 """Corners that are nearer are one [m]."""
 
@@ -23,9 +26,10 @@ def inside_of(own: Stretch, wall: float) -> Floats:
         wall: Thickness [m].
     """
     corners = loop_around(own.reach - wall / 2.0)
-    return np.asarray(np.maximum(np.max(corners @ ways_of(len(own.reach)).T, axis=0), own.least))
+    return np.asarray(np.maximum(np.max(corners @ ways_of(len(own.reach)).T, axis=0), own.least + GAP))
 
 
+@lru_cache(maxsize=4)
 def ways_of(count: int) -> Floats:
     """Return equally spaced directions from y on [-], shape (n, 2).
 
@@ -54,7 +58,7 @@ def loop_size(reach: Floats) -> tuple[float, float]:
         reach: h in every direction [m].
     """
     loop = loop_around(reach)
-    after = np.roll(loop, -1, axis=0)
+    after = following(loop)
     area = float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
     return float(np.sum(np.linalg.norm(after - loop, axis=1))), area
 
@@ -89,4 +93,4 @@ def loop_around(reach: Floats) -> Floats:
 
 def _cleaned(loop: Floats) -> Floats:
     """Return a loop with one corner where several coincide."""
-    return np.asarray(loop[np.linalg.norm(loop - np.roll(loop, 1, axis=0), axis=1) > NEAR])
+    return np.asarray(loop[np.linalg.norm(loop - np.concatenate([loop[-1:], loop[:-1]]), axis=1) > NEAR])

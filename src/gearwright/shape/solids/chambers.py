@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, following
 from gearwright.shape.solids.plane import plane_triangles
 from gearwright.shape.solids.surface import Surface, around, around_hole, joined
 
@@ -99,7 +99,7 @@ def side_of(loop: Floats, way: Floats) -> int:
         loop: Convex, counter-clockwise [m], shape (n, 2).
         way: Unit vector [-], shape (2,).
     """
-    along = np.roll(loop, -1, axis=0) - loop
+    along = following(loop) - loop
     out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(
         np.linalg.norm(along, axis=1, keepdims=True), 1e-30
     )
@@ -153,7 +153,7 @@ def _side(loop: Floats, span: tuple[float, float], opening: Opening) -> Surface:
 def _bore(opening: Opening, inner: Floats, outer: Floats) -> Surface:
     """Return the wall of an opening, which looks towards its axis."""
     count = len(inner)
-    here, there = np.arange(count), np.roll(np.arange(count), -1)
+    here, there = np.arange(count), following(np.arange(count))
     inwards = inner.mean(axis=0) - inner
     inwards /= np.linalg.norm(inwards, axis=1, keepdims=True)
     triangles = np.concatenate([np.stack([here, there + count, there], axis=1),
@@ -178,7 +178,7 @@ def chamber_volume(chamber: Chamber) -> float:
 
 
 def _area(loop: Floats) -> float:
-    after = np.roll(loop, -1, axis=0)
+    after = following(loop)
     return float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
 
 
@@ -206,7 +206,7 @@ def depth_in(points: Floats, chamber: Chamber) -> float:
 
 def _outside(points: Floats, loop: Floats) -> Floats:
     """Return how far points lie outside of a convex loop; inside of it negative [m]."""
-    along = np.roll(loop, -1, axis=0) - loop
+    along = following(loop) - loop
     out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.linalg.norm(along, axis=1, keepdims=True)
     return np.asarray(np.max(points @ out.T - np.sum(loop * out, axis=1), axis=1))
 
@@ -224,14 +224,14 @@ def _wall(loop: Floats, span: tuple[float, float], openings: Sequence[Opening] =
     """Return what a loop sweeps along z, shaded as if it were round, without sides that have openings."""
     count = len(loop)
     points = np.concatenate([np.column_stack([loop, np.full(count, place)]) for place in span])
-    along = np.roll(loop, -1, axis=0) - loop
+    along = following(loop) - loop
     length = np.linalg.norm(along, axis=1, keepdims=True)
     out = np.where(length > 0.0, np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(length, 1e-30), 0.0)
     mean = out + np.roll(out, 1, axis=0)
     mean = np.where(np.linalg.norm(mean, axis=1, keepdims=True) > 0.0, mean, loop - loop.mean(axis=0))
     mean /= np.linalg.norm(mean, axis=1, keepdims=True)
     normals = np.tile(np.column_stack([mean, np.zeros(count)]), (2, 1))
-    here, there = np.arange(count), np.roll(np.arange(count), -1)
+    here, there = np.arange(count), following(np.arange(count))
     kept = np.setdiff1d(here, [side_of(loop, opening.way) for opening in openings])
     here, there = here[kept], there[kept]
     low, high = np.stack([here, there, there + count], axis=1), np.stack([here, there + count, here + count], axis=1)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.arrays import Bools, Floats, Ints, following
 from gearwright.shape.solids.chambers import Chamber, Opening, side_of
 
 ALIKE = 1e-7
@@ -70,7 +70,7 @@ def spans_in(loop: Floats, legs: Sequence[Leg]) -> list[Span]:
         loop: Counter-clockwise [m], shape (n, 2).
         legs: In order, one after the other.
     """
-    along = np.roll(loop, -1, axis=0) - loop
+    along = following(loop) - loop
     out = np.stack([along[:, 1], -along[:, 0]], axis=1)
     reach = np.sum(loop * out, axis=1)
     found: list[Span] = []

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from gearwright.arrays import Bools, Complexes, Floats, Ints
+from gearwright.arrays import Bools, Complexes, Floats, Ints, following
 
 NONE = 1e-13
 """Twice an area that is none [m²]."""
@@ -36,15 +36,15 @@ def _between(outer: Floats, inner: Floats) -> Ints:
     Edges of both are walked in order of their directions.
     """
     n, m = len(outer), len(inner)
-    ways = [np.roll(loop, -1, axis=0) - loop for loop in (outer, inner)]
+    ways = [following(loop) - loop for loop in (outer, inner)]
     angle = np.concatenate([np.mod(np.arctan2(way[:, 1], way[:, 0]), 2.0 * np.pi) for way in ways])
     order = np.argsort(angle, kind="stable")
     is_outer = order < n
     i, j = int(np.argmin(angle[:n])), int(np.argmin(angle[n:]))
     here: Ints = (i + np.cumsum(is_outer) - is_outer) % n
     there: Ints = (j + np.cumsum(~is_outer) - ~is_outer) % m
-    following = np.where(is_outer, (here + 1) % n, n + (there + 1) % m)
-    return np.stack([here, following, n + there], axis=1)
+    onward = np.where(is_outer, (here + 1) % n, n + (there + 1) % m)
+    return np.stack([here, onward, n + there], axis=1)
 
 
 def _bridged(loops: Sequence[Floats]) -> list[int]:
@@ -86,7 +86,7 @@ def _ears(points: Floats, way: list[int]) -> Ints:
     left, places, found = np.array(way), points[:, 0] + 1j * points[:, 1], list[Ints]()
     while len(left) > 3:
         here = places[left]
-        corners = np.stack([np.roll(here, 1), here, np.roll(here, -1)])
+        corners = np.stack([np.roll(here, 1), here, following(here)])
         area = _turns(*corners)
         ears = np.flatnonzero(area > NONE)
         ears = ears[~_holds(corners[:, ears], here[area <= NONE])]

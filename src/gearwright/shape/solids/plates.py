@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Bools, Floats, following
 from gearwright.shape.solids.holes import Bores
 from gearwright.shape.solids.solid import BORE_STEPS, Section, Solid
 from gearwright.shape.solids.surface import circle
@@ -118,7 +118,7 @@ def _joined(powers: Floats, hub: float) -> Floats:
 def _share(radius: Floats, angles: Floats) -> float:
     """Return the area within an outline over that of the circle around it [-]."""
     turn = np.diff(angles, append=angles[0] + 2.0 * math.pi)
-    return float(np.sum(radius * np.roll(radius, -1) * np.sin(turn))) / (2.0 * math.pi)
+    return float(np.sum(radius * following(radius) * np.sin(turn))) / (2.0 * math.pi)
 
 
 def _round_arm(arm: Arm, angles: Floats, stem: float) -> Floats:

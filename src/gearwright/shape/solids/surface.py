@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.arrays import Floats, Ints, following
 from gearwright.showing import Shown
 from gearwright.units import Volume
 
@@ -151,7 +151,7 @@ def revolved(profile: Sequence[tuple[float, float]], segments: int) -> Surface:
         axial, radial = -(outer - inner) / length, (high - low) / length
         points = np.concatenate([around(inner, low, segments), around(outer, high, segments)])
         normal = np.stack([radial * np.cos(angle), radial * np.sin(angle), np.full(segments, axial)], axis=1)
-        here, there = np.arange(segments), np.roll(np.arange(segments), -1)
+        here, there = np.arange(segments), following(np.arange(segments))
         first = np.stack([here, there, there + segments], axis=1)
         second = np.stack([here, there + segments, here + segments], axis=1)
         triangles = second if inner == 0.0 else first if outer == 0.0 else np.concatenate([first, second])
@@ -175,5 +175,5 @@ def strip(outer: Floats, inner: Floats) -> Ints:
     i: Ints = np.cumsum(is_outer) - is_outer
     j: Ints = np.cumsum(~is_outer) - ~is_outer
     here, other = i % n, n + j % m
-    following = np.where(is_outer, (i + 1) % n, n + (j + 1) % m)
-    return np.stack([here, following, other], axis=1)
+    onward = np.where(is_outer, (i + 1) % n, n + (j + 1) % m)
+    return np.stack([here, onward, other], axis=1)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, following
 from gearwright.identity import Kind
 from gearwright.sizing.arranged import Body
 
@@ -141,7 +141,7 @@ def outline_of(reach: Floats) -> Floats:
     """
     step = 2.0 * math.pi / _SIDES
     ways = _DIRECTIONS[:, 1:]
-    beside = (np.roll(reach, -1) - reach * math.cos(step)) / math.sin(step)
+    beside = (following(reach) - reach * math.cos(step)) / math.sin(step)
     return np.asarray(reach[:, None] * ways + beside[:, None] * np.stack([-ways[:, 1], ways[:, 0]], axis=1))
 
 
@@ -187,7 +187,9 @@ def _reach(rounds: list[_Round], seen: list[_Round], start: float, end: float) -
 def _polygon(reach: Floats) -> tuple[float, float]:
     """Return perimeter [m] and area [m²] of the polygon whose sides are so far from the origin."""
     step = 2.0 * math.pi / _SIDES
-    sides = (np.roll(reach, 1) + np.roll(reach, -1) - 2.0 * reach * math.cos(step)) / math.sin(step)
+    sides = (np.concatenate([reach[-1:], reach[:-1]]) + following(reach) - 2.0 * reach * math.cos(step)) / math.sin(
+        step
+    )
     return float(sides.sum()), float(reach @ sides / 2.0)
 
 

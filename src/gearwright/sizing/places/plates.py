@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -64,18 +65,23 @@ def _moved(plate: Body, start: float, length: float) -> Body:
 
 def _has_room(sizing: Sizing, plate: Body) -> bool:
     """Tell whether nothing but shafts in line, for which plates have a hole, stands where a plate would."""
-    axis, origin = np.asarray(plate.direction), np.asarray(plate.origin)
+    axis = plate.direction
     for body in (*sizing.arrangement.bodies, *_whole(sizing)):
         if body.part.name == plate.part.name and body.part.kind in (Kind.GEAR, Kind.CARRIER):
             continue
-        off = np.asarray(body.origin) - origin
-        beside = float(np.linalg.norm(off - (off @ axis) * axis))
-        tilt = float(np.linalg.norm(np.cross(np.asarray(body.direction), axis)))
+        off = tuple(at - zero for at, zero in zip(body.origin, plate.origin, strict=True))
+        beside, tilt = math.hypot(*_cross(off, axis)), math.hypot(*_cross(body.direction, axis))
         if body.part.kind is Kind.SHAFT and beside < _IN_LINE and tilt < _IN_LINE:
             continue
         if room_between(plate, body, enough=0.0).gap < 0.0:
             return False
     return True
+
+
+def _cross(one: Sequence[float], other: Sequence[float]) -> tuple[float, float, float]:
+    """Return the vector product of two vectors; numpy's takes longer for a single one."""
+    (a, b, c), (x, y, z) = one, other
+    return b * z - c * y, c * x - a * z, a * y - b * x
 
 
 def _whole(sizing: Sizing) -> Iterator[Body]:
