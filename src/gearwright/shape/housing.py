@@ -35,6 +35,8 @@ from gearwright.sizing.mass import (
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
+BEFORE = 1e-3
+"""Between a wall and the end of what turns before it [m], an assumption."""
 LIP = 2e-4
 """How far a plate stands inside of its own wall [m]."""
 SAME_WAY = 1e-9
@@ -96,12 +98,14 @@ def _within(sizing: Sizing, node: Node) -> tuple[float, float]:
 
 
 def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
-    """Return the circles between which a body lies, as far as it is in the housing."""
+    """Return the circles between which a body lies, as far as it is in the housing, with room for its ends."""
     circles = list(solid.profile)
     for section in solid.sections[:: max(len(solid.sections) - 1, 1)]:
         radius = float(section.radius.max())
         circles += [(float(section.height.min()), radius), (float(section.height.max()), radius)]
-    circles = [(min(max(place, within[0]), within[1]), radius) for place, radius in circles]
+    places = [place for place, _ in circles]
+    room = {min(places): min(places) - BEFORE, max(places): max(places) + BEFORE}
+    circles = [(min(max(room.get(place, place), within[0]), within[1]), radius) for place, radius in circles]
     low = min(place for place, _ in circles)
     stations = tuple(Station(place - low, radius) for place, radius in sorted(circles))
     axis = node.axes.along

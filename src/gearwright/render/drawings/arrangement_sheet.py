@@ -29,6 +29,7 @@ from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.places import CLAUSE
 from gearwright.sizing.shafts import sealed_exits, unsealed_exits
+from gearwright.spec import GROUND
 
 NAME = "arrangement"
 AROUND = 9.0
@@ -69,7 +70,7 @@ def arrangement_content(sizing: Sizing) -> Content:
     shown = _Shown(sizing, plane, casing_section(sizing, plane))
     _, items = _parts(shown, 1.0)
     rows = tuple(
-        (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else f"{item.mass:.3g}")
+        (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else _kilograms(item.mass))
         for k, item in enumerate(items, start=1)
     )
     heads = ("Item", "Qty", "Part", "Remark", "Mass [kg]")
@@ -83,6 +84,11 @@ def arrangement_content(sizing: Sizing) -> Content:
     )  # fmt: skip
 
 
+def _kilograms(mass: float) -> str:
+    """Return a mass with three digits, or to the kilogram [kg]."""
+    return f"{mass:.0f}" if mass >= 100.0 else f"{mass:.3g}"
+
+
 def _notes(shown: _Shown) -> Iterator[str]:
     sizing, plane = shown.sizing, shown.plane
     if _has_end_view(sizing, plane):
@@ -94,6 +100,8 @@ def _notes(shown: _Shown) -> Iterator[str]:
         )
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
+    if any(gear.rim and GROUND in gear.shafts for gear in sizing.gears):
+        yield "What holds rings that stand in the housing is not sized, and not drawn."
     yield from _crowded(sizing)
     yield from casing_notes(sizing, shown.casing)
     listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])
