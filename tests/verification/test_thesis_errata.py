@@ -376,4 +376,4 @@ def test_figure_3_9_ties_a_planets_inertia_to_the_carrier(in_line_h2):
     for shown, inertia in ((system, turn.T @ mass @ turn), (tied, mass)):
         squares = scipy.linalg.eigh(spring, inertia, eigvals_only=True)
         assert modes(shown).frequency[1:] == pytest.approx(np.sqrt(squares[1:]) / (2.0 * math.pi), rel=1e-7)
-    assert modes(tied).frequency[3] / modes(system).frequency[3] == pytest.approx(321.42 / 360.05, rel=1e-4)
+    assert modes(tied).frequency[3] / modes(system).frequency[3] == pytest.approx(319.034 / 356.521, rel=1e-4)

@@ -215,6 +215,6 @@ def _diameters(sizing: Sizing) -> Iterator[tuple[str, Value]]:
         stands = design.planetaries.get(carrier.stage)
         if stands is not None and stands.planet_bearing is not None:
             continue  # pins and plates follow from what the planets turn on
-        for key, value in (("pin_diameter", carrier.pin_diameter), ("plate_thickness", carrier.plate_thickness)):
+        for key in ("pin_diameter", "plate_thickness", "eye_wall"):
             if f"{carrier.stage}.{key}" not in sizing.given:
-                yield f"{design.table(carrier.stage)}.{key}_mm", value / _MM
+                yield f"{design.table(carrier.stage)}.{key}_mm", getattr(carrier, key) / _MM

@@ -223,7 +223,7 @@ def search(
     >>> with gw.search(type(gw.read_study("motor-speed")).model_validate(asked)) as looking:
     ...     looking.tell(looking.evaluate(looking.ask(4)))
     ...     print(*(f"{row.number('total_mass'):.1f} kg" for row in looking.front))
-    137.7 kg
+    138.2 kg
     """
     if study.search is None:
         study = study.model_copy(update={"search": Rules()})

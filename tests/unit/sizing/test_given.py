@@ -15,7 +15,7 @@ from gearwright.spec.design.given import givable
 
 MEMBERS = ("pinion", "wheel", "sun", "planet", "ring", "carrier")
 KEYS = {
-    **{key: key for key in ("module", "outer_module", "face_width", "pin_diameter", "plate_thickness")},
+    **{key: key for key in ("module", "outer_module", "face_width", "pin_diameter", "plate_thickness", "eye_wall")},
     **{f"{member}.{what}": f"{member}_{what}" for member in MEMBERS for what in ("mass", "inertia")},
     **{key: key for key in ("length", "diameter", "mass")},
 }
@@ -47,7 +47,7 @@ def computed(sizing):
             yield f"{gear.stage}.module", gear.module
         yield f"{gear.stage}.face_width", gear.face_width
     for carrier in sizing.carriers:
-        for field in ("pin_diameter", "plate_thickness"):
+        for field in ("pin_diameter", "plate_thickness", "eye_wall"):
             yield f"{carrier.stage}.{field}", getattr(carrier, field)
         yield f"{carrier.stage}.carrier.mass", carrier.mass
         yield f"{carrier.stage}.carrier.inertia", carrier.inertia

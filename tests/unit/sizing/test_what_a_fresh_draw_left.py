@@ -94,7 +94,8 @@ def test_covers_lie_on_the_face_of_the_bearing_that_they_hold_and_press_what_it_
     for holder in covers:
         bearing = bearings[holder.beside]
         faces = {bearing.position + way * bearing.width / 2.0 for way in (-1, 1)}
-        assert min(abs(end - face) for end in (holder.start, holder.end) for face in faces) < 1e-12
+        apart = min(abs(end - face) for end in (holder.start, holder.end) for face in faces)
+        assert min(apart, abs(apart - 1e-3)) < 1e-12  # a millimetre where the outer ring slides
     others = [holder for holder in holders_of(sizing) if holder.kind not in ("cover", "end plate")]
     assert all((holder.force, holder.capacity) == (0.0, 0.0) for holder in others)
 

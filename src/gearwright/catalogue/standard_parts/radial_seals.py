@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from typing import Literal, NamedTuple
-
-import numpy as np
 
 from gearwright.catalogue.tables import data_rows
 from gearwright.units import Length, Velocity
@@ -144,8 +143,11 @@ def lip_speed(diameter: float, elastomer: Elastomer) -> Velocity:
     >>> lip_speed(0.030, ELASTOMERS[0]), lip_speed(0.030, ELASTOMERS[1])
     (5.8, 19.5)
     """
-    diameters, speeds = _speeds()[elastomer.name]
-    return float(np.interp(diameter, diameters, speeds)) * min(1.0, diameter / diameters[0])
+    points = list(zip(*_speeds()[elastomer.name], strict=True))
+    for (low, slower), (high, faster) in pairwise(points):
+        if diameter <= high:
+            return min(1.0, diameter / low) * (slower + max(diameter - low, 0.0) / (high - low) * (faster - slower))
+    return points[-1][1]
 
 
 @cache

@@ -37,7 +37,7 @@ def planetary() -> list[Entity]:
         (cmath.rect(distance, 330.0 * DEGREE) + 4.0, "planet"),
         (complex(46.0, 46.0), "ring"),
     )
-    for (target, text), place in zip(names, (-16.0, -36.0, 50.0), strict=True):
+    for (target, text), place in zip(names, (-16.0, -36.0, 66.0), strict=True):
         entities += leader(target, complex(74.0, place), text)
     start, end = 124.0, 152.0
     entities += [*box(complex(start, ring.tip_radius), complex(end, rim), cut=True)]
@@ -55,6 +55,8 @@ def planetary() -> list[Entity]:
     entities += [across(complex(start, 0.0), complex(end, 0.0), -14.0, "face_width_mm")]
     entities += [across(complex(start - 18.0, 28.0), complex(start - 5.0, 28.0), -26.0, "plate_thickness_mm")]
     entities += up(complex(end, distance - 7.0), complex(end, distance + 7.0), 164.0, "pin_diameter_mm")
+    eye = complex(start - 18.0, distance)
+    entities += up(eye + 7.0j, eye + 14.0j, start - 26.0, "eye_wall_mm", left=True)
     entities += leader(complex(end, sun.pitch_radius), complex(166.0, 14.0), "z_{s} · module_mm / 2")
     return entities
 
@@ -78,6 +80,7 @@ def compound() -> list[Entity]:
     entities += [across(complex(0.0, 62.0), complex(14.0, 62.0), 76.0, "plate_thickness_mm", complex(-20.0, 77.0))]
     entities += [across(complex(second[0], 71.0), complex(second[1], 71.0), 82.0, "face_width_mm")]
     entities += up(0j, complex(0.0, distance), -14.0, "centre_distance_mm", left=True)
+    entities += up(complex(0.0, distance + 6.0), complex(0.0, distance + 16.0), -6.0, "eye_wall_mm", left=True)
     entities += up(complex(84.0, distance - 6.0), complex(84.0, distance + 6.0), 98.0, "pin_diameter_mm")
     entities += leader(complex(first[1], 18.5), complex(60.0, 12.0), "z · module_mm / 2")
     return [*entities, note(complex(48.0, 2.0), "sun", "left"), note(complex(88.0, 64.0), "ring", "left")]

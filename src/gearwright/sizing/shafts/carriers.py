@@ -152,8 +152,7 @@ def _sized(
         thickness = max(thickness, worst.pin / (room * allowable))
     thickness = given.get(f"{name}.plate_thickness", thickness)
     wall = eye_wall(worst.pin, thickness, allowable / 2.0, needed=needed)
-    if 0.0 < room < wall:
-        wall = room
+    wall = given.get(f"{name}.eye_wall", room if 0.0 < room < wall else wall)
     bending = pin_stress(worst.pin, worst.lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
     torn, pressed = eye_stress(worst.pin, thickness, wall), hole_pressure(worst.pin, pin, thickness)

@@ -91,6 +91,9 @@ class Epicyclic(Record):
     )
     pin_diameter: Length | None = Field(None, gt=0, description="Of the planets' pins; left out: sized")
     plate_thickness: Length | None = Field(None, gt=0, description="Of the carrier's plate; left out: sized")
+    eye_wall: Length | None = Field(
+        None, gt=0, description="Metal of the carrier's plates outside its pins; left out: sized"
+    )
     carrier_mass: Mass | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
     carrier_inertia: Inertia | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")

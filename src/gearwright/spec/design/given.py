@@ -32,11 +32,11 @@ _OF_SETS = {
     "module": "module", "face_width": "face_width",
     "sun_mass": "sun.mass", "sun_inertia": "sun.inertia", "planet_mass": "planet.mass",
     "planet_inertia": "planet.inertia", "ring_mass": "ring.mass", "ring_inertia": "ring.inertia",
-    "pin_diameter": "pin_diameter", "plate_thickness": "plate_thickness",
+    "pin_diameter": "pin_diameter", "plate_thickness": "plate_thickness", "eye_wall": "eye_wall",
     "carrier_mass": "carrier.mass", "carrier_inertia": "carrier.inertia",
 }  # fmt: skip
 """Key of a planetary set -> end of the path."""
-_OF_CARRIERS = ("pin_diameter", "plate_thickness", "carrier_mass", "carrier_inertia")
+_OF_CARRIERS = ("pin_diameter", "plate_thickness", "eye_wall", "carrier_mass", "carrier_inertia")
 """Those of them that compound sets have, too."""
 _OF_COMPOUND_GEARS = ("module", "face_width", "mass", "inertia")
 """Keys of a gear of a compound set."""
