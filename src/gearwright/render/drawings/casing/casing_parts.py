@@ -49,9 +49,10 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
         yield "The housing is not drawn: the section has axes beside each other that are not in one plane in space."
     else:
         wall = wall_of(sizing, shell_around(housed(sizing)))
+        inner = " Walls that carry bosses within it are not sized." if sizing.bearings else ""
         yield (
             f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
-            f"measured, as {wall.why} asks, with flanges and bosses."
+            f"measured, as {wall.why} asks, with flanges and bosses.{inner}"
         )
         hidden = {name: mass for name, mass in made_of(sizing).casing.items() if name not in (*SHOWN, SCREWS)}
         if hidden:
