@@ -22,6 +22,7 @@ from gearwright.sizing.making import (
     withdrawals,
 )
 from gearwright.sizing.making.bridges import bridge_needed, bridge_room
+from gearwright.spec import edited
 from shipped_work import sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
@@ -183,8 +184,18 @@ def test_bridges_have_what_planets_leave_on_the_pin_circle():
     assert all(check.status is Status.PASSES for check in bridge_checks(sizing))
 
 
+def test_plates_that_do_not_go_through_their_ring_fail():
+    """Tips of the first ring of In-Line H2 lie at 154.55 mm; pins of 18.6 mm on 100.8 mm with 60 mm 170.1 mm."""
+    for wall, status in ((40.0, Status.PASSES), (60.0, Status.FAILS)):
+        sizing = gw.size(edited(gw.read("in-line-h2"), {"planetaries.first.eye_wall_mm": wall}))
+        check = next(check for check in bridge_checks(sizing) if check.mode == "plate through its ring")
+        assert (str(check.part), check.status) == ("first.carrier", status)
+        assert check.limit == pytest.approx(0.15455 - 1e-3, abs=1e-5)
+
+
 def test_planets_that_leave_too_little_for_bridges_are_told():
-    check = only(bridge_checks(sized("twin-engine-helicopter")))
+    through, check = bridge_checks(sized("twin-engine-helicopter"))
+    assert through.status is Status.PASSES and through.value == pytest.approx(0.30409, abs=1e-5)
     assert check.status is Status.NOT_ASSESSED and "one plate must hold the pins" in check.why
 
 

@@ -29,7 +29,10 @@ def test_every_end_of_the_helicopters_gearbox_that_leaves_has_a_seal():
         "oil-pump": "DIN 3760 - A 10 x 22 x 7 - FKM", "tail-drive": "DIN 3760 - A 20 x 35 x 7 - FKM",
     }  # fmt: skip
     assert unsealed_exits(sized("ec120b")) == ()
-    assert all(check.status is Status.PASSES for check in seal_checks(sized("ec120b")))
+    left = [
+        (str(check.part), check.mode) for check in seal_checks(sized("ec120b")) if check.status is not Status.PASSES
+    ]
+    assert left == [("main-rotor", "seal hardness")]  # no teeth of one piece with the mast are case-hardened
 
 
 def test_the_mast_is_as_thick_as_its_bearing_under_the_seal_and_thinner_beyond():

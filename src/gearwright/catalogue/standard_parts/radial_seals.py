@@ -13,8 +13,6 @@ from gearwright.units import Length, Velocity
 
 ElastomerName = Literal["nbr", "fkm"]
 """Of a lip: nitrile rubber or fluoro rubber (ISO 1629)."""
-PRESSURE = 0.05e6
-"""Largest difference of pressure across a lip without a profile against pressure [Pa]: SKF, HMS5 and HMSA10."""
 DEEPER = 0.3e-3
 """Depth of the bore in the housing beyond the width of a seal with a metal insert, at least [m]: SKF."""
 HARDNESS = 45.0

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
+from gearwright.catalogue.standard_parts.radial_seals import BORE, ROUGHNESS, SHAFT
 from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
@@ -114,9 +115,10 @@ def _seals(sizing: Sizing) -> Iterator[str]:
     """Yield what is told of radial seals, and of places where none is."""
     sealed, others = sealed_exits(sizing), unsealed_exits(sizing)
     if sealed:
+        low, high = (1e6 * limit for limit in ROUGHNESS)
         yield (
-            "Radial seals of type A, lips to the oil; bores H8, shafts under them h11, Ra 0.2 to 0.8, ground without "
-            "lead."
+            f"Radial seals of type A, lips to the oil; bores {BORE}, shafts under them {SHAFT}, Ra {low:g} to "
+            f"{high:g}, ground without lead."
         )
     if others:
         names = ", ".join(leaves.machine for leaves in others)

@@ -1,4 +1,4 @@
-"""Whether carriers have room for bridges between their planets, which tie a second plate to the first.
+"""Whether carriers go through their rings, and have room for bridges, which tie a second plate to the first.
 
 Sizing has pins that one plate holds; the complete mass counts a second plate and bridges. A planet of tip diameter d_a
 is put in through the window between two bridges, on the chord 2 r sin(π/N) of neighbouring pins. Half of the torque
@@ -14,22 +14,34 @@ from gearwright.checks import Check, not_assessed
 from gearwright.identity import Role
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.sizing.making.running import OFF
-from gearwright.sizing.mass import BRIDGE
+from gearwright.sizing.mass import BRIDGE, tooth_of
+from gearwright.sizing.shafts.carriers import THROUGH
 
 _CLAUSE = "window between bridges; beam with both ends held"
 _HELP = "one plate must hold the pins; fewer planets, or smaller ones, would leave bridges room"
 
 
 def bridge_checks(sizing: Sizing) -> Iterator[Check]:
-    """Yield whether what planets leave on the pin circle is thick enough for a bridge, and that double helices part.
+    """Yield whether plates go through rings, and what planets leave on the pin circle is thick enough for a bridge.
 
     Args:
         sizing: As sized.
     """
     for carrier in sizing.carriers:
+        yield from _through(sizing, carrier)
         planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
         if carrier.stage in sizing.design.planetaries and max(gear.bodies for gear in planets) > 1:
             yield _bridges(sizing, carrier, planets[0])
+
+
+def _through(sizing: Sizing, carrier: CarrierSizing) -> Iterator[Check]:
+    """Yield whether the plates of a carrier, with their eyes, pass the tips of the narrowest ring of their set."""
+    tips = [tooth_of(sizing, gear).tip_radius for gear in sizing.gears if gear.stage == carrier.stage and gear.rim]
+    if tips:
+        yield Check(
+            carrier.part, "plate through its ring", "tip circle", carrier.reach, min(tips) - THROUGH, "length",
+            at_most=True, exponent=None, symbol="r",
+        )  # fmt: skip
 
 
 def _bridges(sizing: Sizing, carrier: CarrierSizing, planet: GearSizing) -> Check:

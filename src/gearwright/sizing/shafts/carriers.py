@@ -140,22 +140,22 @@ def _sized(
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
     material, torque, hub = shaft_material(context), asked.torque, asked.hub
     allowable = (material.yield_strength or 0.0) / rules.safety
-    worst = largest(loads, lambda load: load.pin * load.lever)
+    worst, pulled = largest(loads, lambda load: load.pin * load.lever), largest(loads, lambda load: load.pin).pin
     length, outermost = pins[worst.body].length, max(equal.radius for equal in pins.values())
     needed = pin_diameter(worst.pin, worst.lever, allowable)
     pin = given.get(f"{name}.pin_diameter", max(needed, pins[worst.body].seat))
     bore = pin_bore(pin, needed) if pins[worst.body].seat else 0.0
     room = room - outermost - pin / 2.0
-    thinnest = max(rules.plate_ratio * length, worst.pin / (pin * allowable))
+    thinnest = max(rules.plate_ratio * length, pulled / (pin * allowable))
     thickness = _thickness(thinnest, torque, hub, allowable=allowable)
     if room > 0.0:  # where the ring leaves less metal outside the pins, the plate is thicker
-        thickness = max(thickness, worst.pin / (room * allowable))
+        thickness = max(thickness, pulled / (room * allowable))
     thickness = given.get(f"{name}.plate_thickness", thickness)
-    wall = eye_wall(worst.pin, thickness, allowable / 2.0, needed=needed)
+    wall = eye_wall(pulled, thickness, allowable / 2.0, needed=needed)
     wall = given.get(f"{name}.eye_wall", room if 0.0 < room < wall else wall)
     bending = pin_stress(worst.pin, worst.lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    torn, pressed = eye_stress(worst.pin, thickness, wall), hole_pressure(worst.pin, pin, thickness)
+    torn, pressed = eye_stress(pulled, thickness, wall), hole_pressure(pulled, pin, thickness)
     count = asked.equal
     masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
     reach = outermost + pin / 2.0 + wall

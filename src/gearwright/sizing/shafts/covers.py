@@ -57,18 +57,17 @@ def covers(
     material = housing_materials()[sizing.design.housing.material]
     screw, clamps = next(((d, clamp) for d, clamp in _clamps() if clamp >= SURPLUS * force), _clamps()[-1])
     bore = bearing.outer_diameter - SHOULDER * (bearing.outer_diameter - bearing.inner_diameter)
-    circle = bearing.outer_diameter + CIRCLE * screw
+    seal = None if leaves is None or leaves.elastomer is None else leaves.seal
+    boss = 0.0 if seal is None else seal.bore + 2.0 * material.least_wall
+    circle = max(bearing.outer_diameter + CIRCLE * screw, boss + HEAD * screw if seal else 0.0)
     allowed = math.sqrt(3.0) * material.shear_strength
     thick = max(material.least_wall, clamped_plate(force, (bore + bearing.outer_diameter) / 2.0, circle, allowed))
     face = bearing.position + way * (bearing.width / 2.0 + apart)
     designation, density = f"{SCREWS} screws M{1e3 * screw:g}, 8.8", material.density
-    rim = bearing.outer_diameter + RIM * screw
-    if leaves is None or leaves.seal is None or leaves.elastomer is None:
+    rim = circle + (RIM - CIRCLE) * screw
+    if leaves is None or seal is None or leaves.elastomer is None:
         plain = made(bearing, "cover", designation, span_from(face, way, thick), (bore, rim), density, turns=False)
         return (plain._replace(force=force, capacity=clamps),)
-    seal = leaves.seal
-    boss = seal.bore + 2.0 * material.least_wall
-    rim = max(rim, boss + HEAD * screw + (RIM - CIRCLE) * screw)
     reached = max((way * (place - face) for part in turning for place in (part.start, part.end)), default=0.0)
     around = max((part.outer for part in turning), default=0.0)
     rings, at = _bossed(material, seal, (bore, rim, boss), (thick, reached, around))
@@ -81,7 +80,7 @@ def covers(
     )
     lip = made(bearing, SEAL, seal.designation(leaves.elastomer), span_from(face + way * at, way, seal.width),
                (seal.shaft, seal.bore), leaves.elastomer.density, turns=False)  # fmt: skip
-    return held, lip._replace(lip=-way)
+    return held, lip._replace(lip=-way, mass=seal.mass(leaves.elastomer))
 
 
 def _bossed(

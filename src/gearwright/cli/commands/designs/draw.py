@@ -32,13 +32,15 @@ def draw(
     folder: Annotated[Path | None, typer.Option("--out", help="Folder; left out: NAME-drawings here")] = None,
     what: Annotated[
         str | None,
-        typer.Option(help="Sheets by name, or all of a kind (shaft, gear, housing), with commas; left out: all"),
+        typer.Option(
+            help="Sheets by name, or all of a kind (shaft, gear, carrier, housing), with commas; left out: all"
+        ),
     ] = None,
     formats: Annotated[str, typer.Option("--format", help="svg, dxf or both, with a comma")] = "svg,dxf",
     report: ReportOption = None,
     date: DateOption = "",
 ) -> None:
-    """Draw the general arrangement, every shaft and every gear as sheets to ISO conventions."""
+    """Draw the general arrangement, shafts, gears, carriers and the housing as sheets to ISO conventions."""
     from gearwright.render.drawings.catalogue import sheets
     from gearwright.render.drawings.sheet.sheets import scale_text
 
