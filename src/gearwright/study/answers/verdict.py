@@ -69,7 +69,8 @@ def verdict(study: Study, table: Table) -> Verdict | None:
     Source: mean rank: Borda 1781; weights drawn evenly from the simplex: Lahdelma and Salminen 2001, SMAA-2, Oper.
         Res. 49 (3), 444-454, on places instead of values.
     """
-    groups = scenarios(table) if len(study.designs) > 1 and study.objectives else []
+    searched = study.sampling.method == "nsga2"  # whose cases have equal inputs by chance alone
+    groups = scenarios(table) if len(study.designs) > 1 and study.objectives and not searched else []
     if not groups:
         return None
     designs = [row.design for row in groups[0]]
