@@ -37,6 +37,7 @@ BEYOND_SIZING = (
     "yield at its",
     "running clearance",
     "wheel that grinds it",
+    "plate through its ring",
     "assembly",
     "access to a nut",
     "access to a screw",
