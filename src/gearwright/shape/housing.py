@@ -127,7 +127,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     for k, (place, key, half) in enumerate(flange_halves(flanges, stretches, wall)):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
-    bosses = bosses_of(sizing) if sizing.bearings else {}
+    bosses = bosses_of(sizing, holders_of(sizing))
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
@@ -236,11 +236,12 @@ def _leaving(sizing: Sizing, drawn: tuple[Run, ...]) -> Iterator[Hole]:
 
 def _passing(sizing: Sizing) -> Iterator[tuple[Leaving, tuple[float, ...]]]:
     """Yield the ends of shafts that leave, and radii of holes: for the cover there, for what goes round there [m]."""
+    holders = holders_of(sizing)
     for leaving in leaving_of(sizing):
-        around = [holder.outer / 2.0 for holder in holders_of(sizing)
+        around = [holder.outer / 2.0 for holder in holders
                   if holder.shaft == leaving.shaft and holder.turns
                   and holder.start > leaving.start - NEAR and holder.end < leaving.end + NEAR]  # fmt: skip
-        cover = cover_at(sizing, leaving)
+        cover = cover_at(holders, leaving)
         wide = () if cover is None else (cover.outer / 2.0 + BESIDE,)
         yield leaving, (*wide, AROUND * max([leaving.radius, *around]))
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from gearwright.catalogue import housing_materials
 from gearwright.identity import HOUSING, Kind
 from gearwright.sizing.arranged import Body, Point, Station
-from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import NEAR, Leaving, leaving_of
 from gearwright.sizing.shafts import Holder, holders_of
@@ -32,55 +31,43 @@ def housed(sizing: Sizing) -> tuple[Body, ...]:
     return (*inside, *_still(sizing, ends))
 
 
-def boss_diameter(bearing: BearingSizing, covers: tuple[Holder, ...], least_wall: float) -> float:
-    """Return the outside of the boss around a bearing of a built shaft [m].
-
-    Args:
-        bearing: As sized.
-        covers: What is screwed onto the boss.
-        least_wall: Of the casting [m].
-
-    Source: a wall of 0.12 D, an estimate; as wide as its cover and the thinnest wall around it.
-    """
-    widest = max((cover.outer + 2.0 * least_wall for cover in covers), default=0.0)
-    return max((1.0 + 2.0 * BOSS) * bearing.outer_diameter, widest)
-
-
-def bosses_of(sizing: Sizing) -> dict[str, float]:
+def bosses_of(sizing: Sizing, holders: Sequence[Holder]) -> dict[str, float]:
     """Return bearing of a built shaft -> outside diameter of its boss [m].
 
     Args:
         sizing: As sized.
+        holders: Of it.
+
+    Source: a wall of 0.12 D, an estimate; as wide as its cover and the thinnest wall around it.
     """
-    least, holders = housing_materials()[sizing.design.housing.material].least_wall, holders_of(sizing)
-    return {
-        bearing.name: boss_diameter(bearing, tuple(_covers(holders, bearing)), least) for bearing in sizing.bearings
-    }
+    least = housing_materials()[sizing.design.housing.material].least_wall
+    found = {bearing.name: (1.0 + 2.0 * BOSS) * bearing.outer_diameter for bearing in sizing.bearings}
+    for holder in holders:
+        if holder.kind == "cover":
+            found[holder.beside] = max(found[holder.beside], holder.outer + 2.0 * least)
+    return found
 
 
-def cover_at(sizing: Sizing, leaving: Leaving) -> Holder | None:
+def cover_at(holders: Sequence[Holder], leaving: Leaving) -> Holder | None:
     """Return the cover through which the end of a shaft leaves; None where there is none.
 
     Args:
-        sizing: As sized.
+        holders: Of the sizing.
         leaving: The end.
     """
-    covers = [holder for holder in holders_of(sizing) if holder.kind == "cover" and holder.shaft == leaving.shaft]
+    covers = [holder for holder in holders if holder.kind == "cover" and holder.shaft == leaving.shaft]
     beyond = [cover for cover in covers if leaving.way * ((cover.start + cover.end) / 2.0 - leaving.face) > 0.0]
     return next(iter(beyond), None)
 
 
-def _covers(holders: tuple[Holder, ...], bearing: BearingSizing) -> Iterator[Holder]:
-    return (holder for holder in holders if holder.kind == "cover" and holder.beside == bearing.name)
-
-
 def _still(sizing: Sizing, ends: tuple[Leaving, ...]) -> Iterator[Body]:
     """Yield bosses, and what holds bearings within the housing, not where a shaft leaves."""
-    bosses = bosses_of(sizing)
+    holders = holders_of(sizing)
+    bosses = bosses_of(sizing, holders)
     for bearing in sizing.bearings:
         half = bearing.width / 2.0
         yield _round(sizing, bearing.shaft, (bearing.position - half, bearing.position + half), bosses[bearing.name])
-    for holder in holders_of(sizing):
+    for holder in holders:
         beyond = (
             end.way * (holder.start + holder.end - 2.0 * end.face) > 0.0 for end in ends if end.shaft == holder.shaft
         )

@@ -16,6 +16,7 @@ from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.mass.shell import Shell
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
+from gearwright.sizing.shafts import holders_of
 
 SURE = 0.35
 """One standard deviation of housings over their value, an estimate [-]."""
@@ -71,7 +72,7 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
     sized = {bearing.name for bearing in sizing.bearings}
     bosses = sum(_boss(item, material) for item in bearings if item.part not in planets | sized)
-    outside = bosses_of(sizing) if sizing.bearings else {}
+    outside = bosses_of(sizing, holders_of(sizing))
     bosses += sum(_around(bearing, outside[bearing.name], material) for bearing in sizing.bearings)
     yield _item("bosses", bosses, "wall of 0.12 D around bearings, as wide as covers at least", "estimate")
 
