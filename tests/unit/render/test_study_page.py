@@ -57,20 +57,21 @@ def good(table: Table, design: str) -> list:  # type: ignore[type-arg]
 
 
 @pytest.mark.parametrize(
-    ("more", "figures"),
+    ("more", "drawn"),
     [
         (
             '[sampling]\nmethod = "nsga2"\ncount = 24\npopulation = 8\n'
             '[objectives]\nmass = "minimum"\nmotor_mass = "minimum"',
-            4,
+            {"Pareto front": 2, "Spread": 1, "The chosen designs": 2},
         ),
-        ("", 1),
+        ("", {"Cases": 1}),
     ],
 )
-def test_every_method_has_its_figures(more: str, figures: int) -> None:
+def test_every_method_has_its_figures(more: str, drawn: dict[str, int]) -> None:
     axes = '[axes]\n"carriers.fill" = {values = [0.5, 0.6]}\n'
     _, _, page = page_of(HEAD + axes + more)
-    assert page.count("<svg/>") == figures
+    sections = re.findall(r"<section.*?<h2[^>]*>(.*?)</h2>(.*?)</section>", page, flags=re.DOTALL)
+    assert {head: count for head, body in sections if (count := body.count("<svg/>"))} == drawn
 
 
 def test_a_sensitivity_study_has_a_tornado_and_says_what_does_not_vary() -> None:
