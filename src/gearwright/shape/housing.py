@@ -19,7 +19,7 @@ from gearwright.shape.solids import Chamber, End, Opening, Solid, chamber_volume
 from gearwright.shape.stands import Axes, axes_at, middle_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
-from gearwright.sizing.mass import (
+from gearwright.sizing.casing import (
     Leaving,
     Stretch,
     bosses_of,
@@ -27,11 +27,10 @@ from gearwright.sizing.mass import (
     flanges_of,
     housed,
     leaving_of,
-    reaction_torque,
     shell_around,
     stretches_around,
-    wall_of,
 )
+from gearwright.sizing.mass import reaction_torque, wall_of
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 

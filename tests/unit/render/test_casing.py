@@ -16,7 +16,8 @@ from gearwright.render.drawings.views.positions import positions
 from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.mass import complete_mass, flanges_of, housed, reaction_torque, screw_volume, shell_around
+from gearwright.sizing.casing import flanges_of, housed, screw_volume, shell_around
+from gearwright.sizing.mass import complete_mass, reaction_torque
 from shipped_work import sized
 
 MM = 1e3

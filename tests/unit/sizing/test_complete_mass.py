@@ -10,7 +10,8 @@ import pytest
 import gearwright as gw
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.sizing.arranged import Body, Point, Station
-from gearwright.sizing.mass import complete_mass, gear_blanks, shell_around, wall_of
+from gearwright.sizing.casing import shell_around
+from gearwright.sizing.mass import complete_mass, gear_blanks, wall_of
 from gearwright.spec import edited
 
 STEEL = 7850.0

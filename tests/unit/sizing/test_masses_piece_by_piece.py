@@ -9,16 +9,8 @@ import gearwright as gw
 from gearwright.catalogue import bearings
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.gears import blank_volume
-from gearwright.sizing.mass import (
-    CompleteMass,
-    MassItem,
-    complete_mass,
-    flanges_of,
-    gear_blanks,
-    housed,
-    screw_volume,
-    shell_around,
-)
+from gearwright.sizing.casing import flanges_of, housed, screw_volume, shell_around
+from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
 from gearwright.sizing.mass.beside import requirement_of
 from gearwright.sizing.mass.calibration import Calibration
 from gearwright.sizing.mass.details import detail_items

@@ -12,11 +12,11 @@ from gearwright.identity import Kind, PartId
 from gearwright.sizing import Body, Direction, Point, Station, size
 from gearwright.sizing.arrangement.layout import _moved
 from gearwright.sizing.bearings.planet_bodies import Fitting
+from gearwright.sizing.casing.shell import CLEARANCE, _Round
 from gearwright.sizing.losses.bodies import seal_losses
 from gearwright.sizing.mass import tooth_of
 from gearwright.sizing.mass.cages import PIN_BORE, cage_of
 from gearwright.sizing.mass.rolling_mass import bored_mass
-from gearwright.sizing.mass.shell import CLEARANCE, _Round
 from gearwright.sizing.places import PLATE_GAP, runs
 from gearwright.sizing.places.bodies import _free
 from gearwright.sizing.places.coaxial import _coaxial

@@ -16,8 +16,9 @@ from gearwright.dynamics.model.contact import Carried
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing import TeethSearch, size
+from gearwright.sizing.casing import shell_around
 from gearwright.sizing.losses.bodies import gear_losses
-from gearwright.sizing.mass import Wall, shell_around, wall_of
+from gearwright.sizing.mass import Wall, wall_of
 from gearwright.sizing.mass.housing import _boss
 from gearwright.sizing.places.solids import Solid, _likely, _sphere
 from gearwright.spec import parse

@@ -45,7 +45,8 @@ from gearwright.shape import scene as scene_of
 from gearwright.shape.solids import spans_in
 from gearwright.shape.teeth import kind_of, sized_mesh
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import HOLE, Flanges, flanges_of, housed, reaction_torque, shell_around
+from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
+from gearwright.sizing.mass import reaction_torque
 
 NAME = "housing"
 CENTRE_FIT = "js7"

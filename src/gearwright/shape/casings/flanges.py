@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.shape.casings.loops import NEAR, SAME, inside_of, loop_around, ways_of
 from gearwright.shape.solids import Chamber
-from gearwright.sizing.mass import Flanges, Stretch
+from gearwright.sizing.casing import Flanges, Stretch
 
 SIDES = 48
 """Directions in which loops around a housing are measured [-]."""

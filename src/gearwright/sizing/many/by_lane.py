@@ -316,6 +316,6 @@ CHANGES.update({
     "gearwright.catalogue.bearing_oil": friction,
     "gearwright.parts.bearings.modified_life": lives,
     "gearwright.sizing.mass.record": _unordered,
-    "gearwright.sizing.mass.shell": _in_each_lane("_around"),
+    "gearwright.sizing.casing.shell": _in_each_lane("_around"),
     "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
 })  # fmt: skip

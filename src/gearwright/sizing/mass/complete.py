@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+from gearwright.sizing.casing import housed, shell_around
 from gearwright.sizing.mass.bearings import bearing_items
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.gears import gear_items
-from gearwright.sizing.mass.housed import housed
 from gearwright.sizing.mass.housing import housing_items
 from gearwright.sizing.mass.oil_system import oil_items
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.record import CompleteMass, MassItem, ordered
 from gearwright.sizing.mass.rotating import carrier_items, shaft_items
-from gearwright.sizing.mass.shell import shell_around
 from gearwright.sizing.result import Sizing
 from gearwright.verbs import verb
 

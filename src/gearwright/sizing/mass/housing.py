@@ -9,11 +9,9 @@ from typing import NamedTuple
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.identity import Role
 from gearwright.parts.bearings import BearingKind
+from gearwright.sizing.casing import BOSS, Shell, bosses_of, flanges_of, screw_volume
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
-from gearwright.sizing.mass.flanges import flanges_of, screw_volume
-from gearwright.sizing.mass.housed import BOSS, bosses_of
 from gearwright.sizing.mass.record import MassItem
-from gearwright.sizing.mass.shell import Shell
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import holders_of

@@ -10,7 +10,8 @@ from gearwright.render.drawings.views.arrangement_parts import Item
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import LENGTH, flanges_of, housed, reaction_torque, shell_around, wall_of
+from gearwright.sizing.casing import LENGTH, flanges_of, housed, shell_around
+from gearwright.sizing.mass import reaction_torque, wall_of
 
 SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses")
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gearwright.sizing.mass.shell import Shell
+from gearwright.sizing.casing.shell import Shell
 from gearwright.sizing.result import Sizing
 
 WIDTH, THICKNESS = 2.5, 1.2
