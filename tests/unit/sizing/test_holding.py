@@ -24,8 +24,8 @@ from gearwright.sizing.shafts import (
     threads,
     undercuts_of,
 )
-from gearwright.sizing.shafts.grooves import groove_strengths
-from gearwright.sizing.shafts.holders import clamped_plate
+from gearwright.sizing.shafts.holding.grooves import groove_strengths
+from gearwright.sizing.shafts.holding.holders import clamped_plate
 from gearwright.spec import edited
 from shipped_work import sized
 
@@ -183,7 +183,7 @@ def longer(shoulders):
 @pytest.fixture
 def nutted(monkeypatch):
     """Return by how shoulders are made the gearbox whose intermediate shaft a nut holds, as there are no rings."""
-    monkeypatch.setattr("gearwright.sizing.shafts.retention.retaining_ring", lambda diameter: None)
+    monkeypatch.setattr("gearwright.sizing.shafts.holding.retention.retaining_ring", lambda diameter: None)
     return lambda shoulders: gw.size(gw.parse(longer(shoulders)))
 
 

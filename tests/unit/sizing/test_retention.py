@@ -12,7 +12,7 @@ from gearwright.identity import Role
 from gearwright.reviews import review_of
 from gearwright.sizing.mounted import ShaftStep
 from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
-from gearwright.sizing.shafts.retention import Seated, _retention, _seated
+from gearwright.sizing.shafts.holding.retention import Seated, _retention, _seated
 from gearwright.spec.design import LOCATES
 from shipped_work import sized
 

@@ -16,7 +16,7 @@ from gearwright.sizing import size, size_many
 from gearwright.sizing.arranged import Body, Station
 from gearwright.sizing.places.coaxial import _meet
 from gearwright.sizing.shafts import holders_of
-from gearwright.sizing.shafts.holding import _is_integral
+from gearwright.sizing.shafts.holding.held import _is_integral
 from gearwright.sizing.teeth import search
 from gearwright.sizing.teeth.front import Front
 from gearwright.spec import edited, parse, read

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from gearwright.catalogue import LockNut, ThreadUndercut, thread_run_out, thread_undercut
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts.holding import holders_of
-from gearwright.sizing.shafts.retention import ends
+from gearwright.sizing.shafts.holding.held import holders_of
+from gearwright.sizing.shafts.holding.retention import ends
 
 
 class Thread(NamedTuple):

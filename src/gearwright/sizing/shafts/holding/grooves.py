@@ -17,10 +17,10 @@ from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.mounted import BuiltShaft, SectionStrength
 from gearwright.sizing.rating import context_of
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts.holding import holders_of
-from gearwright.sizing.shafts.retention import ends
+from gearwright.sizing.shafts.holding.held import holders_of
+from gearwright.sizing.shafts.holding.retention import ends
+from gearwright.sizing.shafts.holding.threads import threads
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
-from gearwright.sizing.shafts.threads import threads
 from gearwright.sizing.shafts.undercuts import undercuts_of
 
 GROOVE_RADIUS = 0.1

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from gearwright.catalogue import STEEL_DENSITY, CentreHole, LockNut, RetainingRing
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts.retention import Retention
+from gearwright.sizing.shafts.holding.retention import Retention
 from gearwright.sizing.shafts.stretches import SHOULDER
 
 RING_HEIGHT = 0.08

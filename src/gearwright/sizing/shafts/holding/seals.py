@@ -14,9 +14,9 @@ from gearwright.parts.iso6336 import Treatment
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import LIP_WARMER, NEAR, Exit, exits_of, leaving_of
-from gearwright.sizing.shafts.covers import SEAL
-from gearwright.sizing.shafts.holders import Holder
-from gearwright.sizing.shafts.holding import holders_of
+from gearwright.sizing.shafts.holding.covers import SEAL
+from gearwright.sizing.shafts.holding.held import holders_of
+from gearwright.sizing.shafts.holding.holders import Holder
 
 SPEEDS = "SKF, pages of products HMS5"
 SURFACE = "DIN 3760, as makers' sheets have it"

@@ -15,7 +15,7 @@ from gearwright.catalogue.standard_parts.centre_holes import PRELOAD, PROOF_STRE
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import Exit
-from gearwright.sizing.shafts.holders import Holder, Ring, clamped_plate, made, span_from
+from gearwright.sizing.shafts.holding.holders import Holder, Ring, clamped_plate, made, span_from
 from gearwright.sizing.shafts.stretches import SHOULDER
 
 SCREWS = 6

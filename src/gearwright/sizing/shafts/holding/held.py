@@ -19,10 +19,10 @@ from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import Exit, exits_of
-from gearwright.sizing.shafts.covers import CLEAR, covers
-from gearwright.sizing.shafts.holders import Holder, plate, spacer, washer_and_nut
-from gearwright.sizing.shafts.holders import ring as ring_on
-from gearwright.sizing.shafts.retention import Retention, ends
+from gearwright.sizing.shafts.holding.covers import CLEAR, covers
+from gearwright.sizing.shafts.holding.holders import Holder, plate, spacer, washer_and_nut
+from gearwright.sizing.shafts.holding.holders import ring as ring_on
+from gearwright.sizing.shafts.holding.retention import Retention, ends
 from gearwright.sizing.shafts.stretches import SHOULDER
 from gearwright.spec.design import LOCATES
 
