@@ -1,5 +1,8 @@
 """A scene as a binary glTF 2.0 file, which browsers, slides and modellers open: one mesh a surface, one node a body.
 
+It asks readers for no extension of glTF; arrays that are equal to the bit, as those of tubes with equal corners are,
+are written once.
+
 Every node says in its extras whose body it is, as what it is painted, and how fast it turns about its own z in every
 load case; planets are children of their carrier and turn against it.
 """
@@ -37,6 +40,8 @@ COLOURS: Mapping[str, tuple[float, float, float]] = {
 """What a body is -> its colour, red, green and blue, told apart by those who do not tell red from green [-]."""
 SEEN_THROUGH = 0.25
 """How much of a housing is seen of what is seen through it [-]."""
+PLACES = 12
+"""Decimals of places [m] and of quaternions [-]: beyond what readers of single precision see."""
 _FLOAT, _SHORT, _LONG = 5126, 5123, 5125
 _VERTICES, _INDICES = 34962, 34963
 
@@ -74,7 +79,7 @@ def glb(scene: Scene) -> bytes:
                 "extras": {"cases": list(scene.cases), "approximations": list(scene.approximations)},
             }
         ],
-        "nodes": [_node(scene, node, meshes) for node in scene.nodes],
+        "nodes": _nodes(scene, meshes),
         "meshes": listed,
         "materials": [_material(look) for look in looks],
         "accessors": buffer.accessors,
@@ -88,19 +93,24 @@ class _Buffer:
     """The binary chunk as it grows, with what stands where."""
 
     def __init__(self) -> None:
+        self.known: dict[tuple[bytes, str, int], int] = {}
         self.parts: list[bytes] = []
         self.length = 0
         self.views: list[dict[str, int]] = []
         self.accessors: list[dict[str, Any]] = []
 
     def add(self, values: NDArray[Any], kind: str, component: int, target: int, *, bounds: bool) -> int:
-        """Add an array; return the number of its accessor."""
+        """Add an array, where none is equal to the bit; return the number of its accessor."""
         data = values.tobytes()
+        key = (data, kind, component)
+        if key in self.known:
+            return self.known[key]
         self.views.append({"buffer": 0, "byteOffset": self.length, "byteLength": len(data), "target": target})
         entry: dict[str, Any] = {"bufferView": len(self.views) - 1, "componentType": component, "type": kind,
                                  "count": len(values)}  # fmt: skip
         if bounds:
             entry |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
+        self.known[key] = len(self.accessors)
         self.accessors.append(entry)
         data += b"\0" * (-len(data) % 4)
         self.parts.append(data)
@@ -129,6 +139,19 @@ def _material(look: str) -> dict[str, Any]:
     return {"name": look, "pbrMetallicRoughness": surface, "alphaMode": "BLEND"}
 
 
+def _nodes(scene: Scene, meshes: Mapping[tuple[str, str], int]) -> list[dict[str, Any]]:
+    """Return all nodes, carriers with the numbers of what is on them."""
+    carried: dict[str, list[int]] = {}
+    for k, node in enumerate(scene.nodes):
+        if node.on:
+            carried.setdefault(node.on, []).append(k)
+    found = [_node(scene, node, meshes) for node in scene.nodes]
+    for node, entry in zip(scene.nodes, found, strict=True):
+        if node.name in carried:
+            entry["children"] = carried[node.name]
+    return found
+
+
 def _node(scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int]) -> dict[str, Any]:
     """Return a node with its place beside its carrier, which stands unturned."""
     turned, place = node.axes.turned @ _about(node.phase), node.axes.origin
@@ -137,12 +160,11 @@ def _node(scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int]) -> di
         turned, place = above.turned.T @ turned, above.turned.T @ (place - above.origin)
     extras = {"part": str(node.part), "kind": str(node.part.kind), "look": node.look,
               "spin_rad_s": dict(node.spins)}  # fmt: skip
-    found: dict[str, Any] = {"name": node.name, "translation": [float(x) for x in place],
-                             "rotation": quaternion(turned), "extras": extras}  # fmt: skip
+    places, turns = ([round(float(x), PLACES) for x in values] for values in (place, quaternion(turned)))
+    found: dict[str, Any] = {"name": node.name, "translation": places, "rotation": turns, "extras": extras}
     if node.surface:
         found["mesh"] = meshes[node.surface, node.look]
-    children = [k for k, child in enumerate(scene.nodes) if child.on == node.name]
-    return found | ({"children": children} if children else {})
+    return found
 
 
 def _about(angle: float) -> Floats:
