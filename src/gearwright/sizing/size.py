@@ -15,7 +15,7 @@ from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.face_load import face_load_checks
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
-from gearwright.sizing.mass import as_made
+from gearwright.sizing.mass import as_made, refuse_dishes
 from gearwright.sizing.places import (
     beside_checks,
     coaxial_checks,
@@ -214,4 +214,5 @@ def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False)
         search=found.choice.search,
     )
     dipping(sizing, design.losses.dip, "losses.dip")
+    refuse_dishes(sizing)
     return refuse_no_numbers(as_made(sizing))

@@ -5,7 +5,7 @@ Factors that ISO 10300 takes from ISO 6336 are in `iso6336`.
 
 from gearwright.parts.bevel.bending import bevel_bending, contact_ratio_factor_bending, spiral_angle_factor
 from gearwright.parts.bevel.blank import BevelBlank, bevel_blank, least_cutter_radius, mean_thickness
-from gearwright.parts.bevel.body import WEB, bevel_form, bevel_volume, bevel_way, lightened_web
+from gearwright.parts.bevel.body import WEB, bevel_dishes, bevel_form, bevel_volume, bevel_way, lightened_web
 from gearwright.parts.bevel.geometry import (
     WIDEST,
     WIDEST_MODULES,
@@ -53,6 +53,7 @@ __all__ = [
     "VirtualPair",
     "bevel_bending",
     "bevel_blank",
+    "bevel_dishes",
     "bevel_forces",
     "bevel_form",
     "bevel_load_factors",

@@ -13,6 +13,7 @@ from gearwright.parts.gears import (
     BasicRack,
     SeatHub,
     TransverseTooth,
+    dishes_behind,
     outline_area,
     revolved_volume,
     transverse_form,
@@ -74,10 +75,37 @@ def bevel_way(
 
     Source: cones about the apex, ISO 23509:2016; rim 1.2 times the depth of the teeth behind the roots (AGMA 2001-D04).
     """
+    toe, heel = _rim(pair, side)
+    return way_behind(toe, heel, bore, web=web * pair.face_width, seat=seat, dish=dish)
+
+
+def bevel_dishes(
+    pair: BevelPair, side: int, bore: float, web: float, seat: SeatHub | None
+) -> tuple[float, float] | None:
+    """Return the least and the largest dish with which the plate meets rim and hub with all of its thickness [-].
+
+    Args:
+        pair: The pair.
+        side: 0 for the pinion, 1 for the wheel.
+        bore: Radius of what the gear sits on [m].
+        web: Thickness of the plate between rim and hub over the face width [-].
+        seat: The hub where its seat is sized.
+
+    Returns:
+        None where rim and hub meet, so that there is no plate.
+
+    Source: as `bevel_way`.
+    """
+    toe, heel = _rim(pair, side)
+    return dishes_behind(toe, heel, bore, web=web * pair.face_width, seat=seat)
+
+
+def _rim(pair: BevelPair, side: int) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return where the rim ends under the inner and the outer end of the teeth, z and radius [m]."""
     tooth, mean = virtual_tooth(pair, side), pair.mean_cone_distance
     back = tooth.root_radius - RIM * (tooth.tip_radius - tooth.root_radius) - tooth.pitch_radius
-    toe, heel = (_under(pair, side, far, back * far / mean) for far in _ends(pair))
-    return way_behind(toe, heel, bore, web=web * pair.face_width, seat=seat, dish=dish)
+    inner, outer = (_under(pair, side, far, back * far / mean) for far in _ends(pair))
+    return inner, outer
 
 
 def bevel_volume(

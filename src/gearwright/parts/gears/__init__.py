@@ -12,7 +12,15 @@ from gearwright.parts.gears.cylindrical_gear import (
     pressure_angle_at,
     tip_thickness,
 )
-from gearwright.parts.gears.face_gear import SeatHub, face_crown, face_reach, face_thickness, face_way, way_behind
+from gearwright.parts.gears.face_gear import (
+    SeatHub,
+    dishes_behind,
+    face_crown,
+    face_reach,
+    face_thickness,
+    face_way,
+    way_behind,
+)
 from gearwright.parts.gears.gear_blank import Blank, blank_volume, revolved_volume
 from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
 from gearwright.parts.gears.gear_pair import GearPair, contact_radii, tip_clearances
@@ -105,6 +113,7 @@ __all__ = [
     "contact_stress",
     "disc_inertia",
     "disc_mass",
+    "dishes_behind",
     "face_crown",
     "face_reach",
     "face_thickness",

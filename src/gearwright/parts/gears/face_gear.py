@@ -131,6 +131,54 @@ def _under_rim(
     return share, (toe[0] + share * long, toe[1] + share * (heel[1] - toe[1]))
 
 
+def dishes_behind(
+    toe: tuple[float, float],
+    heel: tuple[float, float],
+    bore: float,
+    *,
+    web: float,
+    seat: SeatHub | None = None,
+) -> tuple[float, float] | None:
+    """Return the least and the largest dish with which a plate meets rim and hub with all of its thickness [-].
+
+    Args:
+        toe: Where the rim ends under the inner end of the teeth, z and radius [m].
+        heel: The same under the outer end [m].
+        bore: Radius of what the gear sits on [m].
+        web: Thickness of the plate [m].
+        seat: The hub where its seat is sized; None: about the plate, in proportion to the bore.
+
+    Returns:
+        None where rim and hub meet, so that there is no plate.
+
+    Source: geometry: along the hub the plate moves by dish times its height; its back leaves the rim at the heel
+        where it leans back by what the rim is longer along z over what the rim rises.
+    """
+    bore, hub = _hub(toe, bore, seat)
+    if hub is None or hub >= toe[1]:
+        return None
+    upper = min(toe[0] + web, heel[0])
+    low, high = _along(toe[0], upper, bore, hub, seat)
+    height, rise = toe[1] - hub, heel[1] - toe[1]
+    least = (low - toe[0]) / height
+    return max(least, (upper - heel[0]) / rise) if rise > 0.0 else least, (high - upper) / height
+
+
+def _hub(toe: tuple[float, float], bore: float, seat: SeatHub | None) -> tuple[float, float | None]:
+    """Return the radii of bore and hub [m]; no hub where it meets the rim, or the gear has no bore."""
+    bore = min(bore, 0.85 * toe[1])
+    hub = HUB * bore if seat is None else max(min(seat.radius, NEXT * toe[1]), bore)
+    return bore, None if (seat is None and hub > 0.8 * toe[1]) or bore <= 0.0 else hub
+
+
+def _along(low: float, high: float, bore: float, hub: float, seat: SeatHub | None) -> tuple[float, float]:
+    """Return the ends of a hub about a plate from low to high, or of the seat that is sized [m]."""
+    if seat is not None:
+        return seat.low, seat.high
+    middle, half = (low + high) / 2.0, max(1.6 * (high - low), 1.2 * (hub - bore)) / 2.0
+    return middle - half, middle + half
+
+
 def way_behind(
     toe: tuple[float, float],
     heel: tuple[float, float],
@@ -154,22 +202,21 @@ def way_behind(
         One that goes straight to the bore where rim and hub meet, or the gear has no bore.
 
     Raises:
-        DesignError: A plate that leans so far that it does not meet its hub with all of its thickness.
+        DesignError: A plate that leans so far that it does not meet rim and hub with all of its thickness; with how
+            far it may.
 
     Source: geometry.
     """
-    bore = min(bore, 0.85 * toe[1])
-    hub = HUB * bore if seat is None else max(min(seat.radius, NEXT * toe[1]), bore)
-    if (seat is None and hub > 0.8 * toe[1]) or bore <= 0.0:
+    limits = dishes_behind(toe, heel, bore, web=web, seat=seat) if dish else None
+    if limits is not None and not limits[0] <= dish <= limits[1]:
+        raise DesignError([Problem("dish", f"{dish:g} given; must be from {limits[0]:.4g} to {limits[1]:.4g}")])
+    bore, hub = _hub(toe, bore, seat)
+    if hub is None:
         return [heel, (heel[0], bore), (toe[0], bore), toe]
     upper = min(toe[0] + web, heel[0])
     share, under = _under_rim(toe, heel, upper, dish)
-    middle, half = (toe[0] + upper) / 2.0, max(1.6 * (upper - toe[0]), 1.2 * (hub - bore)) / 2.0
-    low, high = (middle - half, middle + half) if seat is None else (seat.low, seat.high)
+    low, high = _along(toe[0], upper, bore, hub, seat)
     way = [heel] + ([under] if share < 1.0 else [])
     lean = dish * (toe[1] - hub)
     back, front = upper + lean, toe[0] + lean
-    if dish and not low <= front <= back <= high:
-        message = f"{dish:g} given; the web would stand {1e3 * max(low - front, back - high):.3g} mm beside its hub"
-        raise DesignError([Problem("gears.web_dish", f"{message}: lean it less")])
     return [*way, (back, hub), (high, hub), (high, bore), (low, bore), (low, hub), (front, hub), toe]

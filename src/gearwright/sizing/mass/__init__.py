@@ -16,6 +16,7 @@ from gearwright.sizing.mass.bodies import (
 from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
+from gearwright.sizing.mass.dishes import refuse_dishes
 from gearwright.sizing.mass.housing import MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
@@ -47,6 +48,7 @@ __all__ = [
     "gear_blanks",
     "oil_flow",
     "reaction_torque",
+    "refuse_dishes",
     "requirement_of",
     "ring_outside",
     "statistics_beside",

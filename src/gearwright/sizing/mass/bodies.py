@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from gearwright.catalogue import key_for_shaft
-from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role
 from gearwright.parts.bevel import WEB, BevelPair, bevel_volume, lightened_web
 from gearwright.parts.gears import (
@@ -100,7 +99,7 @@ def gear_volume(sizing: Sizing, gear: GearSizing, seats: Seats) -> float:
         gear: Of it.
         seats: What gears sit on.
     """
-    kind = _kind(sizing, gear)
+    kind = kind_of(sizing, gear)
     if kind == "bevel":
         pair, side = bevel_cones(sizing, gear.stage), 0 if gear.role is Role.PINION else 1
         bore = gear_blank(sizing, gear, seats).bore_radius
@@ -201,30 +200,17 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
         seats: What gears sit on.
     """
     teeth, rules = cylindrical_gear(sizing.design, gear), sizing.design.rules(gear.stage)
+    kind = kind_of(sizing, gear)
     blank = blank_by_rules(gear, rules, teeth.root_radius, seat=_seat(sizing, gear, seats))
     joint = sizing.design.joints.get(gear.name)
     if joint is not None and joint.kind == "integral":  # one piece with its shaft, as its sheet has it
         return blank._replace(web_width=blank.width)
     if gear.role is not Role.WHEEL:
         return turned_out(blank)
-    blank = blank._replace(holes=rules.web_holes if _kind(sizing, gear) == "cylindrical" else 0)
+    blank = blank._replace(holes=rules.web_holes if kind == "cylindrical" else 0)
     blank = _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else turned_out(blank)
-    return _dished(gear, blank, rules.web_dish) if rules.web_dish and _kind(sizing, gear) == "cylindrical" else blank
-
-
-def _dished(gear: GearSizing, blank: Blank, dish: float) -> Blank:
-    """Return a body whose web stands aside at the hub, which it must meet with all of its thickness."""
-    height, halves = blank.rim_radius - blank.hub_radius, max(gear.bodies // max(len(gear.shafts), 1), 1)
-    if height <= 0.0:
-        return blank
-    most = halves * (blank.width - blank.web_width) / 2.0 / height
-    if abs(dish) > most:
-        raise DesignError([Problem("gears.web_dish", _too_far(gear.name, dish, most))])
-    return blank._replace(dish=dish * height)
-
-
-def _too_far(name: str, dish: float, most: float) -> str:
-    return f"{dish:g} given; the web of {name} meets its hub with all of its thickness up to {most:.3g} either way"
+    height = max(blank.rim_radius - blank.hub_radius, 0.0)
+    return blank._replace(dish=rules.web_dish * height if kind == "cylindrical" else 0.0)
 
 
 def _seat(sizing: Sizing, gear: GearSizing, seats: Seats) -> tuple[float, float]:
@@ -248,7 +234,13 @@ def _under(sizing: Sizing, gear: GearSizing, shaft: str) -> float:
     return max((step.diameter for step in steps if step.start < place + half and place - half < step.end), default=0.0)
 
 
-def _kind(sizing: Sizing, gear: GearSizing) -> str:
+def kind_of(sizing: Sizing, gear: GearSizing) -> str:
+    """Return the kind of a gear's pair, such as ``bevel``; gears of sets are ``cylindrical``.
+
+    Args:
+        sizing: As sized.
+        gear: Of it.
+    """
     rules = sizing.design.stages[gear.stage]
     return rules.kind if isinstance(rules, Pair) else "cylindrical"
 

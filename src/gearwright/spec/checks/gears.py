@@ -59,31 +59,31 @@ def gear_problems(design: Design) -> Iterator[Problem]:
 
 def _dished(design: Design) -> Iterator[Problem]:
     """Find dished webs with holes, and dished webs of face gears, neither of which is worked out; once each."""
-    found = set[str]()
+    found = set[Problem]()
     for name, pair in design.pairs.items():
         rules = design.rules(name)
-        own = pair.gears is not None and "web_dish" in pair.gears.model_fields_set
-        path = f"pairs.{name}.gears.web_dish" if own else "gears.web_dish"
-        if not rules.web_dish or path in found:
+        path = design.gear_key(name, "web_dish")
+        if not rules.web_dish:
             continue
         if rules.web_holes and pair.kind == "cylindrical":
             message = f"{rules.web_dish:g} given with {rules.web_holes} holes; a web has one of the two: leave one out"
         elif pair.kind == "face":
-            message = f"{rules.web_dish:g} given; webs of face gears are straight: leave it out for this pair"
+            fix = f"write 0 in [pairs.{name}.gears]" if path == "gears.web_dish" else "leave it out"
+            message = f"{rules.web_dish:g} given; must be 0, as webs of face gears are straight: {fix}"
         else:
             continue
-        found.add(path)
-        yield Problem(path, message)
+        if (problem := Problem(path, message)) not in found:
+            found.add(problem)
+            yield problem
 
 
 def _agma_steels(design: Design) -> Iterator[Problem]:
     """Find steels and grades that the tables of AGMA 2001 and 2003 do not have, once where they are written."""
     rules = {}
-    for name, stage in design.stages.items():
+    for name in design.stages:
         table = RATINGS[design.rating(name)].table
-        own = stage.gears is not None and table in stage.gears.model_fields_set
         if table in ("agma2001", "agma2003"):
-            rules[f"{design.table(name)}.gears" if own else "gears", table] = design.rules(name)
+            rules[design.gear_key(name, table).removesuffix(f".{table}"), table] = design.rules(name)
     for (path, table), every in rules.items():
         standard = every.agma2001 if table == "agma2001" else every.agma2003
         told = [*_strengths(standard), *_unread_hardness(standard)]

@@ -237,6 +237,17 @@ class Design(Shown, Record):
         """
         return _rules(self)[stage]
 
+    def gear_key(self, stage: str, rule: str) -> str:
+        """Return where a gear rule of a stage is written: in the stage's own table, else in that of the design.
+
+        Args:
+            stage: Name of a pair, planetary set or compound set.
+            rule: Such as ``web_dish``.
+        """
+        own = self.stages[stage].gears
+        written = own is not None and rule in own.model_fields_set
+        return f"{self.table(stage)}.gears.{rule}" if written else f"gears.{rule}"
+
     @property
     def efficiencies(self) -> dict[str, float]:
         """Stage, or mesh of a compound set that has its own -> efficiency of one mesh [-]."""
