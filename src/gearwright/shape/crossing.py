@@ -22,7 +22,7 @@ from gearwright.shape.solids import spiral_turn
 from gearwright.shape.stands import stands_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import GearSizing, Sizing
-from gearwright.sizing.mass import bevel_cones, tooth_of
+from gearwright.sizing.mass import bevel_cones, pinion_of, tooth_of
 
 POINTS, SLICES = 24, 9
 """Points on a fillet and on a flank, and sections along the face [-]."""
@@ -91,7 +91,7 @@ def _flanks(sizing: Sizing, gear: GearSizing, hand: float) -> Floats:
     if kind == "bevel":
         radius, angle, height = _cone_points(bevel_cones(sizing, gear.stage), _side(gear), hand)
     elif gear.role is Role.WHEEL:
-        pinion = _pinion(sizing, gear)
+        pinion = pinion_of(sizing, gear)
         radius, angle, height = _face_points(tooth_of(sizing, pinion), gear.teeth, pinion.face_width)
     else:
         form, half = transverse_form(tooth_of(sizing, gear), fillet=POINTS, flank=POINTS)
@@ -135,7 +135,7 @@ def _depth(sizing: Sizing, gear: GearSizing, hand: float) -> Depth:
     if kind_of(sizing, gear.stage) == "bevel":
         return _in_cone(bevel_cones(sizing, gear.stage), _side(gear), hand)
     if gear.role is Role.WHEEL:
-        pinion = _pinion(sizing, gear)
+        pinion = pinion_of(sizing, gear)
         return _in_face(tooth_of(sizing, pinion), gear.teeth, pinion.face_width)
     return _in_cylinder(tooth_of(sizing, gear), gear.face_width)
 
@@ -198,7 +198,3 @@ def _beside(angle: Floats, teeth: int) -> Floats:
 
 def _side(gear: GearSizing) -> int:
     return 0 if gear.role is Role.PINION else 1
-
-
-def _pinion(sizing: Sizing, wheel: GearSizing) -> GearSizing:
-    return next(gear for gear in sizing.gears if gear.stage == wheel.stage and gear.role is Role.PINION)

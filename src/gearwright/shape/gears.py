@@ -14,7 +14,7 @@ from gearwright.shape.stands import Stand
 from gearwright.shape.teeth import bevel_pair, halves_of, hand_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web, ring_outside, tooth_of
+from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web, pinion_of, ring_outside, tooth_of
 
 
 class Leaning(NamedTuple):
@@ -73,7 +73,7 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
         way = bevel_way(pair, side, bore, web, hub, dish=dish)
         return bevel_gear(pair, side, way, hand=leaning.hand, fine=fine)
     if kind == "face" and gear.role is Role.WHEEL:
-        pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
+        pinion = pinion_of(sizing, gear)
         bore, width = blanks[gear.name].bore_radius, pinion.face_width
         return face_wheel(tooth_of(sizing, pinion), gear.teeth, width=width, bore=bore, fine=fine)
     tooth = tooth_of(sizing, gear)

@@ -10,6 +10,7 @@ from gearwright.sizing.mass.bodies import (
     bevel_hub,
     bevel_web,
     gear_blanks,
+    pinion_of,
     ring_outside,
     tooth_of,
 )
@@ -47,6 +48,7 @@ __all__ = [
     "complete_mass",
     "gear_blanks",
     "oil_flow",
+    "pinion_of",
     "reaction_torque",
     "refuse_dishes",
     "requirement_of",

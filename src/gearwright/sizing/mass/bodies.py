@@ -117,11 +117,21 @@ def gear_volume(sizing: Sizing, gear: GearSizing, seats: Seats) -> float:
 
 def _face_volume(sizing: Sizing, gear: GearSizing, bore: float) -> float:
     """Return what the wheel of a face gear fills [m³]."""
-    pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
+    pinion = pinion_of(sizing, gear)
     tooth, width = tooth_of(sizing, pinion), pinion.face_width
     way, foot = face_way(tooth, gear.teeth, width=width, bore=bore), tooth.rack.dedendum * tooth.module
     body = revolved_volume([*way, (foot, way[-1][1]), (foot, way[0][1])])
     return face_crown(tooth, gear.teeth, width) + body
+
+
+def pinion_of(sizing: Sizing, wheel: GearSizing) -> GearSizing:
+    """Return the pinion of a wheel of a pair, which decides the teeth of a face gear.
+
+    Args:
+        sizing: As sized.
+        wheel: Of the pair.
+    """
+    return next(gear for gear in sizing.gears if gear.stage == wheel.stage and gear.role is Role.PINION)
 
 
 def ring_outside(sizing: Sizing, gear: GearSizing) -> float:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from gearwright.catalogue import ELASTOMERS, Elastomer, RadialSeal, lip_speed, next_seal_shaft, seals_for
+from gearwright.latest import of_latest
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing.leaving import NEAR, leaving_of
 from gearwright.units import text
@@ -46,6 +47,7 @@ class Exit(NamedTuple):
         return None if self.elastomer is None else lip_speed(self.diameter, self.elastomer)
 
 
+@of_latest
 def exits_of(sizing: Sizing) -> tuple[Exit, ...]:
     """Return where shafts leave the housing; nothing where the gearbox has none of its own.
 

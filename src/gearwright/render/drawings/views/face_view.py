@@ -19,7 +19,7 @@ from gearwright.render.drawings.views.weights import made_of
 from gearwright.shape.stands import stands_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import GearSizing, Sizing
-from gearwright.sizing.mass import tooth_of
+from gearwright.sizing.mass import pinion_of, tooth_of
 
 ASIDE, STEP = 9.0, 8.0
 """From a part to its first dimension line, and from each to the next [mm]."""
@@ -55,15 +55,11 @@ def face_teeth(sizing: Sizing, gear: GearSizing) -> FaceTeeth:
         sizing: What was sized.
         gear: The wheel.
     """
-    mate = _pinion(sizing, gear)
+    mate = pinion_of(sizing, gear)
     tooth = tooth_of(sizing, mate)
     inner, outer = face_reach(tooth, gear.teeth, mate.face_width)
     tip, root = (MM * height * tooth.module for height in (tooth.rack.addendum, tooth.rack.dedendum))
     return FaceTeeth(tooth, (MM * inner, MM * outer), tip, root)
-
-
-def _pinion(sizing: Sizing, gear: GearSizing) -> GearSizing:
-    return next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
 
 
 def toward_pinion(sizing: Sizing, gear: GearSizing, shaft: str) -> float:
@@ -113,7 +109,7 @@ def _placed(corner: complex, toward: float, side: float) -> complex:
 def _way(sizing: Sizing, gear: GearSizing, hub: Hub) -> list[complex]:
     """Return the way behind the teeth from their outside to their inside, with the bore that is drawn [mm]."""
     teeth, bore = face_teeth(sizing, gear), made_of(sizing).blanks[gear.name].bore_radius
-    points = face_way(teeth.pinion, gear.teeth, width=_pinion(sizing, gear).face_width, bore=bore)
+    points = face_way(teeth.pinion, gear.teeth, width=pinion_of(sizing, gear).face_width, bore=bore)
     inner = min(radius for _, radius in points)
     return [complex(MM * z, hub.bore / 2.0 if radius == inner else MM * radius) for z, radius in points]
 

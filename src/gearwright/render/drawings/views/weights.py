@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import NamedTuple
 
+from gearwright.latest import of_latest
 from gearwright.parts.gears import Blank
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
@@ -28,34 +28,17 @@ class Made(NamedTuple):
     """External gear -> its body."""
 
 
-class _Same:
-    """A sizing that equals itself alone, by which what is made of it is remembered."""
-
-    def __init__(self, sizing: Sizing) -> None:
-        self.sizing = sizing
-
-    def __hash__(self) -> int:
-        return id(self.sizing)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.sizing is self.sizing
-
-
+@of_latest
 def made_of(sizing: Sizing) -> Made:
     """Return the parts of a sizing as they are made.
 
     Args:
         sizing: What was sized.
     """
-    return _made(_Same(sizing))
-
-
-@lru_cache(maxsize=1)
-def _made(same: _Same) -> Made:
-    whole = complete_mass(same.sizing)
+    whole = complete_mass(sizing)
     weights = {str(item.part): item.each for item in whole.parts if item.group in DRAWN}
     casing = {item.part: item.total for item in whole.parts if item.group == "housing"}
-    return Made(weights, casing, whole.total, gear_blanks(same.sizing))
+    return Made(weights, casing, whole.total, gear_blanks(sizing))
 
 
 def mass_with_gears(sizing: Sizing, gears: tuple[str, ...], shaft: str) -> float:

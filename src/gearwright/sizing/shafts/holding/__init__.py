@@ -7,7 +7,7 @@ from gearwright.sizing.shafts.holding.grooves import Groove, cut_steps, groove_c
 from gearwright.sizing.shafts.holding.held import Held, held_rings, holders_of, holding_checks
 from gearwright.sizing.shafts.holding.holders import Holder
 from gearwright.sizing.shafts.holding.retention import ENDS, Retention, ends, retention_checks, retentions
-from gearwright.sizing.shafts.holding.seals import Sealed, seal_checks, sealed_exits, unsealed_exits
+from gearwright.sizing.shafts.holding.seals import Sealed, case_hardened, seal_checks, sealed_exits, unsealed_exits
 from gearwright.sizing.shafts.holding.threads import Thread, threads
 
 __all__ = [
@@ -18,6 +18,7 @@ __all__ = [
     "Retention",
     "Sealed",
     "Thread",
+    "case_hardened",
     "cut_steps",
     "ends",
     "groove_checks",

@@ -15,6 +15,7 @@ from typing import Literal, NamedTuple
 
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId
+from gearwright.latest import of_latest
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.result import Sizing
@@ -49,6 +50,7 @@ class Held(NamedTuple):
     """Parts for it, none of which is the shaft's or the housing's own."""
 
 
+@of_latest
 def held_rings(sizing: Sizing) -> tuple[Held, ...]:
     """Return what holds every side of every ring that has to be held.
 
@@ -73,6 +75,7 @@ def held_rings(sizing: Sizing) -> tuple[Held, ...]:
     return tuple(found)
 
 
+@of_latest
 def holders_of(sizing: Sizing) -> tuple[Holder, ...]:
     """Return the parts that hold bearings and seal their shafts, each once, in order along every shaft.
 

@@ -10,7 +10,7 @@ from gearwright.catalogue.standard_parts.radial_seals import FAST, FAST_HARDNESS
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import Kind, PartId
 from gearwright.parts.hardness import vickers_of_rockwell
-from gearwright.parts.iso6336 import Treatment
+from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import LIP_WARMER, NEAR, Exit, exits_of, leaving_of
@@ -90,16 +90,22 @@ def _surface(sizing: Sizing, leaves: Exit, seal: Holder) -> tuple[float, float]:
     return free, max(leaves.way * (place - face) for place in (seal.start, seal.end))
 
 
-def _is_carburized(sizing: Sizing, shaft: str) -> bool:
-    """Tell whether teeth of one piece with a shaft are case-hardened: what runs under its seals is, too."""
+def case_hardened(sizing: Sizing, shaft: str) -> dict[str, GearSteel]:
+    """Return gears of one piece with a shaft that are case-hardened -> their steel; what runs under its seals is, too.
+
+    Args:
+        sizing: As sized.
+        shaft: Its name.
+    """
+    found = dict[str, GearSteel]()
+    stages = {gear.name: gear.stage for gear in sizing.gears}
     for joint in sizing.joints:
-        if joint.kind == "integral" and joint.shaft == shaft:
-            gear = next(gear for gear in sizing.gears if gear.name == joint.part)
-            rating = rating_of(sizing.design, gear.stage, sizing.teeth)
+        if joint.kind == "integral" and joint.shaft == shaft and joint.part in stages:
+            rating = rating_of(sizing.design, stages[joint.part], sizing.teeth)
             steel = method_for(rating).making(rating).iso_steel
             if steel is not None and steel.treatment is Treatment.CASE_HARDENED:
-                return True
-    return False
+                found[joint.part] = steel
+    return found
 
 
 def _hardness(sizing: Sizing, part: PartId, leaves: Exit) -> Check:
@@ -109,7 +115,7 @@ def _hardness(sizing: Sizing, part: PartId, leaves: Exit) -> Check:
     if hardness is None:
         why = f"the material of the shafts states none, and {asked:g} HRC are asked: harden the seat or fit a sleeve"
         return not_assessed(part, mode, SURFACE, why)
-    if not _is_carburized(sizing, leaves.shaft):
+    if not case_hardened(sizing, leaves.shaft):
         why = (
             f"{asked:g} HRC are asked under the lip, and no teeth of one piece with this shaft are case-hardened, "
             "with which its seat would be: harden the seat or fit a sleeve"

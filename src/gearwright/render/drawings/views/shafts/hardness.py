@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from gearwright.parts.iso6336 import Treatment
 from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, trimmed
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.shaft_parts import Piece, ShaftBody
 from gearwright.render.drawings.views.shaft_view import Axis
 from gearwright.render.drawings.views.tooth_data import CASE
-from gearwright.shape.teeth import gear_of, making_of
+from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
+from gearwright.sizing.shafts import case_hardened
 
 HARDEST = 800.0
 """Hardness of case-hardened flanks up to which ISO 6336-5 rates them [HV]."""
@@ -52,14 +52,12 @@ def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
         sizing: What was sized.
         body: The shaft.
     """
-    found = []
+    found, steels = [], case_hardened(sizing, body.name)
     for piece in body.pieces:
-        if piece.toothed:
+        if piece.toothed and piece.seat in steels:
             gear = gear_of(sizing, piece.seat)
-            steel = making_of(sizing, gear.stage).iso_steel
-            if steel is not None and steel.treatment is Treatment.CASE_HARDENED:
-                low, high = (_MM * share * gear.module for share in CASE)
-                found.append(Zone(piece, f"teeth of {gear.name}", steel.hardness, (low, high)))
+            low, high = (_MM * share * gear.module for share in CASE)
+            found.append(Zone(piece, f"teeth of {gear.name}", steels[gear.name].hardness, (low, high)))
     if found:
         hardness = min(zone.hardness for zone in found)
         found += [Zone(piece, f"under the seal towards {piece.sealed}", hardness, UNDER_LIP)

@@ -1,0 +1,48 @@
+"""What is kept of the value that a function was asked for last."""
+
+from dataclasses import replace
+
+import pytest
+
+import gearwright as gw
+from gearwright.latest import of_latest
+from gearwright.sizing.sealing import exits_of
+from gearwright.sizing.shafts import held_rings, holders_of
+from gearwright.spec import edited
+from shipped_work import sized
+
+
+def test_another_object_is_computed_though_it_is_equal_and_the_first_one_is_forgotten():
+    asked = []
+    count = of_latest(lambda words: asked.append(words) or len(words))
+    one, other = ["sun"], ["sun"]
+    assert [count(words) for words in (one, one, other, other, one)] == [1] * 5
+    assert list(map(id, asked)) == [id(one), id(other), id(one)]
+
+
+def test_what_is_refused_is_refused_anew_and_nothing_is_kept_of_it():
+    halves = of_latest(lambda words: 1 / len(words))
+    none = []
+    for _ in range(2):
+        with pytest.raises(ZeroDivisionError):
+            halves(none)
+    none.append("sun")
+    assert halves(none) == 1.0
+
+
+@pytest.mark.parametrize("function", [held_rings, holders_of, exits_of])
+def test_a_changed_sizing_has_holders_of_its_own(function):
+    """Without its housing nothing leaves one: the sizing that was asked for before does not answer."""
+    whole = sized("ec120b")
+    bare = replace(whole, design=edited(whole.design, {"housing.own": False}))
+    assert function(whole) is function(whole)
+    assert function(bare) == function.__wrapped__(bare)
+    assert exits_of(bare) == () != exits_of(whole)
+    assert function(whole) == function.__wrapped__(whole)
+
+
+def test_rows_that_are_sized_together_have_the_holders_of_those_that_are_sized_alone():
+    designs = [edited(gw.read("ec120b"), {"shafting.safety": safety}) for safety in (1.4, 1.5, 1.6)]
+    together = gw.size_many(designs)
+    for row, design in enumerate(designs):
+        assert holders_of(together.at(row)) == holders_of(gw.size(design))
