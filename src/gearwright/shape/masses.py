@@ -69,4 +69,4 @@ def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
 
 def _of(node: Node, stage: str, part: PartId) -> bool:
     same = (node.part.name, node.part.role, node.part.own) == (stage, part.role, part.own)
-    return same and node.look != "tie"
+    return same and node.look != "bell"

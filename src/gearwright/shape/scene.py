@@ -17,16 +17,15 @@ from gearwright.shape.gears import Leaning, gear_solid, leanings
 from gearwright.shape.housing import housing_nodes
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import bearing_bodies, bearing_solid, holder_solid, shaft_solid, tie_solid
+from gearwright.shape.shafts import bearing_bodies, bearing_solid, bell_solid, holder_solid, shaft_solid
 from gearwright.shape.solids import Chamber, Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import Cage, cage_of, gear_blanks, tooth_of
-from gearwright.sizing.places import Run, runs, ties
+from gearwright.sizing.mass import Cage, bell_name, cage_of, gear_blanks
+from gearwright.sizing.places import Run, bells, runs
 from gearwright.sizing.shafts import holders_of
-from gearwright.spec import GROUND
 from gearwright.verbs import verb
 
 DETAILS: Mapping[str, Fineness] = {
@@ -64,7 +63,7 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
         *_shafts(task),
         *_on_pins(task),
         *_bearings(task),
-        *_ties(task),
+        *_bells(task),
         *_holders(task),
     ]
     nodes += _housing(task, nodes)
@@ -193,15 +192,14 @@ def _bearings(task: _Task) -> Iterator[Node]:
         yield Node(label, part, "bearing", label, axes, 0.0, dict.fromkeys(task.sizing.flows, 0.0))
 
 
-def _ties(task: _Task) -> Iterator[Node]:
-    for tie in ties(task.sizing):
-        shaft = tie.ring.shafts[0]
-        frame, label = task.sizing.arrangement.frames[shaft], f"{tie.ring.name} tie"
-        hub = next((run.steps[0][2] for run in task.runs if run.shaft == shaft), 0.0)
-        task.solids[label] = tie_solid(tie, tooth_of(task.sizing, tie.ring).root_radius, hub)
-        place = np.asarray(frame.origin) + tie.middle * np.asarray(frame.along)
-        spins = task.spins(shaft) if shaft != GROUND else dict.fromkeys(task.sizing.flows, 0.0)
-        yield Node(label, tie.ring.part, "tie", label, axes_at(frame, place), 0.0, spins)
+def _bells(task: _Task) -> Iterator[Node]:
+    """Yield what joins turning rings to their shafts."""
+    for bell in bells(task.sizing):
+        shaft, label = bell.ring.shafts[0], bell_name(bell.ring)
+        frame = task.sizing.arrangement.frames[shaft]
+        task.solids[label] = bell_solid(bell)
+        place = np.asarray(frame.origin) + bell.middle * np.asarray(frame.along)
+        yield Node(label, bell.ring.part, "bell", label, axes_at(frame, place), 0.0, task.spins(shaft))
 
 
 def _holders(task: _Task) -> Iterator[Node]:

@@ -1,18 +1,15 @@
-"""The solids of shafts: their steps, bearings, ties of rings."""
+"""The solids of shafts: their steps, bearings, bells of rings."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from gearwright.identity import Kind, PartId
-from gearwright.shape.solids import Solid, bearing, bell, stepped, tube, turned
+from gearwright.shape.solids import Solid, bearing, stepped, tube, turned
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body
-from gearwright.sizing.places import Run, Tie
+from gearwright.sizing.places import Bell, Run
 from gearwright.sizing.shafts import Holder
-
-TIE_WALL = 0.5
-"""Wall of the bell between ring and disc over the ring's own [-], an assumption."""
 
 
 def shaft_solid(run: Run, middle: float) -> Solid:
@@ -25,18 +22,15 @@ def shaft_solid(run: Run, middle: float) -> Solid:
     return stepped([(low - middle, high - middle, radius) for low, high, radius in run.steps], run.bore)
 
 
-def tie_solid(tie: Tie, root: float, hub: float) -> Solid:
-    """Return the solid of a tie about the middle of its ring.
+def bell_solid(bell: Bell) -> Solid:
+    """Return the solid of a ring's bell about the middle of its ring.
 
     Args:
-        tie: Where it lies.
-        root: Radius of the ring's roots [m].
-        hub: Radius of the shaft [m].
+        bell: As sized.
     """
-    outside = tie.ring.pitch_diameter / 2.0 + tie.ring.rim
-    inside = outside - TIE_WALL * (outside - root)
-    disc = (tie.disc[0] - tie.middle, tie.disc[1] - tie.middle)
-    return bell((inside, outside), tie.start - tie.middle, disc, hub)
+    corners = [(place - bell.middle, radius) for place, radius in bell.section]
+    way = corners if bell.disc[1] > bell.disc[0] else corners[::-1]
+    return Solid((*way, way[0]))
 
 
 def bearing_solid(body: Body) -> Solid:

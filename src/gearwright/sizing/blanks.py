@@ -37,6 +37,17 @@ def external_tooth(design: Design, gear: GearSizing) -> TransverseTooth:
     return TransverseTooth(gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack)
 
 
+def ring_radii(design: Design, ring: GearSizing) -> tuple[float, float]:
+    """Return the radius of a ring's roots and that of its outside, of which the former leaves some metal [m].
+
+    Args:
+        design: With the rules of its stage.
+        ring: An internal gear, as sized.
+    """
+    root = external_tooth(design, ring)._replace(side=-1).root_radius
+    return root, max(ring.pitch_diameter / 2.0 + ring.rim, root + WALL * ring.module)
+
+
 def crown_volume(design: Design, gear: GearSizing) -> float:
     """Return what the teeth of an external cylindrical gear fill [m³].
 

@@ -235,6 +235,17 @@ def test_bosses_around_sized_bearings_weigh_what_is_drawn():
     assert len(bosses) == len(sizing.bearings) and volume * density == pytest.approx(weighed, rel=2e-4)
 
 
+@pytest.mark.parametrize("name", ["star", "differential-hybrid", "ravigneaux-automatic"])
+def test_bells_of_turning_rings_weigh_what_is_drawn(name):
+    """On either side of their ring; of one shape with the section of the arrangement, the sizing's."""
+    sizing = sized(name)
+    built = scene(sizing, detail="coarse")
+    (node,) = (node for node in built.nodes if node.look == "bell")
+    volume = triangles_of(built.solids[node.surface], 720).volume
+    weighed = next(item.each for item in complete_mass(sizing).parts if item.part == node.name)
+    assert volume * sizing.design.shaft_material.density == pytest.approx(weighed, rel=2e-4)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_solids_of_shipped_designs_weigh_as_the_complete_mass_has_them(name):
     """Gears of every kind, shafts, carriers; planets of the helicopter have a given mass."""

@@ -17,6 +17,7 @@ from gearwright.sizing.mass.details import detail_items
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import planet_bores
 from gearwright.sizing.mass.rolling_mass import loaded_mass, rating_for, similar
+from gearwright.sizing.places import bells
 from gearwright.spec import edited
 
 near = pytest.approx
@@ -144,27 +145,30 @@ def test_a_screw_with_its_nut_is_seven_cubed_diameters():
     assert screw_volume(6.0) == near(by_hand, rel=0.06)
 
 
-def test_a_turning_ring_hangs_on_a_disc_as_thick_as_its_torque_asks():
-    """t = 2 T/(π d² τ), τ = R_p/(2 S), falling as 1/r² to a third; integrated in slices."""
-    sizing = next(
-        own
-        for own in map(sized, ("geared-turbofan-star", "star", "differential-hybrid"))
-        if any(item.part.endswith(" disc") for item in complete_mass(own).parts)
-    )
-    disc = next(item for item in complete_mass(sizing).parts if item.part.endswith(" disc"))
-    ring = next(gear for gear in sizing.gears if disc.part == f"{gear.name} disc")
-    shaft = next(shaft for shaft in sizing.shafts if shaft.name in ring.shafts)
-    hubs = [hub for hub in (shaft.diameter, 1.25 * shaft.diameter) if math.isfinite(hub)]
-    material, shafting = sizing.design.shaft_material, sizing.design.shafting
+@pytest.mark.parametrize("name", ["geared-turbofan-star", "star", "wolfrom-reducer"])
+def test_a_turning_ring_hangs_on_a_bell_as_thick_as_its_torque_asks(name):
+    """t = 2 T/(π d² τ) at the hub, τ = R_p/(2 S), a cone to a third or 3 mm, a wall of 3 mm; integrated in slices."""
+    sizing = sized(name)
+    item = next(item for item in complete_mass(sizing).parts if item.part.endswith(" bell"))
+    ring = next(gear for gear in sizing.gears if item.part == f"{gear.name} bell")
+    hub = next(shaft.diameter for shaft in sizing.shafts if shaft.name in ring.shafts) / 2.0
+    material, safety = sizing.design.shaft_material, sizing.design.shafting.safety
     rows = [mesh for mesh in sizing.train.meshes if ring.name in mesh.gears]
     torque = abs(sum(sizing.reference.meshes[mesh.name].torques[mesh.gears.index(ring.name)] for mesh in rows))
+    asked = torque / (2.0 * math.pi * hub**2 * material.yield_strength / safety / 2.0)
+    thick = max(asked, 3e-3)
+    thin = max(thick / 3.0, 3e-3)
     outside = ring.pitch_diameter / 2.0 + ring.rim
+    (bell,) = bells(sizing)
+    length = abs(bell.disc[0] - bell.middle) - ring.face_width / 2.0
+    knee = hub * math.sqrt(thick / thin)
 
-    def weighed(hub):
-        thickness = 2.0 * torque / (math.pi * hub**2 * material.yield_strength / shafting.safety / 2.0)
-        middles = [hub / 2.0 + (outside - hub / 2.0) * (k + 0.5) / 20000 for k in range(20000)]
-        walls = [thickness * max((hub / 2.0 / place) ** 2, 1.0 / 3.0) for place in middles]
-        step = (outside - hub / 2.0) / 20000
-        return material.density * sum(2 * math.pi * r * wall * step for r, wall in zip(middles, walls, strict=True))
+    def wall(radius):
+        return thin + (thick - thin) * max(knee - radius, 0.0) / max(knee - hub, 1e-12)
 
-    assert any(disc.each == near(weighed(hub), rel=1e-4) for hub in hubs)
+    step = (outside - hub) / 20000
+    disc = sum(2.0 * math.pi * r * wall(r) * step for r in (hub + (k + 0.5) * step for k in range(20000)))
+    rim = math.pi * (outside**2 - (outside - 3e-3) ** 2) * length
+    assert item.each == near(material.density * (disc + rim), rel=1e-6)
+    assert abs(bell.disc[1] - bell.disc[0]) == near(thick)
+    assert ("cone" in item.formula) and (len(bell.section) == 7) == (thick > thin + 5e-4)

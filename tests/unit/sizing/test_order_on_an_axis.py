@@ -8,7 +8,7 @@ import pytest
 import gearwright as gw
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.places import runs, ties
+from gearwright.sizing.places import bells, runs
 
 PLANETARY = """schema = 1
 name = "A machine between two sets"
@@ -159,7 +159,7 @@ def test_an_order_of_what_is_not_on_the_shaft_is_refused_with_the_nearest():
         "ravigneaux-automatic",
     ],
 )
-def test_shafts_and_the_discs_of_rings_are_drawn_outside_each_other(name):
+def test_shafts_and_the_bells_of_rings_are_drawn_outside_each_other(name):
     """On one axis, what two shafts take of it is side by side or one in the bore of the other."""
     sizing = size(gw.read(shipped_design(name)))
     taken = []
@@ -167,9 +167,9 @@ def test_shafts_and_the_discs_of_rings_are_drawn_outside_each_other(name):
         frame = sizing.arrangement.frames[run.shaft]
         taken += [(run.shaft, frame, low, high, run.bore, radius) for low, high, radius in run.steps]
     radii = {shaft.name: shaft.diameter / 2.0 for shaft in sizing.shafts}
-    for tie in ties(sizing):
-        shaft = tie.ring.shafts[0]
-        disc = (min(tie.disc), max(tie.disc), radii[shaft], tie.ring.pitch_diameter / 2.0)
+    for bell in bells(sizing):
+        shaft = bell.ring.shafts[0]
+        disc = (min(bell.disc), max(bell.disc), radii[shaft], bell.ring.pitch_diameter / 2.0)
         taken.append((shaft, sizing.arrangement.frames[shaft], *disc))
     for one, other in combinations(taken, 2):
         coaxial = math.hypot(one[1].origin.y - other[1].origin.y, one[1].origin.z - other[1].origin.z) < 1e-9

@@ -28,7 +28,7 @@ from gearwright.render.schematic.layout import pair_meshes
 from gearwright.render.style.labels import overlap, spread
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.places import CLAUSE
+from gearwright.sizing.places import CLAUSE, bells
 from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 from gearwright.spec import GROUND
 
@@ -103,6 +103,8 @@ def _notes(shown: _Shown) -> Iterator[str]:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
     if any(gear.rim and GROUND in gear.shafts for gear in sizing.gears):
         yield "What holds rings that stand in the housing is not sized, and not drawn."
+    if any(True for _ in bells(sizing)):
+        yield "Bells of rings: thickness by torque; what joins them to ring and shaft is not sized, and not drawn."
     yield from _crowded(sizing)
     yield from casing_notes(sizing, shown.casing)
     listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])

@@ -49,7 +49,7 @@ from gearwright.shape.teeth import (
 )
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.blanks import BACKUP
-from gearwright.sizing.mass import bevel_dish
+from gearwright.sizing.mass import bevel_dish, ring_outside
 from gearwright.sizing.places import BOSS
 
 LEAST_ACROSS = 20.0
@@ -175,7 +175,7 @@ def _span(gear: GearSizing) -> tuple[float, float]:
 def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
     teeth, span = cylindrical_gear(sizing, gear), _span(gear)
     internal = is_internal(sizing, gear)
-    outer = MM * (teeth.pitch_radius + gear.rim) if internal else MM * teeth.tip_radius
+    outer = MM * ring_outside(sizing, gear) if internal else MM * teeth.tip_radius
     beyond = OVERSHOOT / axis.scale
     entities: list[Entity] = [Path((axis.at(span[0] - beyond), axis.at(span[1] + beyond)), Layer.CENTRE)]
     if internal:

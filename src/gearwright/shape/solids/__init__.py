@@ -17,7 +17,7 @@ from gearwright.shape.solids.chambers import (
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, cut_chamber, spans_in, united, without
 from gearwright.shape.solids.plates import Arm, Form, Outline, plate, plate_form
-from gearwright.shape.solids.round_bodies import bearing, bell, block, stepped, tube, turned
+from gearwright.shape.solids.round_bodies import bearing, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
 from gearwright.shape.solids.surface import Edges, Surface, circle, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
@@ -39,7 +39,6 @@ __all__ = [
     "Solid",
     "Surface",
     "bearing",
-    "bell",
     "bevel_gear",
     "block",
     "chamber_surface",

@@ -1,4 +1,4 @@
-"""Bodies of revolution: shafts by their steps, bearings by their rings, pins, discs that tie rings to shafts."""
+"""Bodies of revolution: shafts by their steps, bearings by their rings, pins."""
 
 from __future__ import annotations
 
@@ -91,18 +91,3 @@ def block(width: float, depth: float, length: float) -> Solid:
     loop = Loop(np.abs(corners), np.unwrap(np.angle(corners)), np.arange(len(around)) % 2 == 0)
     blank = Blank(abs(corners[0]), 0.0, 0.0, 0.0, length, length)
     return disc_gear(loop, [(-length / 2.0, 0.0), (length / 2.0, 0.0)], blank)
-
-
-def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub: float) -> Solid:
-    """Return what ties a turning ring to its shaft: a wall beside the ring and a disc down to the shaft.
-
-    Args:
-        wall: Inner and outer radius of the wall [m].
-        ring: Where the ring ends [m].
-        disc: Where the disc begins, and where it ends; beyond each other as the ring's end and the disc are [m].
-        hub: Radius of the shaft [m].
-    """
-    sign = 1.0 if disc[1] > ring else -1.0
-    way = [(ring, wall[0]), (ring, wall[1]), (disc[1], wall[1]), (disc[1], hub), (disc[0], hub), (disc[0], wall[0])]
-    way.append(way[0])
-    return Solid(tuple(way if sign > 0.0 else way[::-1]))

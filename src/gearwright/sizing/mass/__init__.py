@@ -18,6 +18,7 @@ from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.dishes import refuse_dishes
+from gearwright.sizing.mass.gears import bell_name
 from gearwright.sizing.mass.housing import MOUNTS, RIBS, Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
@@ -40,6 +41,7 @@ __all__ = [
     "Wall",
     "as_made",
     "band_of",
+    "bell_name",
     "bevel_cones",
     "bevel_dish",
     "bevel_hub",

@@ -22,7 +22,7 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.sizing.blanks import PLANET_HUB, WALL, blank_by_rules, external_tooth, turned_out
+from gearwright.sizing.blanks import PLANET_HUB, blank_by_rules, external_tooth, ring_radii, turned_out
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.places import BOSS
@@ -141,7 +141,7 @@ def ring_outside(sizing: Sizing, gear: GearSizing) -> float:
         sizing: As sized.
         gear: A ring.
     """
-    return max(gear.pitch_diameter / 2.0 + gear.rim, tooth_of(sizing, gear).root_radius + WALL * gear.module)
+    return ring_radii(sizing.design, gear)[1]
 
 
 def bevel_web(sizing: Sizing, gear: GearSizing, bore: float) -> float:

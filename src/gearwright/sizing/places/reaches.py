@@ -1,4 +1,4 @@
-"""From where to where every shaft reaches along its axis, among others in line, and what ties turning rings to theirs.
+"""From where to where every shaft reaches along its axis, among others in line.
 
 Masses and solids of shafts follow it.
 """
@@ -6,29 +6,21 @@ Masses and solids of shafts follow it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.identity import Kind
-from gearwright.sizing.arranged import Body
-from gearwright.sizing.arrangement import PLATE_GAP
+from gearwright.sizing.places.bells import Span, along, bells
 from gearwright.sizing.places.plates import plates_of
-from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import cut_steps
-from gearwright.spec import GROUND
 
 IN_LINE = 1e-6
 """How far two axes may be apart and count as one [m]."""
 END = 2e-4
 """By which a shaft ends inside the face of what sits at its end, so that shafts in line do not touch [m]."""
-TIE = 0.15
-"""Thickness of the disc that ties a turning ring to its shaft over the ring's width, an assumption [-]."""
-LEAST_TIE = 3e-3
-"""Its least thickness [m]."""
-
-Span = tuple[float, float]
 
 
 class Run(NamedTuple):
@@ -51,20 +43,6 @@ class Run(NamedTuple):
     def label(self) -> str:
         """As the scene names it."""
         return f"shaft {self.shaft}" if self.piece == 1 else f"shaft {self.shaft}, piece {self.piece}"
-
-
-def along(sizing: Sizing, shaft: str, body: Body) -> Span:
-    """Return where a body begins and ends along a shaft [m].
-
-    Args:
-        sizing: As sized.
-        shaft: In line with the body.
-        body: Its envelope.
-    """
-    frame = sizing.arrangement.frames[shaft]
-    ends = [float((np.asarray(body.origin) + far * np.asarray(body.direction) - np.asarray(frame.origin))
-                  @ np.asarray(frame.along)) for far in (0.0, body.length)]  # fmt: skip
-    return min(ends), max(ends)
 
 
 def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
@@ -118,7 +96,7 @@ def _pieces(sizing: Sizing, shaft: str) -> list[Span]:
     seated = [body for body in bodies if body.part.kind is not Kind.SHAFT and body.part not in rings]
     hubs = [along(sizing, shaft, body) for body in seated]
     hubs = [(low + END, high - END) for low, high in hubs]
-    hubs += [tie.disc for tie in ties(sizing) if tie.ring.shafts[0] == shaft]
+    hubs += [bell.disc for bell in bells(sizing) if bell.ring.shafts[0] == shaft]
     merged: list[Span] = []
     for low, high in sorted((min(span), max(span)) for span in (*spans, *hubs)):
         if merged and low <= merged[-1][1] + 2.0 * END:
@@ -134,7 +112,7 @@ def _own(sizing: Sizing, shaft: str) -> list[Span]:
     seated = (body for body in sizing.arrangement.bodies if body.shaft == shaft and body.part.kind is not Kind.SHAFT)
     bodies = (body for body in seated if body.part not in rings)
     return [along(sizing, shaft, body) for body in bodies] + [
-        (min(tie.disc), max(tie.disc)) for tie in ties(sizing) if tie.ring.shafts[0] == shaft
+        (min(bell.disc), max(bell.disc)) for bell in bells(sizing) if bell.ring.shafts[0] == shaft
     ]
 
 
@@ -199,41 +177,3 @@ def _in_line(sizing: Sizing, shaft: str, other: str) -> float | None:
     beside = float(np.linalg.norm(between - far * np.asarray(one.along)))
     tilt = float(np.linalg.norm(np.cross(one.along, two.along)))
     return far if beside < IN_LINE and tilt < IN_LINE else None
-
-
-class Tie(NamedTuple):
-    """What ties a turning ring to its shaft, along that shaft from its first end."""
-
-    ring: GearSizing
-    start: float
-    """Where the ring ends [m]."""
-    disc: Span
-    """Where the disc begins and ends, away from the ring [m]."""
-    middle: float
-    """Of the ring [m]."""
-
-
-def ties(sizing: Sizing) -> Iterator[Tie]:
-    """Yield what ties every turning ring of a set to its shaft, on the side of the set to which the shaft leads.
-
-    Args:
-        sizing: As sized.
-    """
-    plans = sizing.arrangement.plans
-    for ring in sizing.gears:
-        if not ring.rim or ring.stage not in sizing.design.sets or ring.shafts[0] == GROUND:
-            continue
-        shaft = ring.shafts[0]
-        body = next(body for body in sizing.arrangement.bodies if body.part == ring.part)
-        span = along(sizing, shaft, body)
-        middle = (span[0] + span[1]) / 2.0
-        side = 1.0 if plans[shaft].length / 2.0 >= middle else -1.0
-        beyond = span[1] if side > 0.0 else span[0]
-        gears = [other for other in sizing.arrangement.bodies
-                 if other.part.name == ring.stage and other.part.kind is Kind.GEAR]  # fmt: skip
-        for other in (*gears, *plates_of(sizing, ring.stage)):  # past both plates and the other gears of the set
-            ends = along(sizing, shaft, other)
-            beyond = max(beyond, ends[1]) if side > 0.0 else min(beyond, ends[0])
-        thick = max(TIE * ring.face_width, LEAST_TIE)
-        first = beyond + side * PLATE_GAP
-        yield Tie(ring, span[1] if side > 0.0 else span[0], (first, first + side * thick), middle)

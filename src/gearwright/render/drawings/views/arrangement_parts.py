@@ -11,7 +11,14 @@ from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
 from gearwright.render.drawings.views.face_view import face_section, face_teeth, is_face_wheel, toward_pinion
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
-from gearwright.render.drawings.views.gear_view import bevel_corners, bevel_section, cylinder_section, ring_section
+from gearwright.render.drawings.views.gear_view import (
+    bell_anchor,
+    bell_section,
+    bevel_corners,
+    bevel_section,
+    cylinder_section,
+    ring_section,
+)
 from gearwright.render.drawings.views.holder_view import holder_anchor, holder_section
 from gearwright.render.drawings.views.positions import PLATE_GAP, Lying, Positions
 from gearwright.render.drawings.views.shaft_parts import (
@@ -26,8 +33,8 @@ from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
 from gearwright.render.drawings.views.weights import made_of, mass_with_gears
 from gearwright.shape.teeth import cylindrical_gear, halves_of, is_internal, kind_of
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
-from gearwright.sizing.mass import Cage, cage_of
-from gearwright.sizing.places import runs
+from gearwright.sizing.mass import Cage, bell_name, cage_of, ring_outside
+from gearwright.sizing.places import bells, runs
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
 
@@ -85,6 +92,11 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
             middle = plane.places[name][gear.name]
             entities += gear_parts(sizing, gear, axis, shaft=name, middle=middle, lean=lean)
             items.append(gear_item(sizing, gear, axis, shaft=name, middle=middle))
+    for bell in bells(sizing):
+        if name in bell.ring.shafts:
+            entities += bell_section(axis, bell, lean=math.pi - lean)
+            of, weighed = bell.ring.name, made_of(sizing).weights.get(bell_name(bell.ring))
+            items.append(Item(f"Bell of {of}", f"to shaft {name}", 1, weighed, axis.on(bell_anchor(bell))))
     for bearing in sizing.bearings:
         if bearing.shaft == name:
             seat = sizing.design.bearings.get(bearing.name)
@@ -145,7 +157,7 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
     span = (middle - half, middle + half)
     teeth = cylindrical_gear(sizing, gear)
     if is_internal(sizing, gear):
-        return ring_section(axis, teeth, MM * (teeth.pitch_radius + gear.rim), span, lean=lean)
+        return ring_section(axis, teeth, MM * ring_outside(sizing, gear), span, lean=lean)
     return cylinder_section(axis, teeth, hub, span, lean=lean)
 
 
@@ -178,7 +190,7 @@ def _metal(sizing: Sizing, gear: GearSizing, shaft: str) -> complex:
         teeth = face_teeth(sizing, gear)
         return complex(-toward_pinion(sizing, gear, shaft) * 1.5 * teeth.root, sum(teeth.reach) / 2.0)
     if is_internal(sizing, gear):
-        return complex(0.2 * MM * gear.face_width, (root + MM * (gear.pitch_diameter / 2.0 + gear.rim)) / 2.0)
+        return complex(0.2 * MM * gear.face_width, (root + MM * ring_outside(sizing, gear)) / 2.0)
     inner = hub.reach / 2.0 if hub.web is None else hub.web.rim
     return complex(0.2 * MM * gear.face_width, root - min(0.3 * root, (root - inner) / 2.0))
 

@@ -15,6 +15,7 @@ from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, is_i
 from gearwright.sizing import GearSizing, JointSizing, Sizing
 from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web
 from gearwright.sizing.places import BOSS
+from gearwright.spec import GROUND
 
 LEAST_WALL = 1.0
 """Wall between a bore and the roots of the teeth below which no bore is drawn, in modules [-]."""
@@ -131,7 +132,9 @@ def _bored(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
         hub = _joined(joint)
         return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear.stage) == "bevel" else hub
     if is_internal(sizing, gear):
-        return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
+        bell = f"The arrangement has its bell to shaft {shaft}; their joint"
+        what = "What holds the ring" if shaft == GROUND else bell
+        return Hub(0.0, note=f"{what} is not sized, and not drawn.")
     carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
     if gear.role is Role.PLANET and carrier is not None:
         bore = 2.0 * MM * made_of(sizing).blanks[gear.name].bore_radius

@@ -13,6 +13,7 @@ from gearwright.render.drawings.views.gear_parts import Hub, Web
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
 from gearwright.sizing.blanks import BACKUP
+from gearwright.sizing.places import Bell
 
 
 def cylinder_section(
@@ -104,6 +105,31 @@ def ring_section(
             _pitch(axis, span, side * MM * teeth.pitch_radius),
         ]
     return entities
+
+
+def bell_section(axis: Axis, bell: Bell, *, lean: float) -> list[Entity]:
+    """Return what joins a turning ring to its shaft in section, both halves.
+
+    Args:
+        axis: Of the shaft.
+        bell: As sized.
+        lean: Angle of the hatching [rad].
+    """
+    entities: list[Entity] = []
+    for side in (1.0, -1.0):
+        corners = [complex(MM * place, side * MM * radius) for place, radius in bell.section]
+        entities += [hatched(axis, corners, lean), line(axis, corners, closed=True)]
+    return entities
+
+
+def bell_anchor(bell: Bell) -> complex:
+    """Return a point in the disc of a bell, along its shaft and beside it [mm].
+
+    Args:
+        bell: As sized.
+    """
+    (face, hub), (_, inside) = bell.section[:2]
+    return MM * complex(face + 0.4 * (bell.section[-2][0] - face), 0.4 * hub + 0.6 * inside)
 
 
 def bevel_corners(profile: BevelProfile, hub: Hub) -> list[complex]:
