@@ -1,7 +1,7 @@
 """Solids of shipped designs: what they weigh, how deep teeth and bodies stand in each other, how large files are.
 
-Run: python benchmarks/solids.py masses, teeth, bodies or files [--designs a,b]; `masses` about half a minute of
-processor time, `teeth` two minutes. `docs/how-to/see-it-turn.md` has what it prints.
+Run: python benchmarks/solids.py masses, teeth, bodies, files or step [--designs a,b]; `masses` about half a minute of
+processor time, `teeth` two minutes; `step` needs Open CASCADE. `docs/how-to/see-it-turn.md` has what it prints.
 """
 
 import argparse
@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 
 import gearwright as gw
+from gearwright.exchange.step import to_step
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import glb, kind_of, sized_mesh, solid_masses
 from gearwright.shape.crossing import crossed_depths
@@ -126,6 +127,18 @@ def files(names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         )
 
 
+def step(names: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Yield how large STEP files are, and the processor time of scene and file, the less of two."""
+    yield ("design", "solids, bodies", "STEP, MB", "s")
+    for name in names:
+        sizing, times = gw.size(gw.read(name)), []
+        for _ in range(2):  # the first one also loads Open CASCADE
+            start = time.process_time()
+            file = to_step(sizing)
+            times.append(time.process_time() - start)
+        yield (name, f"{file.solids}, {file.bodies}", f"{1e-6 * len(file.content):.1f}", f"{min(times):.1f}")
+
+
 def printed(rows: Iterable[Sequence[str]]) -> None:
     """Print rows as a table of Markdown."""
     for k, row in enumerate(rows):
@@ -136,7 +149,7 @@ def printed(rows: Iterable[Sequence[str]]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    what = {"masses": masses, "teeth": teeth, "bodies": bodies, "files": files}
+    what = {"masses": masses, "teeth": teeth, "bodies": bodies, "files": files, "step": step}
     parser.add_argument("what", choices=what)
     parser.add_argument("--designs", default=",".join(gw.shipped_designs()))
     asked = parser.parse_args()

@@ -64,6 +64,8 @@ def test_without_ezdxf_dxf_alone_is_refused_and_leaves_nothing(tmp_path, monkeyp
 def test_a_form_or_sheet_that_there_is_not_is_named(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     code, text = run(monkeypatch, capsys, "off-set", "--format", "dwg")
-    assert code == 2 and "'dwg' is not drawn" in text and "dxf" in text
+    assert code == 2 and "'dwg' is not drawn; allowed: dxf, svg" in text
+    code, text = run(monkeypatch, capsys, "off-set", "--format", "svg,pdf")
+    assert code == 2 and "'pdf' is not drawn; allowed: dxf, svg; browsers print svg to PDF" in " ".join(text.split())
     code, text = run(monkeypatch, capsys, "off-set", "--what", "shaft-lift")
     assert code == 2 and "did you mean shaft-left?" in text

@@ -116,3 +116,22 @@ def test_help_names_every_format_that_is_written():
     told = typing.get_type_hints(export_command, include_extras=True)["to"].__metadata__[0].help
     named = {word for part in told.split(";") for word in part.partition(":")[0].replace(" ", "").split(",")}
     assert named == set(FORMATS)
+
+
+@pytest.mark.parametrize(
+    ("to", "name", "said"),
+    [
+        ("html", "page.glb", "'page.glb' ends as glb does; write .html, or --to glb"),
+        ("glb", "solids.STEP", "'solids.STEP' ends as step does; write .glb, or --to step"),
+        ("fmu-3.0", "model.json", "'model.json' ends as json does; write .fmu, or --to json"),
+    ],
+)
+def test_a_file_is_not_named_as_those_of_another_format(folder, to, name, said):
+    with pytest.raises(DesignError) as refused:
+        export("pair.toml", "--to", to, "--out", name)
+    assert said in str(refused.value) and not (folder / name).exists()
+
+
+def test_a_name_with_an_ending_of_ones_own_is_taken(folder):
+    assert export("pair.toml", "--to", "json", "--out", "pair.2026").exit_code == 0
+    assert (folder / "pair.2026").exists()

@@ -90,11 +90,12 @@ def _names(what: str | None) -> tuple[str, ...]:
 
 
 def _formats(written: str) -> tuple[str, ...]:
-    from gearwright.errors import Problem, near, refuse
+    from gearwright.errors import Problem, refuse
 
     formats = tuple(dict.fromkeys(name.strip() for name in written.split(",")))
     wrong = [name for name in formats if name not in FORMATS]
-    refuse(Problem("--format", f"{name!r} is not drawn; {near(name, FORMATS)}") for name in wrong)
+    allowed = f"allowed: {', '.join(sorted(FORMATS))}; browsers print svg to PDF"
+    refuse(Problem("--format", f"{name!r} is not drawn; {allowed}") for name in wrong)
     if "dxf" in formats and find_spec("ezdxf") is None and len(formats) > 1:
         tell("DXF is not written: it needs the package ezdxf, which is not here; pip install ezdxf")
         return tuple(name for name in formats if name != "dxf")

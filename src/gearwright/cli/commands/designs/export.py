@@ -46,6 +46,7 @@ def export(
     given = {"--detail": detail, "--case": case, "--step": step, "--mission": mission, "--window": window}
     given |= {"--table": table}
     _refuse_unused(to, given)
+    _refuse_other_ending(to, file)
     sizing = sized(design)
     with placed_in(design):
         content, words = FORMATS[to](sizing, Wanted(detail or "fine", case, step, mission, window, table))
@@ -59,6 +60,15 @@ def _refuse_unknown(name: str) -> None:
 
     if name not in FORMATS:
         refuse([Problem("--to", f"{name!r} is not written; {near(name, list(FORMATS))}")])
+
+
+def _refuse_other_ending(name: str, file: Path | None) -> None:
+    """Refuse a name that ends as files of another format do: what opens it would not know it."""
+    from gearwright.errors import Problem, refuse
+
+    given = "" if file is None else file.suffix.removeprefix(".").lower()
+    if given != ending(name) and given in map(ending, FORMATS):
+        refuse([Problem("--out", f"{str(file)!r} ends as {given} does; write .{ending(name)}, or --to {given}")])
 
 
 def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
