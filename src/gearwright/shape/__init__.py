@@ -4,10 +4,11 @@ Envelopes and places are `sizing`'s; pages and drawings that show solids are `re
 """
 
 from gearwright.shape.casings.flanges import FLANGES, screw_places
+from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
 from gearwright.shape.housing import CHAMBER
-from gearwright.shape.masses import SolidMass, solid_masses
+from gearwright.shape.masses import SolidMass, casing_masses, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
 from gearwright.shape.solids import Edges, Surface, edges_of
@@ -27,6 +28,7 @@ __all__ = [
     "COLOURS",
     "DETAILS",
     "FLANGES",
+    "SCREW",
     "Contact",
     "Edges",
     "Node",
@@ -35,6 +37,7 @@ __all__ = [
     "Stand",
     "Surface",
     "bevel_pair",
+    "casing_masses",
     "contacts_of",
     "cylindrical_gear",
     "edges_of",

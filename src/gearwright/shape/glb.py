@@ -35,6 +35,7 @@ COLOURS: Mapping[str, tuple[float, float, float]] = {
     "carrier": (0.85, 0.63, 0.13),
     "bearing": (0.33, 0.60, 0.53),
     "holder": (0.36, 0.39, 0.44),
+    "screw": (0.36, 0.39, 0.44),
     "housing": (0.62, 0.68, 0.74),
 }
 """What a body is -> its colour, red, green and blue, told apart by those who do not tell red from green [-]."""
@@ -145,23 +146,31 @@ def _nodes(scene: Scene, meshes: Mapping[tuple[str, str], int]) -> list[dict[str
     for k, node in enumerate(scene.nodes):
         if node.on:
             carried.setdefault(node.on, []).append(k)
-    found = [_node(scene, node, meshes) for node in scene.nodes]
+    turns: dict[bytes, list[float]] = {}
+    found = [_node(scene, node, meshes, turns) for node in scene.nodes]
     for node, entry in zip(scene.nodes, found, strict=True):
         if node.name in carried:
             entry["children"] = carried[node.name]
     return found
 
 
-def _node(scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int]) -> dict[str, Any]:
-    """Return a node with its place beside its carrier, which stands unturned."""
-    turned, place = node.axes.turned @ _about(node.phase), node.axes.origin
+def _node(
+    scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int], turns: dict[bytes, list[float]]
+) -> dict[str, Any]:
+    """Return a node with its place beside its carrier, which stands unturned; turns that are known are kept."""
+    turned, place = node.axes.turned, node.axes.origin
+    if node.phase:
+        turned = turned @ _about(node.phase)
     if node.on:
         above = scene.by_name[node.on].axes
         turned, place = above.turned.T @ turned, above.turned.T @ (place - above.origin)
     extras = {"part": str(node.part), "kind": str(node.part.kind), "look": node.look,
               "spin_rad_s": dict(node.spins)}  # fmt: skip
-    places, turns = ([round(float(x), PLACES) for x in values] for values in (place, quaternion(turned)))
-    found: dict[str, Any] = {"name": node.name, "translation": places, "rotation": turns, "extras": extras}
+    key = turned.tobytes()
+    if key not in turns:
+        turns[key] = [round(x, PLACES) for x in quaternion(turned)]
+    found: dict[str, Any] = {"name": node.name, "translation": [round(x, PLACES) for x in place.tolist()],
+                             "rotation": turns[key], "extras": extras}  # fmt: skip
     if node.surface:
         found["mesh"] = meshes[node.surface, node.look]
     return found

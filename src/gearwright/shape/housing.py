@@ -13,9 +13,10 @@ from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
 from gearwright.shape.casings.flanges import FLANGES, flange_halves
 from gearwright.shape.casings.loops import NEAR, SAME, fits, inside_of, loop_around, loop_size
+from gearwright.shape.casings.screws import SCREW, flange_screw, placed_screws
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
-from gearwright.shape.solids import Chamber, End, Opening, Solid, chamber_volume, has_room, round_hole, tube
+from gearwright.shape.solids import Chamber, End, Fastener, Opening, Solid, chamber_volume, has_room, round_hole, tube
 from gearwright.shape.stands import Axes, axes_at, middle_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
@@ -65,13 +66,13 @@ class Piece(NamedTuple):
     name: str
     key: str
     """Equal solids share one."""
-    solid: Chamber | Solid
+    solid: Chamber | Solid | Fastener
     axes: Axes
 
 
 def housing_nodes(
     sizing: Sizing, drawn: tuple[Run, ...], inside: Iterable[tuple[Node, Solid]]
-) -> Iterator[tuple[Node, Chamber | Solid]]:
+) -> Iterator[tuple[Node, Chamber | Solid | Fastener]]:
     """Yield the housing's pieces; none where the gearbox has none of its own.
 
     Args:
@@ -82,7 +83,8 @@ def housing_nodes(
     still = dict.fromkeys(sizing.flows, 0.0)
     bodies = [*housed(sizing), *(_envelope(node, solid, _within(sizing, node)) for node, solid in inside)]
     for piece in _pieces(sizing, drawn, bodies) if sizing.design.housing.own else ():
-        yield Node(piece.name, HOUSING, "housing", piece.key, piece.axes, 0.0, still), piece.solid
+        look = SCREW if isinstance(piece.solid, Fastener) else "housing"
+        yield Node(piece.name, HOUSING, look, piece.key, piece.axes, 0.0, still), piece.solid
 
 
 def _within(sizing: Sizing, node: Node) -> tuple[float, float]:
@@ -123,9 +125,13 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
     flanges = flanges_of(sizing, shell, reaction_torque(sizing))
-    for k, (place, key, half) in enumerate(flange_halves(flanges, stretches, wall)):
+    halves = list(flange_halves(flanges, stretches, wall))
+    for k, (place, key, half) in enumerate(halves):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
+    screw = flange_screw(flanges.thread)
+    for name, at in placed_screws(flanges, [(place, half) for place, _, half in halves[1::2]]):
+        yield Piece(name, f"housing {SCREW}", screw, Axes(at, axes.turned))
     bosses = bosses_of(sizing, holders_of(sizing))
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)

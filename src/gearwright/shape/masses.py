@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from gearwright.catalogue import housing_materials
+from gearwright.catalogue import STEEL_DENSITY, housing_materials
 from gearwright.identity import HOUSING, Kind, PartId
+from gearwright.shape.casings.flanges import FLANGES
+from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.housing import CHAMBER
 from gearwright.shape.record import Node, Scene, triangles_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass
 from gearwright.units import Mass
 
+PARTS = {"housing flanges": FLANGES, "housing bolts": SCREW}
+"""What of a housing is drawn as it is weighed -> word in the names of its bodies."""
 CORNERS = 720
 """Of circles whose volumes are taken: their chords lose 1.3e-5 [-]."""
 
@@ -65,6 +69,26 @@ def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
         solid = sum(exact[node.surface] for node in chambers) * density
         found.append(SolidMass(HOUSING, 1, solid, None, weighed.get(("housing", "housing shell"))))
     return tuple(found)
+
+
+def casing_masses(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]]:
+    """Return what is drawn of a housing but its shell -> what its solids weigh, and what the complete mass has [kg].
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    weighed = {item.part: item.count * item.each for item in complete_mass(sizing).parts if item.group == "housing"}
+    material = housing_materials()[sizing.design.housing.material]
+    exact = {name: triangles_of(scene.solids[name], CORNERS).volume
+             for name in {node.surface for node in scene.nodes if node.part == HOUSING}}  # fmt: skip
+    volumes: defaultdict[str, float] = defaultdict(float)
+    for node in scene.nodes:
+        part = next((part for part, word in PARTS.items() if node.part == HOUSING and word in node.name), "")
+        if part in weighed:
+            volumes[part] += exact[node.surface]
+    density = {part: STEEL_DENSITY if word == SCREW else material.density for part, word in PARTS.items()}
+    return {part: (volume * density[part], weighed[part]) for part, volume in volumes.items()}
 
 
 def _of(node: Node, stage: str, part: PartId) -> bool:

@@ -14,6 +14,8 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.identity import HOUSING, Kind, Role
+from gearwright.shape.casings.flanges import FLANGES
+from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.solids import Chamber, Solid, depth_in
 from gearwright.sizing import Sizing
@@ -50,9 +52,8 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
             depth = max(_deep(scene, one, other), _deep(scene, other, one))
             if depth > TOUCH:
                 found.append(Overlap(one.name, other.name, depth))
-    found += _into_walls(
-        scene, [node for node in nodes if any(node.spins.values()) or node.on or node.look == "holder"]
-    )
+    moving = [node for node in nodes if any(node.spins.values()) or node.on or node.look == "holder"]
+    found += _into_walls(scene, [*moving, *(node for node in scene.nodes if node.look == SCREW)])
     return tuple(sorted(found, key=lambda overlap: -overlap.depth))
 
 
@@ -62,7 +63,9 @@ def _into_walls(scene: Scene, bodies: list[Node]) -> Iterator[Overlap]:
     for node in bodies:
         points = scene.surfaces[node.surface].points @ node.axes.turned.T + node.axes.origin
         for wall, chamber in walls:
-            depth = depth_in((points - wall.axes.origin) @ wall.axes.turned, chamber)
+            if node.look == SCREW and FLANGES in wall.name:  # through whose halves it goes
+                continue
+            depth = depth_in((points - wall.axes.origin) @ wall.axes.turned, chamber, TOUCH)
             if depth > TOUCH:
                 yield Overlap(node.name, wall.name, depth)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import PartId
-from gearwright.shape.solids import Chamber, Solid, Surface, chamber_surface, surface_of
+from gearwright.shape.solids import Chamber, Fastener, Solid, Surface, chamber_surface, fastener_surface, surface_of
 from gearwright.shape.stands import Axes
 from gearwright.showing import Shown
 
@@ -24,7 +24,8 @@ class Node:
     part: PartId
     """Whose body it is, as checks and results name it: of a planet all equal ones."""
     look: str
-    """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing, holder, housing."""
+    """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing, holder, housing or
+    screw."""
     surface: str
     """Of the scene's solids and surfaces; empty of what only carries others."""
     axes: Axes
@@ -43,7 +44,7 @@ class Scene(Shown):
 
     name: str
     """Of the design."""
-    solids: Mapping[str, Solid | Chamber]
+    solids: Mapping[str, Solid | Chamber | Fastener]
     """What nodes are; equal bodies share one."""
     segments: int
     """Corners of a circle in its triangles [-]."""
@@ -76,11 +77,13 @@ class Scene(Shown):
         return np.min(lows, axis=0), np.max(highs, axis=0)
 
 
-def triangles_of(solid: Solid | Chamber, segments: int) -> Surface:
-    """Return the triangles of a solid or of a chamber of a housing.
+def triangles_of(solid: Solid | Chamber | Fastener, segments: int) -> Surface:
+    """Return the triangles of a solid, of a chamber of a housing or of a screw.
 
     Args:
-        solid: Either.
+        solid: One of them.
         segments: Corners of a circle; those of a chamber are its own.
     """
+    if isinstance(solid, Fastener):
+        return fastener_surface(solid, segments)
     return chamber_surface(solid) if isinstance(solid, Chamber) else surface_of(solid, segments)

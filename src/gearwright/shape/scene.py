@@ -11,14 +11,22 @@ import numpy as np
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
-from gearwright.shape.carriers import bridge_axes, bridge_solid, held_at, pin_solid, planet_bearing, plate_solid
+from gearwright.shape.carriers import (
+    bridge_axes,
+    bridge_solid,
+    held_at,
+    pin_solid,
+    planet_bearing,
+    plate_outline,
+    plate_solid,
+)
 from gearwright.shape.contacts import contacts_of
 from gearwright.shape.gears import Leaning, gear_solid, leanings
 from gearwright.shape.housing import housing_nodes
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.shafts import bearing_bodies, bearing_solid, bell_solid, holder_solid, shaft_solid
-from gearwright.shape.solids import Chamber, Fineness, Solid
+from gearwright.shape.solids import Chamber, Fastener, Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
@@ -34,6 +42,8 @@ DETAILS: Mapping[str, Fineness] = {
     "smooth": Fineness(8, 10, 90, 0.03, 6),
 }
 """Level of detail -> how finely surfaces are cut."""
+PLACES = 12
+"""Decimals to which plates of a carrier are equal that share a solid [m]."""
 
 
 @verb
@@ -84,7 +94,7 @@ class _Task:
     runs: tuple[Run, ...]
     cages: Mapping[str, Cage]
     """Set -> its carrier as it is made."""
-    solids: dict[str, Solid | Chamber] = field(default_factory=dict)
+    solids: dict[str, Solid | Chamber | Fastener] = field(default_factory=dict)
 
     def spins(self, node: str, carrier: str = "") -> dict[str, float]:
         """Return load case -> speed of a node about its own axis, against a carrier [rad/s]."""
@@ -101,11 +111,15 @@ def _carriers(task: _Task) -> Iterator[Node]:
         own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
         axes = axes_at(frame, middle_of(cage.plates[0].body))
         held = held_at(cage, axes, own)
+        cut: dict[tuple[float, ...], str] = {}
         for k, plate in enumerate(cage.plates):
             label = str(carrier.part) if k == 0 else f"{carrier.part}, plate {k + 1}"
-            task.solids[label] = plate_solid(cage, plate, held, task.fine.circle)
+            alike = tuple(round(size, PLACES) for size in (*plate_outline(plate), plate.body.length))
+            surface = cut.setdefault(alike, label)
+            if surface == label:
+                task.solids[label] = plate_solid(cage, plate, held, task.fine.circle)
             place = axes_at(frame, middle_of(plate.body))
-            yield Node(label, carrier.part, "carrier", label, place, 0.0, task.spins(carrier.shaft))
+            yield Node(label, carrier.part, "carrier", surface, place, 0.0, task.spins(carrier.shaft))
         if cage.bridge is None:
             continue
         key = f"{carrier.part} bridge"

@@ -50,12 +50,12 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
     if sizing.design.housing.own:
         yield (
             "the housing is the shell of the complete mass, a statistical one, as thick as it is weighed, with its "
-            "flanges, and bosses around sized bearings; ribs, feet, screws, walls that carry bosses, "
+            "flanges and their screws, and bosses around sized bearings; ribs, feet, walls that carry bosses, "
             "and openings for shafts that leave it across the first one are left out"
         )
     if any(holder.lip for holder in holders_of(sizing)):
         yield "radial seals are rings of their sizes, without the lip's form"
-    yield "labyrinths and other seals, screws, machines and what holds rings that stand still are not drawn"
+    yield "labyrinths and other seals, other screws, machines and what holds rings that stand still are not drawn"
 
 
 def _meets(sizing: Sizing, phases: Phases) -> Iterator[str]:

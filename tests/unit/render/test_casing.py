@@ -69,11 +69,19 @@ def test_what_is_hatched_is_metal_and_what_is_not_is_none(name):
         if any(near(scene, node, point) for node in bosses):
             continue
         drawn = any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
+        if in_hole(section, x, y):
+            assert not drawn
+            continue
         depth = max(depth_in(((point - node.axes.origin) @ node.axes.turned)[None], scene.solids[node.surface])
                     for node in chambers)  # fmt: skip
         assert drawn == (depth > 0.0), (x, y)
         metal += drawn
     assert metal > 50
+
+
+def in_hole(section, x, y):
+    """Tell whether a point is in the clearance hole of a screw, which the solids of flanges do not have."""
+    return any(one.start < x < one.end and one.low < y < one.high for one in section.holes)
 
 
 def near(scene, node, point):
@@ -177,6 +185,9 @@ def test_the_sheet_of_the_housing_cuts_the_metal_that_is_there(name):
         if any(near(scene, node, point) for node in bosses):
             continue
         drawn = any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
+        if in_hole(casing.section, x, y):
+            assert not drawn
+            continue
         local = [((point - node.axes.origin) @ node.axes.turned, solid) for node, solid in casing.pieces]
         depth = max(depth_in(at[None], solid) for at, solid in local)
         assert drawn == (depth > 0.0), (x, y)
@@ -237,4 +248,6 @@ def test_centre_lines_of_screws_run_through_both_halves_of_flanges(name):
     for start, end in section.screws:
         middle = (start + end) / 2.0 / MM
         for x in (middle.real - 2e-3, middle.real + 2e-3):
-            assert any(one.start < x < one.end and one.low < middle.imag < one.high for one in rectangles)
+            cut = [any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
+                   for y in (middle.imag + side * 0.56 * section.thread / MM for side in (-1.0, 0.0, 1.0))]  # fmt: skip
+            assert cut == [True, False, True]  # a clearance hole of 1.1 d

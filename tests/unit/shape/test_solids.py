@@ -20,13 +20,15 @@ from gearwright.parts.gears import (
     tooth_form,
     transverse_form,
 )
-from gearwright.shape import DETAILS, edges_of, scene, solid_masses
+from gearwright.shape import DETAILS, casing_masses, edges_of, scene, solid_masses
+from gearwright.shape.casings.screws import flange_screw
 from gearwright.shape.overlaps import overlaps
 from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import (
     Arm,
     Chamber,
     End,
+    Fastener,
     Opening,
     Outline,
     bevel_gear,
@@ -44,7 +46,9 @@ from gearwright.shape.solids import (
     stepped,
     surface_of,
 )
+from gearwright.shape.solids.fasteners import fastener_surface
 from gearwright.shipped import shipped_designs
+from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.shafts import holders_of
 from shipped_work import sized
@@ -70,6 +74,8 @@ def test_every_solid_of_a_shipped_design_is_closed(name, detail):
         if isinstance(solid, Chamber):  # a ball with a room inside, which openings join: each but the first a handle
             openings = sum(len(end.holes) if end else 1 for end in solid.ends) + len(solid.openings)
             assert edges.euler == 4 - 2 * openings, label
+        elif isinstance(solid, Fastener):  # a ball each layer without a bore
+            assert edges.euler == 2 * sum(not layer.bore for layer in solid.layers), label
         else:
             holes = 2 * len(solid.bores.middles) if solid.bores else 0
             assert edges.euler + holes in (0, 2), label  # a ring, or a shaft without a bore; each hole a handle
@@ -244,6 +250,23 @@ def test_bells_of_turning_rings_weigh_what_is_drawn(name):
     volume = triangles_of(built.solids[node.surface], 720).volume
     weighed = next(item.each for item in complete_mass(sizing).parts if item.part == node.name)
     assert volume * sizing.design.shaft_material.density == pytest.approx(weighed, rel=2e-4)
+
+
+@pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "twin-engine-helicopter", "wind-turbine-5mw"])
+def test_flanges_and_their_screws_weigh_what_is_drawn(name):
+    sizing = sized(name)
+    drawn = casing_masses(sizing, scene(sizing, detail="coarse"))
+    assert {"housing flanges", "housing bolts"} <= drawn.keys()
+    for part, (solid, weighed) in drawn.items():
+        assert solid == pytest.approx(weighed, rel=5e-4), part
+
+
+def test_a_screw_has_the_volume_that_is_weighed():
+    """Of M10: head and nut of hexagons 16 mm wide, a shank of 40 mm, two washers."""
+    surface = fastener_surface(flange_screw(0.01), 5000)
+    assert surface.volume == pytest.approx(screw_volume(0.01), rel=1e-5)
+    assert np.ptp(surface.points[:, 2]) == pytest.approx(0.0065 + 0.04)
+    assert surface.reach == pytest.approx(0.01)
 
 
 @pytest.mark.parametrize("name", NAMES)

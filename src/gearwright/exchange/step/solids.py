@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
-from gearwright.shape.solids import Chamber, Section, Solid, rim_of
+from gearwright.shape.solids import Chamber, Fastener, Layer, Section, Solid, rim_of
 
 Place = tuple[float, float]
 """z and radius [m]."""
@@ -23,7 +23,7 @@ FLAT, CURVED = 1e-3, 1e-2
 """How far edges of neighbouring faces may lie apart that are sewn, of flat ends and of ends on cones [mm]."""
 
 
-def made_of(solid: Solid | Chamber) -> Any:
+def made_of(solid: Solid | Chamber | Fastener) -> Any:
     """Return a solid of Open CASCADE, in millimetres about z.
 
     Args:
@@ -31,6 +31,8 @@ def made_of(solid: Solid | Chamber) -> Any:
     """
     if isinstance(solid, Chamber):
         return _chamber(solid)
+    if isinstance(solid, Fastener):
+        return _fastener(solid)
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     if solid.bores is not None:
@@ -90,6 +92,32 @@ def _chamber(chamber: Chamber) -> Any:
         past = PAST * np.append(opening.way, 0.0)
         found = occ.BRepAlgoAPI_Cut(found, _swept(rims[0] - past, rims[1][0] - rims[0][0] + 2.0 * past)).Shape()
     return next(_parts(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+
+
+def _fastener(fastener: Fastener) -> Any:
+    """Return a screw with what is on it, as one body."""
+    first, *others = map(_layer, fastener.layers)
+    for layer in others:
+        first = occ.BRepAlgoAPI_Fuse(first, layer).Shape()
+    return next(_parts(first, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+
+
+def _layer(layer: Layer) -> Any:
+    """Return a ring, round or with a hexagon outside."""
+    if layer.is_hexagon:
+        corner = layer.outer / math.cos(math.pi / 6.0)
+        angles = np.arange(6) * (math.pi / 3.0)
+        body = _block(corner * np.stack([np.cos(angles), np.sin(angles)], axis=1), layer.start, layer.end)
+    else:
+        body = _cylinder(layer.outer, layer.start, layer.end)
+    if not layer.bore:
+        return body
+    return occ.BRepAlgoAPI_Cut(body, _cylinder(layer.bore, layer.start - PAST, layer.end + PAST)).Shape()
+
+
+def _cylinder(radius: float, low: float, high: float) -> Any:
+    axis = occ.gp_Ax2(occ.gp_Pnt(0.0, 0.0, MM * low), _up())
+    return occ.BRepPrimAPI_MakeCylinder(axis, MM * radius, MM * (high - low)).Shape()
 
 
 def _block(outline: Floats, low: float, high: float) -> Any:

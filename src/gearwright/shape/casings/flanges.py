@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.shape.casings.loops import NEAR, SAME, inside_of, loop_around, ways_of
 from gearwright.shape.solids import Chamber
-from gearwright.sizing.casing import Flanges, Stretch
+from gearwright.sizing.casing import HEAD, LENGTH, THICKNESS, WASHER, Flanges, Stretch
 
 SIDES = 48
 """Directions in which loops around a housing are measured [-]."""
@@ -19,8 +19,10 @@ FLANGES = "flange"
 """What halves of flanges are named."""
 NEARLY = (0.8, 0.6, 0.4, 0.0)
 """Perimeter over the longest one from which a cross-section carries flanges [-]: the width of flanges grows with it."""
-ROOM = 3.6
-"""From flange to flange over the thickness of a half [-]: both halves, nut, washer and end of a screw."""
+ENDS = ((THICKNESS + WASHER[1] + HEAD[1]) / THICKNESS, (LENGTH - WASHER[1]) / THICKNESS - 1.0)
+"""From the joint to the outside of a screw's head and to the end of its thread, over the thickness of a half [-]."""
+ROOM = 1.05 * sum(ENDS)
+"""From flange to flange over the thickness of a half [-]: halves, heads and ends of screws, and some air."""
 
 
 def flange_halves(flanges: Flanges, stretches: Sequence[Stretch], wall: float) -> Iterator[tuple[float, str, Chamber]]:
@@ -44,7 +46,7 @@ def _joints(stretches: Sequence[Stretch], count: int, thick: float, wall: float)
     between them, around shorter ones, too.
     """
     longest, found = max(one.perimeter for one in stretches), list[tuple[int, float]]()
-    free = [_beside_plates(stretches, k, 2.0 * thick + wall) for k in range(len(stretches))]
+    free = [_beside_plates(stretches, k, 1.05 * ENDS[1] * thick + wall) for k in range(len(stretches))]
     for least in NEARLY:
         wide = [k for k, one in enumerate(stretches) if one.perimeter >= least * longest and free[k][0] <= free[k][1]]
         ends = np.cumsum([stretches[k].length for k in wide])

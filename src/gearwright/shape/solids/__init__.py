@@ -15,7 +15,8 @@ from gearwright.shape.solids.chambers import (
     round_hole,
 )
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
-from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, cut_chamber, spans_in, united, without
+from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, bored, cut_chamber, spans_in, united, without
+from gearwright.shape.solids.fasteners import Fastener, Layer, fastener_surface
 from gearwright.shape.solids.plates import Arm, Form, Outline, plate, plate_form
 from gearwright.shape.solids.round_bodies import bearing, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
@@ -28,8 +29,10 @@ __all__ = [
     "Cut",
     "Edges",
     "End",
+    "Fastener",
     "Fineness",
     "Form",
+    "Layer",
     "Leg",
     "Loop",
     "Opening",
@@ -41,6 +44,7 @@ __all__ = [
     "bearing",
     "bevel_gear",
     "block",
+    "bored",
     "chamber_surface",
     "chamber_volume",
     "circle",
@@ -49,6 +53,7 @@ __all__ = [
     "disc_gear",
     "edges_of",
     "face_wheel",
+    "fastener_surface",
     "has_room",
     "loop_of",
     "plate",

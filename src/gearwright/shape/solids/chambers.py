@@ -182,12 +182,13 @@ def _area(loop: Floats) -> float:
     return float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
 
 
-def depth_in(points: Floats, chamber: Chamber) -> float:
+def depth_in(points: Floats, chamber: Chamber, skin: float = 0.0) -> float:
     """Return how deep the deepest of some points stands in the metal of a chamber, from its room or its holes [m].
 
     Args:
         points: About the chamber's own z [m], shape (n, 3).
         chamber: The chamber.
+        skin: How near to the outside points are not seen: what touches a wall from outside is not in it [m].
     """
     flat, height = points[:, :2], points[:, 2]
     past = _outside(flat, chamber.inner)
@@ -200,7 +201,7 @@ def depth_in(points: Floats, chamber: Chamber) -> float:
         off = points - opening.middle
         beside = np.hypot(off[:, :2] @ opening.along, off[:, 2]) - opening.radius
         past = np.where(off[:, :2] @ opening.way > 0.0, np.minimum(past, beside), past)
-    inside = (_outside(flat, chamber.outer) < 0.0) & (height > chamber.span[0]) & (height < chamber.span[1])
+    inside = (_outside(flat, chamber.outer) < -skin) & (height > chamber.span[0]) & (height < chamber.span[1])
     return float(np.max(past[inside], initial=0.0))
 
 

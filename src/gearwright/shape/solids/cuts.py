@@ -149,6 +149,19 @@ def _cleared(chamber: Chamber, opening: Opening, leg: Leg) -> Rectangle | tuple[
     return Rectangle(float(opening.middle[2]) - half, float(opening.middle[2]) + half, low, high)
 
 
+def bored(rectangles: Iterable[Rectangle], holes: Sequence[Rectangle]) -> list[Rectangle]:
+    """Return what holes leave of some rectangles.
+
+    Args:
+        rectangles: Metal.
+        holes: What is not.
+    """
+    found = list(rectangles)
+    for hole in holes:
+        found = [piece for one in found for piece in _beside(one, hole)]
+    return found
+
+
 def _beside(one: Rectangle, taken: Rectangle) -> Iterator[Rectangle]:
     """Yield what is left of a rectangle."""
     start, end = max(one.start, taken.start), min(one.end, taken.end)

@@ -9,18 +9,21 @@ from itertools import pairwise
 
 import numpy as np
 
+from gearwright.render.drawings.casing.screw_view import screw_entities
 from gearwright.render.drawings.casing.section_path import Lane, lanes
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape import FLANGES, Node, Scene
 from gearwright.shape import scene as scene_of
-from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, cut_chamber, spans_in, united, without
+from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, bored, cut_chamber, spans_in, united, without
 from gearwright.sizing import Sizing
+from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
+from gearwright.sizing.mass import reaction_torque
 
 LEAN, SPACING = math.pi / 4.0, 4.0
 """Of the hatching of the housing [rad] and [mm]: wider than that of gears; parts beside a joint lean the other way."""
-OVER = 2.0
+OVER = 2.4
 """Half a centre line of a screw over the thickness of a half of its flange [-]."""
 SQUARE = 1e-9
 """How far an axis on the sheet may turn from upright or level [-]."""
@@ -41,6 +44,10 @@ class CasingSection:
 
     screws: tuple[tuple[complex, complex], ...] = ()
     """Centre lines of screws in flanges, through both halves, heads and nuts [mm]."""
+    holes: tuple[Rectangle, ...] = ()
+    """Clearance holes around them [m]."""
+    thread: float = 0.0
+    """Diameter of the screws that are drawn [mm]; 0 where their holes are alone."""
 
     @property
     def screw(self) -> complex:
@@ -89,8 +96,11 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     steps = tuple(lane.end for lane in ways[:-1])
     legs = [leg for lane in ways for leg in lane.legs]
     flat = all(abs(float(leg.along @ legs[0].along)) > 1.0 - SQUARE for leg in legs)
-    screws = tuple(_screws(nodes, scene, ways))
-    return CasingSection(tuple(united(rectangles, joints_of(scene))), steps, flat, tuple(leaning), screws)
+    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    screws = tuple(screw_lines(scene, ways))
+    holes = screw_holes(screws, flanges)
+    cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
+    return CasingSection(cuts, steps, flat, tuple(leaning), screws, holes, MM * flanges.thread)
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
@@ -107,9 +117,14 @@ def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle
     return found
 
 
-def _screws(nodes: Sequence[Node], scene: Scene, ways: tuple[Lane, ...]) -> Iterator[tuple[complex, complex]]:
-    """Yield the centre lines of screws where the section cuts flanges, as if it met one there [mm]."""
-    for node in (node for node in nodes if FLANGES in node.name):
+def screw_lines(scene: Scene, ways: tuple[Lane, ...]) -> Iterator[tuple[complex, complex]]:
+    """Yield the centre lines of screws where a section cuts flanges, as if it met one there [mm].
+
+    Args:
+        scene: With the housing.
+        ways: Where the section runs, from the first end to the last.
+    """
+    for node in (node for node in scene.nodes if node.look == "housing" and FLANGES in node.name):
         half, at = scene.solids[node.surface], float(node.axes.origin[0])
         joint = any(abs(at - place) < SQUARE for place in joints_of(scene))
         lane = next(lane for lane in ways if at <= lane.end)
@@ -117,6 +132,18 @@ def _screws(nodes: Sequence[Node], scene: Scene, ways: tuple[Lane, ...]) -> Iter
             reach = OVER * half.span[1]
             for low, high in without(spans_in(half.outer, lane.legs), spans_in(half.inner, lane.legs)):
                 yield tuple(MM * complex(x, (low + high) / 2.0) for x in (at - reach, at + reach))  # type: ignore[misc]
+
+
+def screw_holes(lines: Sequence[tuple[complex, complex]], flanges: Flanges) -> tuple[Rectangle, ...]:
+    """Return the clearance holes around the centre lines of screws, through both halves of flanges.
+
+    Args:
+        lines: Their centre lines [mm].
+        flanges: As they are weighed.
+    """
+    middles = [(start + end) / (2.0 * MM) for start, end in lines]
+    reach, half = flanges.thickness, HOLE * flanges.thread / 2.0
+    return tuple(Rectangle(at.real - reach, at.real + reach, at.imag - half, at.imag + half) for at in middles)
 
 
 def joints_of(scene: Scene) -> list[float]:
@@ -161,6 +188,8 @@ def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
             yield from _outline([paper * complex(*corner) for corner in loop], [paper * at for at in section.steps])
     for start, end in section.screws:
         yield Path((scale * start, scale * end), Layer.CENTRE)
+        if section.thread:
+            yield from screw_entities(scale * (start + end) / 2.0, scale * section.thread)
     for outline in section.leaning:
         boss = tuple(scale * corner for corner in outline)
         yield from (Hatch(boss, LEAN, SPACING), Path(boss, Layer.OUTLINE, closed=True))

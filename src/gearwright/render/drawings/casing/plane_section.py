@@ -10,12 +10,26 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of
+from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
+from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape import FLANGES, Node, Scene, screw_places
-from gearwright.shape.solids import Chamber, Leg, Rectangle, Solid, cut_chamber, spans_in, united, without
+from gearwright.shape.solids import (
+    Chamber,
+    Fastener,
+    Leg,
+    Rectangle,
+    Solid,
+    bored,
+    cut_chamber,
+    spans_in,
+    united,
+    without,
+)
 from gearwright.sizing import Sizing
+from gearwright.sizing.casing import Flanges, flanges_of, housed, shell_around
+from gearwright.sizing.mass import reaction_torque
 
 LINED = 1e-9
 """How far axes may turn from along the plane, or from square to it [-]."""
@@ -104,24 +118,30 @@ def casing_of(sizing: Sizing, scene: Scene) -> Casing | None:
             ways.append(off / np.linalg.norm(off))
     held = [sum(abs(float((np.array(frame.origin[1:]) - foot) @ [-way[1], way[0]])) < SHOWN for frame in frames)
             for way in ways]  # fmt: skip
+    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
     for k in sorted(range(len(ways)), key=lambda k: -held[k]):
-        section = _section(scene, foot, ways[k])
+        section = _section(scene, flanges, foot, ways[k])
         if section is not None:
             return Casing(scene, ways[k], foot, section)
     return None
 
 
-def _section(scene: Scene, foot: Floats, up: Floats) -> CasingSection | None:
+def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> CasingSection | None:
     leg = Leg(-math.inf, math.inf, foot, up)
     rectangles: list[Rectangle] = []
     for node in (node for node in scene.nodes if node.look == "housing"):
         solid, at = scene.solids[node.surface], float(node.axes.origin[0])
+        if isinstance(solid, Fastener):
+            continue
         found = cut_chamber(solid, [leg]) if isinstance(solid, Chamber) else _cut_boss(node, solid, foot, up)
         if found is None:
             return None
         moved = at if isinstance(solid, Chamber) else 0.0
         rectangles += [one._replace(start=one.start + moved, end=one.end + moved) for one in found]
-    return CasingSection(tuple(united(rectangles, joints_of(scene))), (), flat=True, leaning=())
+    screws = tuple(screw_lines(scene, (Lane(-math.inf, math.inf, (leg,)),)))
+    holes = screw_holes(screws, flanges)
+    cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
+    return CasingSection(cuts, (), flat=True, leaning=(), screws=screws, holes=holes)
 
 
 def _cut_boss(node: Node, solid: Solid, foot: Floats, up: Floats) -> list[Rectangle] | None:
