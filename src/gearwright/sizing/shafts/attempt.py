@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import NamedTuple
 
-from gearwright.catalogue import Bearing
+from gearwright.catalogue import Bearing, next_seal_shaft, seals_for
 from gearwright.parts import Material
 from gearwright.sizing.arrangement import root_diameter
 from gearwright.sizing.bearings import Checked, Seating
@@ -20,11 +20,13 @@ from gearwright.sizing.shafts.as_given import cylinder
 from gearwright.sizing.shafts.bending import Bent
 from gearwright.sizing.shafts.joints import Seat, hub_bore, size_joint, spline_root
 from gearwright.sizing.shafts.sections import Borne, HubNotch, Section, Strength, borne, sections_of
-from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay, with_seals
+from gearwright.sizing.shafts.stretches import SAME, Item, Stretch, Wanted, lay
 from gearwright.spec.design import NOTHING_GIVEN, Joint
 
 THINNEST = 10e-3
 """Diameter from which shafts are grown [m]."""
+SEAL_PLATE = 8e-3
+"""Part of a shaft under the cover that carries its seal, beside the seal, at least: an assumption [m]."""
 TOOTH_HEIGHT = 2.25
 """Height of teeth over their module [-] (ISO 53)."""
 
@@ -107,8 +109,41 @@ def sealed(task: Task, attempt: Attempt) -> Attempt:
         task: What it is built from.
         attempt: As it has grown.
     """
-    stretches = with_seals(attempt.stretches, _leaves(task)) if task.as_given is None else attempt.stretches
+    stretches = _with_seals(attempt.stretches, _leaves(task)) if task.as_given is None else attempt.stretches
     return attempt if stretches == attempt.stretches else _judged(task, stretches, attempt.chosen)
+
+
+def _with_seals(stretches: tuple[Stretch, ...], ends: tuple[bool, bool]) -> tuple[Stretch, ...]:
+    """Return a shaft as thick beside its outermost bearings as the next larger radial seals want, where one runs.
+
+    Where that is thicker than the bearing's seat, or nothing lies between the bearing and what sits further out, it
+    stays as it is.
+    """
+    if ends[0]:
+        stretches = tuple(_sealed(list(stretches)))
+    if ends[1]:
+        stretches = tuple(_sealed(list(stretches[::-1]))[::-1])
+    return stretches
+
+
+def _sealed(side: list[Stretch]) -> list[Stretch]:
+    """Return stretches from an end inwards with the one under its seal."""
+    at = next((k for k, stretch in enumerate(side) if stretch.kind == "bearing"), 0)
+    if not at or not side[at - 1].length > SAME:
+        return side
+    free, bearing = side[at - 1], side[at]
+    wanted = next_seal_shaft(free.diameter)
+    if wanted is None or not free.diameter + SAME < wanted <= bearing.diameter + SAME:
+        return side
+    length = max(bearing.length, seals_for(wanted)[0].width + SEAL_PLATE)
+    name = f"seal beside {bearing.name}"
+    if length >= free.length - SAME:
+        return [*side[: at - 1], free.of(wanted), *side[at:]]
+    if free.end <= bearing.start + SAME:
+        parts = free._replace(end=free.end - length), free._replace(name=name, start=free.end - length)
+    else:
+        parts = free._replace(start=free.start + length), free._replace(name=name, end=free.start + length)
+    return [*side[: at - 1], parts[0], parts[1].of(wanted), *side[at:]]
 
 
 def _judged(task: Task, stretches: tuple[Stretch, ...], chosen: Mapping[str, Bearing]) -> Attempt:

@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
-from gearwright.catalogue import Bearing, next_seal_shaft, seals_for
+from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError, Problem
 
 SHOULDER = 0.175
@@ -28,11 +28,9 @@ BEARING_FILLET = 0.025
 """Fillet at the seat of a bearing over D − d [-]."""
 COLLAR = 1.15
 """Collar beside a hub over the hub's seat [-]."""
-SEAL_PLATE = 8e-3
-"""Part of a shaft under the cover that carries its seal, beside the seal, at least: an assumption [m]."""
 LARGEST_BODY = 1.5
 """Diameter of a gear of one piece that still stiffens its shaft, over the shaft beside it [-]."""
-_SAME = 1e-9
+SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
 Kind = Literal["bearing", "integral", "hub", "between"]
 Choose = Callable[[str, float, float], Bearing]
@@ -155,43 +153,6 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     return tuple(_ends(_collared(laid, low, high), wanted)), chosen
 
 
-def with_seals(stretches: tuple[Stretch, ...], ends: tuple[bool, bool]) -> tuple[Stretch, ...]:
-    """Return a shaft as thick beside its outermost bearings as the next larger radial seals want.
-
-    Where that is thicker than the bearing's seat, or nothing lies between the bearing and what sits further out, it
-    stays as it is.
-
-    Args:
-        stretches: From end to end.
-        ends: Whether a seal is to run on the first and on the second end, beyond all bearings.
-    """
-    if ends[0]:
-        stretches = tuple(_sealed(list(stretches)))
-    if ends[1]:
-        stretches = tuple(_sealed(list(stretches[::-1]))[::-1])
-    return stretches
-
-
-def _sealed(side: list[Stretch]) -> list[Stretch]:
-    """Return stretches from an end inwards with the one under its seal."""
-    at = next((k for k, stretch in enumerate(side) if stretch.kind == "bearing"), 0)
-    if not at or not side[at - 1].length > _SAME:
-        return side
-    free, bearing = side[at - 1], side[at]
-    wanted = next_seal_shaft(free.diameter)
-    if wanted is None or not free.diameter + _SAME < wanted <= bearing.diameter + _SAME:
-        return side
-    length = max(bearing.length, seals_for(wanted)[0].width + SEAL_PLATE)
-    name = f"seal beside {bearing.name}"
-    if length >= free.length - _SAME:
-        return [*side[: at - 1], free.of(wanted), *side[at:]]
-    if free.end <= bearing.start + _SAME:
-        parts = free._replace(end=free.end - length), free._replace(name=name, start=free.end - length)
-    else:
-        parts = free._replace(start=free.start + length), free._replace(name=name, end=free.start + length)
-    return [*side[: at - 1], parts[0], parts[1].of(wanted), *side[at:]]
-
-
 def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
     """Return the stretches without diameters: between, item, between, and so on; those between may have no length."""
     bare, reached, before = [], 0.0, ""
@@ -238,7 +199,7 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
 def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
     """Return the thinnest seat that a hub needs and that lets it slide over what is further out [m]."""
     diameter = _whole(needed)
-    while wanted.over(hub, diameter) < past - _SAME:
+    while wanted.over(hub, diameter) < past - SAME:
         diameter += 1e-3
     return diameter
 
@@ -246,7 +207,7 @@ def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
 def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None:
     """Raise where a part does not slide over what is further out."""
     over = wanted.over(laid.name, laid.diameter) if laid.kind == "hub" else laid.diameter
-    if over < past - _SAME:
+    if over < past - SAME:
         least = _passing(laid.name, wanted, past, past) if laid.kind == "hub" else past
         seat = f"{1e3 * laid.diameter:.4g} mm"
         has = (
@@ -282,10 +243,10 @@ def _whole(diameter: float) -> float:
 
 def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
     """Return stretches whose last one, beside a bearing, is its shoulder where the next seat lets that be."""
-    if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > _SAME:
+    if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > SAME:
         return side
     wanted = side[-2].shoulder
-    if side[-1].diameter < wanted <= inner.diameter + _SAME:
+    if side[-1].diameter < wanted <= inner.diameter + SAME:
         return [*side[:-1], side[-1].of(wanted)]
     return side
 
@@ -302,7 +263,7 @@ def _core(
     if only.kind == "between":
         needed = max(needed, *(side[-1].shoulder for side in sides if side), 0.0)
     diameter = wanted.fixed.get(only.name, wanted.core)
-    if diameter is not None and diameter < beside - _SAME:
+    if diameter is not None and diameter < beside - SAME:
         message = (
             f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
         )
@@ -323,7 +284,7 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
         needed = max(beside, wanted.needed.get(stretch.name, 0.0))
         body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
         laid.append(stretch.of(_whole(needed) if stretch.kind == "between" else body))
-        if stretch.kind == "integral" and needed > limits[stretch.name] + _SAME:
+        if stretch.kind == "integral" and needed > limits[stretch.name] + SAME:
             message = (
                 f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
                 f" {1e3 * limits[stretch.name]:.4g} mm; give the gear more teeth or a larger module, or put the"
@@ -337,7 +298,7 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     """Return stretches with a collar on the longer side of a hub at the thickest place."""
     if stretches[low].kind != "hub" or low != high:
         return stretches
-    sides = [k for k in (low - 1, low + 1) if stretches[k].length > _SAME]
+    sides = [k for k in (low - 1, low + 1) if stretches[k].length > SAME]
     if not sides:
         return stretches
     at = max(sides, key=lambda k: stretches[k].length)
@@ -352,7 +313,7 @@ def _ends(stretches: list[Stretch], wanted: Wanted) -> list[Stretch]:
         stretches = [stretches[0].of(_beside(stretches[1], wanted)), *stretches[1:]]
     if stretches[-1].diameter == 0.0:
         stretches = [*stretches[:-1], stretches[-1].of(_beside(stretches[-2], wanted))]
-    return [stretch for stretch in stretches if stretch.length > _SAME]
+    return [stretch for stretch in stretches if stretch.length > SAME]
 
 
 def _beside(stretch: Stretch, wanted: Wanted) -> float:
