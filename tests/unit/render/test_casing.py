@@ -7,11 +7,12 @@ import pytest
 
 import gearwright as gw
 from gearwright.render.drawings.casing.casing_section import casing_section, joints_of
-from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, span_of
+from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, seen_from_second_end, span_of
 from gearwright.render.drawings.casing.section_path import lanes
 from gearwright.render.drawings.casing_sheet import casing_content
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Distance, Hatch, Words
+from gearwright.render.drawings.sheet.dimensions import extent
+from gearwright.render.drawings.sheet.entities import Distance, Hatch, Layer, Path, Words
 from gearwright.render.drawings.views.positions import positions
 from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
@@ -21,7 +22,7 @@ from gearwright.sizing.mass import complete_mass, reaction_torque
 from shipped_work import sized
 
 MM = 1e3
-WITHOUT = {"face-gear-split-torque", "off-set-h1", "off-set-h1-free", "off-set-h2"}
+WITHOUT = {"face-gear-split-torque"}
 """Designs whose arrangements have axes or bodies where no true section has them."""
 OWN = [name for name in shipped_designs() if sized(name).design.housing.own]
 
@@ -135,7 +136,7 @@ def test_the_list_of_parts_has_the_housing_with_its_mass():
 
 
 def test_a_housing_without_a_true_section_is_left_out_and_said_to_be():
-    (sheet,) = sheets(sized("off-set-h1"), ["arrangement"])
+    (sheet,) = sheets(sized("face-gear-split-torque"), ["arrangement"])
     said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
     assert "Housing" not in said
     assert any("The housing is not drawn" in words for words in said)
@@ -251,3 +252,67 @@ def test_centre_lines_of_screws_run_through_both_halves_of_flanges(name):
             cut = [any(one.start < x < one.end and one.low < y < one.high for one in rectangles)
                    for y in (middle.imag + side * 0.56 * section.thread / MM for side in (-1.0, 0.0, 1.0))]  # fmt: skip
             assert cut == [True, False, True]  # a clearance hole of 1.1 d
+
+
+@pytest.mark.parametrize("name", ["off-set-h1", "off-set-h1-free", "off-set-h2"])
+def test_the_section_goes_round_and_says_whose_bodies_its_legs_cut_elsewhere(name):
+    """Distances from axes to legs by hand: the legs that do not hold an axis but come nearer than its largest gear."""
+    sizing = sized(name)
+    plane = positions(sizing)
+    way, section = lanes(sizing, plane), casing_section(sizing, plane)
+    for shaft, lying in plane.shafts.items():
+        foot, height = np.array(sizing.arrangement.frames[shaft].origin[1:]), lying.origin.imag / MM
+        reach = max(body.radius for body in sizing.arrangement.bodies if body.shaft == shaft)
+        cut = False
+        for leg in way[0].legs:
+            steps = np.linspace(max(leg.low, -2.0), min(leg.high, 2.0), 8001)
+            near = np.linalg.norm(leg.foot + steps[:, None] * leg.along - foot, axis=1)
+            holds = np.linalg.norm(leg.foot + height * leg.along - foot) < 1e-6
+            shown = holds and leg.low - reach < height < leg.high + reach
+            cut |= bool(near.min() < reach - 1e-3 and not shown)
+        assert cut == (shaft in section.crossed), shaft
+
+
+def test_a_motor_in_line_with_another_shaft_lies_in_line_with_it():
+    plane = positions(sized("off-set-h1"))
+    assert abs(plane.shafts["motor"].origin.imag - plane.shafts["input"].origin.imag) < 1e-6
+    assert plane.unfolded == ("second.right",)
+
+
+@pytest.mark.parametrize("name", ["in-line-h2", "off-set-h1", "ravigneaux-automatic"])
+def test_shafts_of_a_first_sizing_are_drawn_as_long_as_their_solids(name):
+    sizing = sized(name)
+    plane = positions(sizing)
+    scene = gw.scene(sizing)
+    for shaft, lying in plane.shafts.items():
+        frame = sizing.arrangement.frames[shaft]
+        ends = []
+        for node in (node for node in scene.nodes if node.look == "shaft" and node.part.name == shaft):
+            at = float((node.axes.origin - np.array(frame.origin)) @ np.array(frame.along))
+            sense = float(node.axes.along @ np.array(frame.along))
+            ends += [MM * (at + sense * z) for z, _ in scene.solids[node.surface].profile]
+        assert not ends or (min(ends), max(ends)) == pytest.approx((lying.start, lying.end), abs=1e-6), shaft
+
+
+@pytest.mark.parametrize("name", ["ec120b", "face-gear-split-torque", "off-set-h3"])
+def test_the_view_from_the_second_end_has_the_outline_of_the_housing(name):
+    """As wide and as high as the pieces of the scene; lines of bodies that it covers are dashed."""
+    sizing = sized(name)
+    scene = gw.scene(sizing)
+    loops = [scene.solids[node.surface].outer for node in scene.nodes
+             if node.look == "housing" and isinstance(scene.solids[node.surface], Chamber)]  # fmt: skip
+    points = MM * np.concatenate(loops)
+    lines, _ = seen_from_second_end(scene)
+    box = extent(lines)
+    assert (box[2] - box[0], box[3] - box[1]) == pytest.approx(tuple(np.ptp(points, axis=0)), abs=1e-6)
+    (sheet,) = sheets(sizing, ["arrangement"])
+    across = any(abs(frame.along.x) < 0.5 for frame in sizing.arrangement.frames.values())
+    assert any(isinstance(mark, Path) and mark.layer is Layer.HIDDEN for mark in sheet.entities) == across
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_the_view_from_the_first_end_stands_right_of_the_section_on_its_level(name):
+    """First-angle projection (ISO 5456-2): as the symbol in the title block says."""
+    (sheet,) = [sheet for sheet in sheets(sized(name), ["housing"]) if sheet.name == "housing"]
+    titles = {mark.text: mark.at for mark in sheet.entities if isinstance(mark, Words)}
+    assert titles["Section along the first shaft"].real < titles["From the first end"].real

@@ -12,6 +12,7 @@ from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
 from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
+from gearwright.render.drawings.casing.plane_section import seen_from_second_end
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
 from gearwright.render.drawings.sheet.dimensions import arrow, drawn, extent
@@ -20,12 +21,13 @@ from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import balloon
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
-from gearwright.render.drawings.views.end_view import end_view, is_square
+from gearwright.render.drawings.views.end_view import Outside, end_view, is_square
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.render.schematic.layout import pair_meshes
 from gearwright.render.style.labels import overlap, spread
+from gearwright.shape import scene as scene_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.places import CLAUSE, bells
@@ -59,6 +61,8 @@ class _Shown:
     plane: Positions
     casing: CasingSection | None
     """The housing, where the section cuts it."""
+    outside: Outside
+    """The housing from the second end of the first shaft, where the sheet has that view."""
 
 
 def arrangement_content(sizing: Sizing) -> Content:
@@ -68,7 +72,7 @@ def arrangement_content(sizing: Sizing) -> Content:
         sizing: What was sized.
     """
     plane = positions(sizing)
-    shown = _Shown(sizing, plane, casing_section(sizing, plane))
+    shown = _Shown(sizing, plane, casing_section(sizing, plane), _outside(sizing, plane))
     _, items = _parts(shown, 1.0)
     rows = tuple(
         (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else _kilograms(item.mass))
@@ -85,6 +89,12 @@ def arrangement_content(sizing: Sizing) -> Content:
     )  # fmt: skip
 
 
+def _outside(sizing: Sizing, plane: Positions) -> Outside:
+    if not sizing.design.housing.own or not _has_end_view(sizing, plane):
+        return Outside()
+    return Outside(*seen_from_second_end(scene_of(sizing, detail="coarse")))
+
+
 def _kilograms(mass: float) -> str:
     """Return a mass with three digits, or to the kilogram [kg]."""
     return f"{mass:.0f}" if mass >= 100.0 else f"{mass:.3g}"
@@ -93,7 +103,8 @@ def _kilograms(mass: float) -> str:
 def _notes(shown: _Shown) -> Iterator[str]:
     sizing, plane = shown.sizing, shown.plane
     if _has_end_view(sizing, plane):
-        yield f"View {ARROW_NAME}: along the first shaft from its second end, axes at true places, pitch circles."
+        around = ", housing from outside" if shown.outside.lines else ""
+        yield f"View {ARROW_NAME}: along the first shaft from its second end, axes in place, pitch circles{around}."
     if sizing.bearings:
         yield (
             "Bearings simplified: boundary dimensions ISO 15 or ISO 355, rings with shoulders as drawn, rolling "
@@ -157,7 +168,7 @@ def _views(shown: _Shown, scale: float) -> Rows:
         return [[entities]]
     level = plane.shafts[sizing.design.shafts[0]].at(0.0).imag * scale
     entities += _looked(complex(extent(entities)[2] + BEYOND, level))
-    seen = end_view(sizing, scale)
+    seen = end_view(sizing, scale, shown.outside)
     box = extent(seen)
     seen.append(Words(complex((box[0] + box[2]) / 2.0, box[3] + BEYOND / 2.0), ARROW_NAME, LETTER, "middle"))
     return [[seen, entities]]

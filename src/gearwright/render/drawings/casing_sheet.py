@@ -79,7 +79,7 @@ def casing_content(sizing: Sizing) -> Content | None:
     grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _axes(sizing))
     return Content(
         NAME, title, views, tuple(grid for grid in grids if grid.rows), tuple(_notes(sizing, casing, flanges)),
-        largest_scale=1.0, kind="housing", is_whole=True,
+        largest_scale=1.0, kind="housing", is_whole=True, projected=True,
     )  # fmt: skip
 
 

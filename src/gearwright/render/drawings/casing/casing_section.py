@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.render.drawings.casing.screw_view import screw_entities
-from gearwright.render.drawings.casing.section_path import Lane, lanes
+from gearwright.render.drawings.casing.section_path import Lane, crossed, lanes
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -48,6 +48,9 @@ class CasingSection:
     """Clearance holes around them [m]."""
     thread: float = 0.0
     """Diameter of the screws that are drawn [mm]; 0 where their holes are alone."""
+
+    crossed: tuple[str, ...] = ()
+    """Shafts whose bodies it also cuts where the sheet does not show them."""
 
     @property
     def screw(self) -> complex:
@@ -100,7 +103,8 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     screws = tuple(screw_lines(scene, ways))
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
-    return CasingSection(cuts, steps, flat, tuple(leaning), screws, holes, MM * flanges.thread)
+    others = tuple(crossed(sizing, plane, ways))
+    return CasingSection(cuts, steps, flat, tuple(leaning), screws, holes, MM * flanges.thread, others)
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:

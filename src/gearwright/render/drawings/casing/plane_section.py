@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Complexes, Floats
 from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
 from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
@@ -54,9 +54,7 @@ class Casing:
     @property
     def pieces(self) -> list[tuple[Node, Chamber]]:
         """Its chambers and halves of flanges, from the first end on."""
-        nodes = [(node, self.scene.solids[node.surface]) for node in self.scene.nodes if node.look == "housing"]
-        found = [(node, solid) for node, solid in nodes if isinstance(solid, Chamber)]
-        return sorted(found, key=lambda piece: span_of(*piece)[0])
+        return sorted(pieces_of(self.scene), key=lambda piece: span_of(*piece)[0])
 
     @property
     def chambers(self) -> list[tuple[Node, Chamber]]:
@@ -78,14 +76,24 @@ class Casing:
         """Where it begins along the first shaft [m]."""
         return span_of(*self.pieces[0])[0]
 
-    def seen(self, points: Floats) -> Floats:
+    def seen(self, points: Floats) -> Complexes:
         """Return points across the first shaft as the view from the first end has them, x + i y [m], shape (n,).
 
         Args:
             points: y and z in space [m], shape (n, 2).
         """
         off = np.asarray(points) - self.foot
-        return np.asarray(off @ np.array([-self.up[1], self.up[0]]) + 1j * (off @ self.up))
+        return np.asarray(off @ np.array([-self.up[1], self.up[0]]) + 1j * (off @ self.up), dtype=np.complex128)
+
+
+def pieces_of(scene: Scene) -> list[tuple[Node, Chamber]]:
+    """Return the chambers of a housing and the halves of its flanges.
+
+    Args:
+        scene: With the housing.
+    """
+    nodes = [(node, scene.solids[node.surface]) for node in scene.nodes if node.look == "housing"]
+    return [(node, solid) for node, solid in nodes if isinstance(solid, Chamber)]
 
 
 def span_of(node: Node, solid: Chamber) -> tuple[float, float]:
@@ -194,22 +202,45 @@ def uncut(casing: Casing, scale: float) -> Iterator[Entity]:
             yield Path(tuple(scale * MM * corner for corner in corners), Layer.HIDDEN, closed=True)
 
 
-def end_outlines(casing: Casing, scale: float) -> Iterator[Entity]:
+def end_outlines(casing: Casing, scale: float) -> Iterator[Path]:
     """Yield what is seen of chambers, flanges and holes from the first end; what others before them hide is left out.
 
     Args:
         casing: The housing.
         scale: mm of paper per mm [-].
     """
+    faces = [(solid.outer, solid.ends[0].holes if solid.ends[0] else ()) for _, solid in casing.pieces]
+    yield from _not_hidden(faces, lambda points: np.asarray(scale * MM * casing.seen(points), dtype=np.complex128))
+
+
+def seen_from_second_end(scene: Scene) -> tuple[tuple[Path, ...], tuple[Floats, ...]]:
+    """Return what is seen of a housing along the first shaft from its second end, and loops that fill what it covers.
+
+    Args:
+        scene: Solids with those of a housing.
+
+    Returns:
+        Lines [mm], and outlines of its pieces across the first shaft [m]; y in space to the right, z upwards.
+    """
+    pieces = sorted(pieces_of(scene), key=lambda piece: -span_of(*piece)[1])
+    faces = [(solid.outer, solid.ends[1].holes if solid.ends[1] else ()) for _, solid in pieces]
+    lines = _not_hidden(faces, lambda points: np.asarray(MM * (points[:, 0] + 1j * points[:, 1]), dtype=np.complex128))
+    return tuple(lines), tuple(solid.outer for _, solid in pieces)
+
+
+def _not_hidden(
+    faces: Iterable[tuple[Floats, Iterable[Floats]]], seen: Callable[[Floats], Complexes]
+) -> Iterator[Path]:
+    """Yield the edges of faces with holes, one behind the other, past those before."""
     before: list[Floats] = []
-    for _, solid in casing.pieces:
-        yield from _edges(casing, solid.outer, before, scale)
-        for hole in solid.ends[0].holes if solid.ends[0] else ():
-            yield from _edges(casing, hole, before, scale)
-        before.append(solid.outer + COVERED * (solid.outer - solid.outer.mean(axis=0)))
+    for outer, holes in faces:
+        yield from _edges(seen, outer, before)
+        for hole in holes:
+            yield from _edges(seen, hole, before)
+        before.append(outer + COVERED * (outer - outer.mean(axis=0)))
 
 
-def _edges(casing: Casing, loop: Floats, before: Sequence[Floats], scale: float) -> Iterator[Path]:
+def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[Floats]) -> Iterator[Path]:
     """Yield what is seen of a loop past what stands before it, in lines as long as can be."""
     run: list[complex] = []
     for here, there in pairwise(np.concatenate([loop, loop[:1]])):
@@ -221,8 +252,7 @@ def _edges(casing: Casing, loop: Floats, before: Sequence[Floats], scale: float)
         for other in before:
             left = without(left, spans_in(other, [leg]))
         for low, high in left:
-            points = casing.seen(np.array([here + at * leg.along for at in (low, high)]))
-            ends = [complex(point) * scale * MM for point in points]
+            ends = [complex(point) for point in seen(np.array([here + at * leg.along for at in (low, high)]))]
             if run and abs(run[-1] - ends[0]) < 1e-6:
                 run.append(ends[1])
                 continue

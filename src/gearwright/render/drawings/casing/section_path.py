@@ -8,14 +8,15 @@ from one plane to the other. It is a true section or none.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.render.drawings.views.positions import TRUE, Lying, Positions
+from gearwright.render.drawings.views.laid.beside import TRUE, Lying
+from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape.solids import Leg
 from gearwright.sizing import Sizing
@@ -73,20 +74,49 @@ def lanes(sizing: Sizing, plane: Positions, joints: Sequence[float] = ()) -> tup
             if one is None:
                 return None
             across.append(one)
-    found = _laid(corners, across, _spans(flat), joints)
+    axes = _axes(sizing, plane, flat)
+    return _laid(corners, across, _spans(flat), joints, axes)
+
+
+class _Axis(NamedTuple):
+    """A shaft along the first one."""
+
+    name: str
+    height: float
+    """On the sheet [m]."""
+    foot: Floats
+    """Where it stands across the first shaft [m], shape (2,)."""
+    reach: float
+    """Largest radius on it [m]."""
+
+    def is_crossed(self, leg: Leg) -> bool:
+        """Tell whether a leg cuts bodies about it where the sheet does not show them."""
+        low, high = max(leg.low, self.height - self.reach), min(leg.high, self.height + self.reach)
+        beside = float(np.linalg.norm(leg.foot + self.height * leg.along - self.foot))
+        if MM * beside < TRUE and low < high:
+            return False
+        nearest = min(max(float((self.foot - leg.foot) @ leg.along), leg.low), leg.high)
+        return float(np.linalg.norm(leg.foot + nearest * leg.along - self.foot)) < self.reach - TRUE / MM
+
+
+def _axes(sizing: Sizing, plane: Positions, names: Iterable[str]) -> list[_Axis]:
+    frames = sizing.arrangement.frames
     reach = {name: max((body.radius for body in sizing.arrangement.bodies if body.shaft == name), default=0.0)
-             for name in flat}  # fmt: skip
-    axes = [(lying.origin.imag / MM, np.array(frames[name].origin[1:]), reach[name]) for name, lying in flat.items()]
-    return None if found is None or any(_is_crossed(leg, *axis) for leg in found[0].legs for axis in axes) else found
+             for name in names}  # fmt: skip
+    return [_Axis(name, plane.shafts[name].origin.imag / MM, np.array(frames[name].origin[1:]), reach[name])
+            for name in names]  # fmt: skip
 
 
-def _is_crossed(leg: Leg, height: float, foot: Floats, reach: float) -> bool:
-    """Tell whether a leg cuts bodies about an axis that the sheet shows elsewhere."""
-    beside = float(np.linalg.norm(leg.foot + height * leg.along - foot))
-    if MM * beside < TRUE:
-        return False
-    nearest = min(max(float((foot - leg.foot) @ leg.along), leg.low), leg.high)
-    return float(np.linalg.norm(leg.foot + nearest * leg.along - foot)) < reach
+def crossed(sizing: Sizing, plane: Positions, ways: Sequence[Lane]) -> list[str]:
+    """Return the shafts whose bodies the section cuts in legs in which the sheet does not show them.
+
+    Args:
+        sizing: What was sized.
+        plane: Where shafts lie on the sheet.
+        ways: From `lanes`.
+    """
+    level = [name for name, lying in plane.shafts.items() if abs(lying.along.imag) < FLAT]
+    return [axis.name for axis in _axes(sizing, plane, level) if any(axis.is_crossed(leg) for leg in ways[0].legs)]
 
 
 Corners = list[tuple[float, Floats]]
@@ -138,11 +168,17 @@ def _across(sizing: Sizing, name: str, lying: Lying, corners: Corners) -> _Acros
 
 
 def _laid(
-    corners: Corners, across: list[_Across], spans: list[tuple[float, float, float]], joints: Sequence[float]
+    corners: Corners,
+    across: list[_Across],
+    spans: list[tuple[float, float, float]],
+    joints: Sequence[float],
+    axes: Sequence[_Axis],
 ) -> tuple[Lane, ...] | None:
     """Return the lanes: one, or two where shafts across stand beside what is on their side of an axis."""
     first = across[0].up if across else np.array([1.0, 0.0])
     base = _Way.of(corners, first)
+    if not across:
+        base = base.freed(axes)
     stepped: list[_Across] = []
     for one in across:
         if base.holds(one):
@@ -191,6 +227,21 @@ class _Way(NamedTuple):
             return _Way(corners, (-up, up))
         steps = [(other[1] - one[1]) / (other[0] - one[0]) for one, other in pairwise(corners)]
         return _Way(corners, (-steps[0], steps[-1]))
+
+    def freed(self, axes: Sequence[_Axis]) -> _Way:
+        """Return the way with ends that are turned, as little as can be, where straight on they cut other bodies."""
+        ends = list(self.beyond_ends)
+        for k in (0, 1):
+            straight = ends[k]
+            for turn in sorted(np.radians(np.arange(-165.0, 180.0, 15.0)), key=abs):
+                cos, sin = math.cos(turn), math.sin(turn)
+                ends[k] = np.array([cos * straight[0] - sin * straight[1], sin * straight[0] + cos * straight[1]])
+                leg = _Way(self.corners, (ends[0], ends[1])).legs[-k]
+                if not any(axis.is_crossed(leg) for axis in axes):
+                    break
+            else:
+                ends[k] = straight
+        return _Way(self.corners, (ends[0], ends[1]))
 
     @property
     def legs(self) -> tuple[Leg, ...]:

@@ -44,6 +44,8 @@ class Content:
     """What it shows: ``arrangement``, ``shaft`` or ``gear``."""
     is_whole: bool = False
     """Whether it shows a whole gearbox, for which A0 at 1:2 is better than less at 1:5."""
+    projected: bool = False
+    """Whether its views stand where projection has them: side by side on one level, in their order."""
 
 
 def compose(content: Content) -> Sheet:
@@ -129,7 +131,7 @@ def _plans(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
 
 def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
     """Yield ways in which a gearbox may stand beside a column of tables on the title block: with notes below the views,
-    with notes in the column, with the first of two views over the column.
+    with notes in the column, with the first of two views over the column, for which the last table may make room.
     """
     left, low, right, high = inside(size)
     wide = max(BLOCK_WIDTH, *(grid_size(grid)[0] + AIR / 2.0 for grid in content.grids))
@@ -148,12 +150,21 @@ def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
     if above < high:
         notes = (complex(right - wide + AIR / 2.0, top.imag), wide - AIR)
         yield Plan(((rows, (left + half, low + half, beside, high - half)),), tuple(corners), notes)
-    if [len(row) for row in rows] == [2]:
-        aside, main = [[rows[0][0]]], [[rows[0][1]]]
-        far = right - max(wide, _rows_size(aside)[0] + AIR) - AIR
-        under = low + AIR / 2.0 + notes_height(content.notes, far - foot.real) + AIR
-        rooms = (far + AIR, top.imag - half, right - half, high - half / 2.0), (left + half, under, far, high - half)
-        yield Plan(((aside, rooms[0]), (main, rooms[1])), tuple(corners), (foot, far - foot.real))
+    if [len(row) for row in rows] != [2] or content.projected:
+        return
+    aside, main = [[rows[0][0]]], [[rows[0][1]]]
+    far = right - max(wide, _rows_size(aside)[0] + AIR) - AIR
+    under = low + AIR / 2.0 + notes_height(content.notes, far - foot.real) + AIR
+    rooms = (far + AIR, top.imag - half, right - half, high - half / 2.0), (left + half, under, far, high - half)
+    yield Plan(((aside, rooms[0]), (main, rooms[1])), tuple(corners), (foot, far - foot.real))
+    # The uppermost table beside the notes.
+    moved_wide, moved_tall = grid_size(content.grids[-1])
+    beside_it = complex(foot.real + moved_wide + AIR, foot.imag)
+    under = foot.imag + max(notes_height(content.notes, far - beside_it.real), moved_tall) + AIR
+    rooms = ((far + AIR, top.imag - half - moved_tall, right - half, high - half / 2.0),
+             (left + half, under, far, high - half))  # fmt: skip
+    corners[-1] = foot + complex(moved_wide, moved_tall)
+    yield Plan(((aside, rooms[0]), (main, rooms[1])), tuple(corners), (beside_it, far - beside_it.real))
 
 
 def _rows_size(rows: Rows) -> tuple[float, float]:

@@ -20,7 +20,8 @@ from gearwright.render.drawings.views.gear_view import (
     ring_section,
 )
 from gearwright.render.drawings.views.holder_view import holder_anchor, holder_section
-from gearwright.render.drawings.views.positions import PLATE_GAP, Lying, Positions
+from gearwright.render.drawings.views.laid.beside import Lying
+from gearwright.render.drawings.views.positions import PLATE_GAP, Positions
 from gearwright.render.drawings.views.shaft_parts import (
     MM,
     Piece,
@@ -79,13 +80,15 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
         scale: mm of paper per mm [-].
     """
     lying = plane.shafts[name]
-    axis, body = axis_of(lying, scale), _drawn_body(sizing, name, lying)
+    axis, body = axis_of(lying, scale), shaft_body(sizing, name)
     entities: list[Entity] = []
     items: list[Item] = []
-    if body.pieces[0].diameter > 0.0 and body.length > 0.0:
-        entities += shaft_outline(axis, body)
+    drawn = _drawn_bodies(sizing, body)
+    if drawn:
+        for one in drawn:
+            entities += shaft_outline(axis, one)
         remark, mass = ", ".join(f"with {gear}" for gear in body.gears), mass_with_gears(sizing, body.gears, name)
-        items.append(Item(f"Shaft {name}", remark, 1, mass, _free(axis, body)))
+        items.append(Item(f"Shaft {name}", remark, 1, mass, _free(axis, drawn[0])))
     lean = math.pi / 4.0 * (1.0 if sizing.design.shafts.index(name) % 2 == 0 else 3.0)
     for gear in sizing.gears:
         if name in gear.shafts and gear.name not in body.gears:
@@ -118,13 +121,16 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
     return entities, items
 
 
-def _drawn_body(sizing: Sizing, name: str, lying: Lying) -> ShaftBody:
-    """Return a shaft over the length that the arrangement draws of it."""
-    body = shaft_body(sizing, name)
-    if len(body.pieces) == 1 and not body.gears:
-        piece = body.pieces[0]
-        return ShaftBody(name, (Piece(lying.start, lying.end, piece.diameters),), body.bore)
-    return body
+def _drawn_bodies(sizing: Sizing, body: ShaftBody) -> list[ShaftBody]:
+    """Return a shaft as the arrangement draws it: of a first sizing the cylinders that its solid has, or none."""
+    if any(shaft.name == body.name for shaft in sizing.built_shafts):
+        return [body]
+    pieces = [
+        tuple(Piece(MM * start, MM * end, (2.0 * MM * radius,) * 2) for start, end, radius in run.steps)
+        for run in runs(sizing)[0]
+        if run.shaft == body.name
+    ]
+    return [ShaftBody(body.name, steps, body.bore) for steps in pieces if steps[0].diameter > 0.0]
 
 
 def _free(axis: Axis, body: ShaftBody) -> complex:

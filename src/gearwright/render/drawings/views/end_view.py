@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
+from typing import NamedTuple
 
+import numpy as np
+
+from gearwright.arrays import Floats
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, words_length
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT
 from gearwright.render.style.labels import overlap
+from gearwright.shape.solids import Leg, spans_in, without
 from gearwright.sizing import Sizing
 
 STEP = 2.0
@@ -22,16 +27,29 @@ _ALONG = 1.0 - 1e-9
 """Share of an axis along the view from which on it lies along it [-]."""
 
 
-def end_view(sizing: Sizing, scale: float) -> list[Entity]:
-    """Return all gears seen along the first shaft, from its second end; planets are left out.
+class Outside(NamedTuple):
+    """A housing as it is seen along the first shaft from its second end, y in space to the right, z upwards."""
 
-    Gears whose axes lie along the view are their pitch circles; of those across it the outlines of the bodies are seen.
+    lines: tuple[Path, ...] = ()
+    """Its edges [mm]."""
+    covers: tuple[Floats, ...] = ()
+    """Convex loops that fill what it covers [m], shape (n, 2) each."""
+
+
+def end_view(sizing: Sizing, scale: float, outside: Outside) -> list[Entity]:
+    """Return a gearbox seen along the first shaft, from its second end; planets are left out.
+
+    Gears whose axes lie along the view are their pitch circles; of those across it the outlines of the bodies are seen,
+    dashed where the housing covers them.
 
     Args:
         sizing: What was sized; all axes along the first shaft or square to it.
         scale: mm of paper per mm [-].
+        outside: The housing; empty where none is drawn.
     """
-    entities: list[Entity] = []
+    entities: list[Entity] = [
+        replace(line, points=tuple(scale * point for point in line.points)) for line in outside.lines
+    ]
     frames, axes = sizing.arrangement.frames, dict[complex, list[str]]()
     along = [name for name in frames if abs(frames[name].along[0]) > _ALONG]
     for name in along:
@@ -46,7 +64,7 @@ def end_view(sizing: Sizing, scale: float) -> list[Entity]:
     names_of = [(middle, name) for middle, shafts in axes.items() for name in shafts]
     for name in frames:
         if name not in along:
-            entities += _across(sizing, name, scale)
+            entities += _across(sizing, name, scale, outside.covers)
             names_of.append((_seen(frames[name].origin, scale), name))
     down = sum(frames[name].along[2] for name in frames if name not in along) < 0.0
     if down:  # shafts across the view are drawn upright, as the section has them
@@ -75,7 +93,7 @@ def is_square(sizing: Sizing) -> bool:
     return all(way > _ALONG or way < 1.0 - _ALONG for way in ways)
 
 
-def _across(sizing: Sizing, shaft: str, scale: float) -> Iterator[Entity]:
+def _across(sizing: Sizing, shaft: str, scale: float, covers: Sequence[Floats]) -> Iterator[Entity]:
     """Yield the outlines of the bodies on a shaft that lies across the view, and its axis."""
     for body in sizing.arrangement.bodies:
         if body.shaft != shaft or max(station.radius for station in body.stations) <= 0.0:
@@ -84,12 +102,30 @@ def _across(sizing: Sizing, shaft: str, scale: float) -> Iterator[Entity]:
         origin = _seen(body.origin, scale)
         upper = [(scale * MM * station.place, scale * MM * station.radius) for station in body.stations]
         corners = [*upper, *((place, -radius) for place, radius in reversed(upper))]
-        yield Path(tuple(origin + way * complex(x, r) for x, r in corners), Layer.THIN, closed=True)
+        outline = tuple(origin + way * complex(x, r) for x, r in corners)
+        if not covers:
+            yield Path(outline, Layer.THIN, closed=True)
+        for start, end in pairwise([*outline, outline[0]] if covers else ()):
+            yield from _parted(start, end, [scale * MM * loop for loop in covers])
     frame, plan = sizing.arrangement.frames[shaft], sizing.arrangement.plans[shaft]
     way = complex(*frame.along[1:])
     start = _seen(frame.origin, scale)
     end = start + way * scale * MM * plan.length
     yield Path((start - OVERSHOOT * way, end + OVERSHOOT * way), Layer.CENTRE)
+
+
+def _parted(start: complex, end: complex, covers: Sequence[Floats]) -> Iterator[Path]:
+    """Yield a line, dashed where loops cover it [mm of paper]."""
+    length = abs(end - start)
+    if length < 1e-6:
+        return
+    way = (end - start) / length
+    leg = Leg(0.0, length, np.array([start.real, start.imag]), np.array([way.real, way.imag]))
+    free = [(0.0, length)]
+    for loop in covers:
+        free = without(free, spans_in(loop, [leg]))
+    for spans, layer in ((free, Layer.OUTLINE), (without([(0.0, length)], free), Layer.HIDDEN)):
+        yield from (Path((start + low * way, start + high * way), layer) for low, high in spans)
 
 
 def _seen(point: Sequence[float], scale: float) -> complex:

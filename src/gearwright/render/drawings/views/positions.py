@@ -12,42 +12,20 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import Kind
+from gearwright.render.drawings.views.laid.beside import TRUE, Join, Lying, centre_distance, parallel
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.schematic.layout import pair_meshes
-from gearwright.shape.teeth import bevel_pair, gear_of, kind_of, sized_mesh
-from gearwright.sizing import Sizing, places
+from gearwright.shape.teeth import bevel_pair, gear_of, kind_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.places import PLATE_GAP as GAP
+from gearwright.sizing.places import runs
 from gearwright.spec import GROUND
 from gearwright.train import Mesh
 
-TRUE = 0.05
-"""How far two gears in mesh may stand from where they mesh before a note says so [mm]."""
 _SQUARE = 1e-9
 """One less the cosine of the angle between axes below which they are parallel [-]."""
-PLATE_GAP = MM * places.PLATE_GAP
+PLATE_GAP = MM * GAP
 """Between planets and the plate of their carrier [mm]."""
-
-
-@dataclass(frozen=True)
-class Lying:
-    """A shaft in the plane of the drawing."""
-
-    origin: complex
-    """Of its first end [mm]."""
-    along: complex
-    """Direction to its second end [-]."""
-    start: float
-    """Where it is drawn from [mm from its first end]."""
-    end: float
-    """Where it is drawn to [mm from its first end]."""
-
-    def at(self, x: float, radius: float = 0.0) -> complex:
-        """Return a point in the plane [mm].
-
-        Args:
-            x: From the first end [mm].
-            radius: To the left of the axis [mm].
-        """
-        return self.origin + self.along * complex(x, radius)
 
 
 @dataclass(frozen=True)
@@ -84,14 +62,14 @@ def positions(sizing: Sizing) -> Positions:
         lined = next((pair for pair in _in_line(sizing) if (pair[0] in shafts) != (pair[1] in shafts)), None)
         if mesh is not None:
             new = mesh.nodes[1] if mesh.nodes[0] in shafts else mesh.nodes[0]
-            shafts[new] = _beside(sizing, list(_joins(meshes, new, shafts, places, lengths[new])), shafts)
+            shafts[new] = _beside(sizing, list(_joins(meshes, new, shafts, places, lengths[new])), shafts, places)
         elif lined is not None:
             known, new = lined if lined[0] in shafts else lined[::-1]
             shafts[new] = _beyond(sizing, shafts[known], known, new)
         else:
             # Nothing joins it to the others: it lies below them.
             shafts[waiting[0]] = Lying(-1j * 300.0 * len(shafts), 1 + 0j, 0.0, lengths[waiting[0]])
-    plane = Positions(shafts, places)
+    plane = Positions(_as_drawn(sizing, shafts), places)
     unfolded = tuple(mesh for mesh in meshes if _is_unfolded(sizing, mesh, plane))
     notes = [
         f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
@@ -99,6 +77,19 @@ def positions(sizing: Sizing) -> Positions:
     ]
     notes += [*_turned(sizing, plane), *_apart(sizing)]
     return replace(plane, notes=tuple(notes), unfolded=tuple(mesh.name for mesh in unfolded), exact=not unfolded)
+
+
+def _as_drawn(sizing: Sizing, shafts: Mapping[str, Lying]) -> dict[str, Lying]:
+    """Return shafts, those of a first sizing from where to where their solids reach."""
+    built = {shaft.name for shaft in sizing.built_shafts}
+    ends: dict[str, list[float]] = {}
+    for run in runs(sizing)[0]:
+        if run.shaft not in built:
+            ends.setdefault(run.shaft, []).extend(MM * place for step in run.steps for place in step[:2])
+    return {
+        name: replace(lying, start=min(ends[name]), end=max(ends[name])) if ends.get(name) else lying
+        for name, lying in shafts.items()
+    }
 
 
 def _in_sets(sizing: Sizing, shaft: str) -> Iterator[tuple[str, float]]:
@@ -126,88 +117,33 @@ def _beyond(sizing: Sizing, lying: Lying, known: str, new: str) -> Lying:
     return Lying(lying.at(MM * float(step)), lying.along, 0.0, MM * length)
 
 
-@dataclass(frozen=True)
-class _Join:
-    """A mesh that joins a new shaft to one that lies already."""
-
-    mesh: Mesh
-    side: int
-    """Of the mesh whose shaft lies, 0 or 1."""
-    lying: Lying
-    """The shaft that lies."""
-    at: float
-    """Middle of its gear [mm from its first end]."""
-    new_at: float
-    """Middle of the gear on the new shaft [mm from its first end]."""
-    length: float
-    """Of the new shaft [mm]."""
-
-    def lay(self, origin: complex, along: complex) -> Lying:
-        """Return the new shaft.
-
-        Args:
-            origin: Of its first end [mm].
-            along: Direction to its second end [-].
-        """
-        return Lying(origin, along, 0.0, self.length)
-
-
 def _joins(
     meshes: Sequence[Mesh],
     new: str,
     shafts: Mapping[str, Lying],
     places: Mapping[str, Mapping[str, float]],
     length: float,
-) -> Iterator[_Join]:
+) -> Iterator[Join]:
     """Yield the meshes that join a new shaft to those that lie already."""
     for mesh in meshes:
         for side in (0, 1):
             known = mesh.nodes[side]
             if mesh.nodes[1 - side] == new and known in shafts:
                 at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
-                yield _Join(mesh, side, shafts[known], at, new_at, length)
+                yield Join(mesh, side, shafts[known], at, new_at, length)
 
 
-def _beside(sizing: Sizing, joins: Sequence[_Join], shafts: Mapping[str, Lying]) -> Lying:
-    """Return a shaft that meshes with others that lie already: beside the one where it covers least."""
+def _beside(
+    sizing: Sizing, joins: Sequence[Join], shafts: Mapping[str, Lying], places: Mapping[str, Mapping[str, float]]
+) -> Lying:
+    """Return a shaft that meshes with others that lie already."""
     join = joins[0]
     kind = kind_of(sizing, join.mesh.stage)
     if kind == "bevel":
         return _bevel(sizing, join, _sheet(sizing, shafts))
     if kind == "face":
         return _face(sizing, join, _sheet(sizing, shafts))
-    reach = _reach(sizing, join.mesh.nodes[1 - join.side])
-    choices = []
-    for one in (one for one in joins if kind_of(sizing, one.mesh.stage) == kind):
-        lying, apart = one.lying, centre_distance(sizing, one.mesh)
-        others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if shaft is not lying]
-        for sign in (1.0, -1.0):
-            choice = one.lay(lying.at(one.at - one.new_at, sign * apart), lying.along)
-            choices.append((sum(_overlap(choice, reach, other, far) for other, far in others), choice))
-    return min(choices, key=lambda choice: choice[0])[1]
-
-
-def centre_distance(sizing: Sizing, mesh: Mesh) -> float:
-    """Return the centre distance of a mesh [mm].
-
-    Args:
-        sizing: What was sized.
-        mesh: Of parallel axes.
-    """
-    return MM * sized_mesh(sizing, mesh).centre_distance
-
-
-def _reach(sizing: Sizing, shaft: str) -> float:
-    """Return the largest radius on a shaft [mm]."""
-    return max((MM * gear.pitch_diameter / 2.0 for gear in sizing.gears if shaft in gear.shafts), default=0.0)
-
-
-def _overlap(shaft: Lying, reach: float, other: Lying, far: float) -> float:
-    """Return how far two parallel shafts with their gears cover each other [mm]; 0 for shafts that cross."""
-    if abs((shaft.along * other.along.conjugate()).imag) > 1e-6:
-        return 0.0
-    apart = abs(((other.origin - shaft.origin) * shaft.along.conjugate()).imag)
-    return max(0.0, reach + far - apart)
+    return parallel(sizing, joins, shafts, places)
 
 
 def _sheet(sizing: Sizing, shafts: Mapping[str, Lying]) -> Floats | None:
@@ -222,7 +158,7 @@ def _sheet(sizing: Sizing, shafts: Mapping[str, Lying]) -> Floats | None:
     return None
 
 
-def _bevel(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
+def _bevel(sizing: Sizing, join: Join, sheet: Floats | None) -> Lying:
     """Return the other shaft of a bevel pair: through the common apex, to the side on which it stands.
 
     The first one that crosses another lies with its second end upwards or to the right.
@@ -244,7 +180,7 @@ def _bevel(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
     return join.lay(apex - along * (join.new_at + sense[other] * reach[other]), along)
 
 
-def _face(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
+def _face(sizing: Sizing, join: Join, sheet: Floats | None) -> Lying:
     """Return the other shaft of a face-gear pair: across, the middle of the pinion on the wheel's pitch circle.
 
     The first wheel's second end lies to the right of its pinion's way; which sides touch is as in space.

@@ -13,6 +13,7 @@ from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import BuiltShaft, GearSizing, JointSizing, ShaftStep, Sizing
+from gearwright.sizing.places import runs
 from gearwright.sizing.shafts import Cut, Thread, grooves, sealed_exits, threads, undercuts_of
 
 MM = 1e3
@@ -121,6 +122,8 @@ class ShaftBody:
 def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     """Return a shaft as it is built, or the cylinder of the first sizing where no bearings were asked for.
 
+    That cylinder is as long as its solid, and as what is weighed.
+
     Args:
         sizing: What was sized.
         name: Of the shaft.
@@ -128,7 +131,12 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     plain = next(shaft for shaft in sizing.shafts if shaft.name == name)
     built = next((shaft for shaft in sizing.built_shafts if shaft.name == name), None)
     if built is None:
-        piece = Piece(0.0, MM * plain.length, (MM * plain.diameter,) * 2)
+        steps = [step for run in runs(sizing)[0] if run.shaft == name for step in run.steps]
+        start, end = (
+            min((step[0] for step in steps), default=0.0),
+            max((step[1] for step in steps), default=plain.length),
+        )
+        piece = Piece(MM * start, MM * end, (MM * plain.diameter,) * 2)
         return ShaftBody(name, (piece,), MM * plain.bore)
     joints = [joint for joint in sizing.joints if joint.shaft == name]
     integral = [

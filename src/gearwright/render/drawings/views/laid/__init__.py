@@ -1,0 +1,1 @@
+"""Where shafts lie in the plane of a drawing."""
