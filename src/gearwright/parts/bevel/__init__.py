@@ -29,10 +29,11 @@ from gearwright.parts.bevel.pitting import (
 )
 from gearwright.parts.bevel.profile import BevelProfile, bevel_profile, face_and_root
 from gearwright.parts.bevel.rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
-from gearwright.parts.bevel.virtual import HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
+from gearwright.parts.bevel.virtual import EFFECTIVE_WIDTH, HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
 
 __all__ = [
     "BOTH_OVERHUNG",
+    "EFFECTIVE_WIDTH",
     "HIGH_CROWNING",
     "LOW_CROWNING",
     "ONE_OVERHUNG",

@@ -9,6 +9,7 @@ from dataclasses import replace
 from gearwright.identity import Role
 from gearwright.render.drawings.gears.edges import edge_notes
 from gearwright.render.drawings.gears.gear_end import Circles, end_of_gear, needs_end
+from gearwright.render.drawings.gears.hardened import hard_grid, hard_lines
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import arrow
 from gearwright.render.drawings.sheet.entities import (
@@ -80,11 +81,11 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
     def views(scale: float) -> Rows:
         axis = Axis(0j, 1 + 0j, scale)
         drawn = bevel_view if bevel else face_view if is_face_wheel(sizing, gear) else _cylindrical
-        main = drawn(sizing, gear, hub, axis)
+        main = [*drawn(sizing, gear, hub, axis), *hard_lines(sizing, gear, axis)]
         return [[main, *([end_of_gear(hub, _circles(sizing, gear, hub), axis)] if needs_end(hub) else [])]]
 
-    grid = tooth_grid(sizing, gear, shaft)
-    return Content(f"gear-{label}", title, views, (grid,), tuple(note for note in notes if note), kind="gear")
+    grids = (tooth_grid(sizing, gear, shaft), *hard_grid(sizing, gear))
+    return Content(f"gear-{label}", title, views, grids, tuple(note for note in notes if note), kind="gear")
 
 
 def _circles(sizing: Sizing, gear: GearSizing, hub: Hub) -> Circles:
@@ -93,7 +94,9 @@ def _circles(sizing: Sizing, gear: GearSizing, hub: Hub) -> Circles:
         profile = bevel_profile(sizing, gear)
         boss = (hub.boss.diameter / 2.0,) if hub.boss is not None else ()
         return Circles(
-            (profile.large[0].imag, profile.small[0].imag, profile.roots[0].imag, *boss), profile.large[1].imag
+            (profile.large[0].imag, profile.small[0].imag, profile.roots[0].imag, *boss),
+            profile.large[1].imag,
+            names_spline=True,
         )
     if is_face_wheel(sizing, gear):
         inner, outer = face_teeth(sizing, gear).reach
@@ -154,7 +157,10 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
                 f"Assumed: hub as long as its seat, Ø {BOSS:g} × the bore with what is cut into it, at most the root Ø"
                 " at the small end."
             )
+        yield "Machine settings and the contact pattern's place follow from the maker's process: not sized."
     if is_face_wheel(sizing, gear):
+        if hub.bore:
+            yield f"Axial run-out of the back IT{FACE_GRADE} at the outer diameter against the bore A (assumed)."
         yield "Teeth: the envelope of a shaper with the teeth of the pinion, whole between the diameters drawn."
         yield f"Assumed: rim {BACKUP:g} × tooth depth behind the roots, web 0.6 of it, hub: as weighed."
 
@@ -180,7 +186,9 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     entities: list[Entity] = [Path((axis.at(span[0] - beyond), axis.at(span[1] + beyond)), Layer.CENTRE)]
     if internal:
         entities += ring_section(axis, teeth, outer, span, lean=LEAN)
-        entities.append(_across(axis, MM * teeth.tip_radius, span[0], -ASIDE))
+        tip = MM * teeth.tip_radius
+        entities += [Path((axis.at(x, -tip), axis.at(x, tip)), Layer.OUTLINE) for x in span]
+        entities.append(_across(axis, tip, span[0], -ASIDE))
     else:
         entities += [*cylinder_section(axis, teeth, hub, span, lean=LEAN), *bore_edges(axis, span, hub)]
         if hub.bore:

@@ -28,6 +28,8 @@ class Circles(NamedTuple):
     """Tips, edges of the rim and of the hub."""
     pitch: float
     """Of the pitch circle."""
+    names_spline: bool = False
+    """Whether the designation of a spline stands here, as the section has no room for it."""
 
 
 def needs_end(hub: Hub) -> bool:
@@ -63,6 +65,8 @@ def end_of_gear(hub: Hub, circles: Circles, axis: Axis) -> list[Entity]:
         entities += [*hub_view(axis, hub)[:1], *_keyway(hub, axis, tip)]
     else:
         entities += _halved(axis, axis.scale * tip + OVERSHOOT + BEYOND)
+    if hub.teeth is not None and circles.names_spline:
+        entities += _spline(hub, axis, tip)
     if hub.web is not None and hub.web.holes:
         entities += _holes(hub.web, axis, tip, half)
     return entities
@@ -85,6 +89,16 @@ def _keyway(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
     side = axis.at(tip) + ASIDE
     yield Distance(axis.at(0.0, -radius), axis.at(half, top), side, math.pi / 2.0, axis.scale)
     yield Words(axis.at(0.0, -tip) - 1j * (ASIDE + TEXT), hub.designation, TEXT, "middle")
+
+
+def _spline(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
+    """Yield the leader from a splined bore to below the gear, with the spline's designation."""
+    target = axis.on(cmath.rect(hub.bore / 2.0, -math.pi / 4.0))
+    level = axis.origin.imag - axis.scale * tip - KNEE
+    knee = complex(target.real + (target.imag - level) / 2.0, level)
+    words = Words(knee + 2.0 + 1.0j, hub.designation, TEXT, "left", layer=Layer.DIMENSION)
+    yield Path((target, knee, knee + 4.0 + words.length), Layer.DIMENSION)
+    yield words
 
 
 def _holes(web: Web, axis: Axis, tip: float, half: tuple[float, float]) -> Iterator[Entity]:

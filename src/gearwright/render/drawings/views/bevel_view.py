@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.crossing import Segment, crossings, segments
-from gearwright.render.drawings.sheet.dimensions import arrow, corner_leader, corner_words, words_corners
+from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
 from gearwright.render.drawings.sheet.entities import Corner, Distance, Entity, Layer, Path
-from gearwright.render.drawings.sheet.tolerances import datum, tolerance_frame
-from gearwright.render.drawings.views.gear_dimensions import LEAN, face_runout, thickness
+from gearwright.render.drawings.sheet.tolerances import datum
+from gearwright.render.drawings.views.gear_dimensions import LEAN, runout_beside, thickness
 from gearwright.render.drawings.views.gear_parts import Boss, Hub
 from gearwright.render.drawings.views.gear_view import bevel_corners, bevel_section, bore_edges
 from gearwright.render.drawings.views.shaft_parts import bevel_profile
@@ -61,7 +61,9 @@ def bevel_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[E
         suffix = f" {hub.tolerance}" if hub.tolerance else ""
         entities.append(_at(axis, complex(bored[1], hub.bore / 2.0), right, suffix))
         entities += datum(complex(right, axis.at(0.0, -hub.bore / 2.0).imag), -1j, "A")
-        entities += _back_runout(axis, profile, heel.real, right)
+        root = profile.roots[1].imag
+        face = axis.at(heel.real, -0.9 * root)
+        entities += runout_beside(face, max(right, face.real) + 24.0, root)
     if hub.boss is not None:
         outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
         entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
@@ -103,16 +105,6 @@ def bevel_plate(hub: Hub) -> Plate | None:
     back = hub.way[at]
     lean = (front.real - toe.real) / (toe.imag - front.imag)
     return Plate(toe.real, back.real - front.real, lean, front.imag, toe.imag, hub.way[at - 1].imag)
-
-
-def _back_runout(axis: Axis, profile: BevelProfile, back: float, right: float) -> Iterator[Entity]:
-    """Yield what the back of a bevel gear may run out against its bore, beyond the diameters beside it."""
-    tolerance = face_runout(profile.roots[1].imag)
-    if tolerance is not None:
-        face = axis.at(back, -0.9 * profile.roots[1].imag)
-        start = complex(max(right, face.real) + 24.0, face.imag)
-        yield from (Path((face, start), Layer.SYMBOL), arrow(face, -1 + 0j, Layer.SYMBOL))
-        yield from tolerance_frame(start, tolerance)
 
 
 def _uncrossed(arcs: Sequence[Corner], lines: Sequence[Segment]) -> list[Corner]:

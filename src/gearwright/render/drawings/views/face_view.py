@@ -10,7 +10,7 @@ from gearwright.identity import Role
 from gearwright.parts.gears import TransverseTooth, face_reach, face_way
 from gearwright.render.drawings.sheet.entities import Distance, Entity, Layer, Path
 from gearwright.render.drawings.sheet.tolerances import datum
-from gearwright.render.drawings.views.gear_dimensions import LEAN, thickness
+from gearwright.render.drawings.views.gear_dimensions import LEAN, runout_beside, thickness
 from gearwright.render.drawings.views.gear_parts import Hub
 from gearwright.render.drawings.views.gear_view import bore_edges, hatched, line
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -143,6 +143,8 @@ def face_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[En
     entities.append(_across(axis, -teeth.tip, inner, left, ""))
     if hub.bore:
         entities += datum(complex(right, axis.at(0.0, -hub.bore / 2.0).imag), -1j, "A")
+        face = axis.at(back.real, -0.9 * outer)
+        entities += runout_beside(face, max(right + STEP * len(across), face.real + ASIDE), outer)
     flat = [corner.real for corner in way if radii and corner.imag == radii[0]]
     if radii and min(flat) < front.real:
         entities += thickness(axis, (front.real, back.real), (radii[0], inner))

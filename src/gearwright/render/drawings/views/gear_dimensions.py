@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator
 
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
-from gearwright.render.drawings.sheet.entities import Distance
-from gearwright.render.drawings.sheet.tolerances import Tolerance
+from gearwright.render.drawings.sheet.dimensions import arrow
+from gearwright.render.drawings.sheet.entities import Distance, Entity, Layer, Path
+from gearwright.render.drawings.sheet.tolerances import Tolerance, tolerance_frame
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import Axis
 
@@ -41,3 +42,18 @@ def face_runout(root: float) -> Tolerance | None:
     if not SMALLEST < 2.0 * root / MM <= LARGEST:
         return None
     return Tolerance("run-out", MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), "A")
+
+
+def runout_beside(face: complex, start: float, root: float) -> Iterator[Entity]:
+    """Yield what a face that looks to the right may run out against the bore; nothing beyond the sizes of ISO 286-1.
+
+    Args:
+        face: Where the arrow meets it [mm of paper].
+        start: Where the frame begins, on paper from left to right [mm].
+        root: Radius at which it is measured [mm].
+    """
+    tolerance = face_runout(root)
+    if tolerance is not None:
+        left = complex(start, face.imag)
+        yield from (Path((face, left), Layer.SYMBOL), arrow(face, -1 + 0j, Layer.SYMBOL))
+        yield from tolerance_frame(left, tolerance)

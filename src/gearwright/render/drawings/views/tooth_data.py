@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from gearwright.arrays import Floats
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
-from gearwright.parts.bevel import face_and_root, mean_thickness
+from gearwright.parts.bevel import EFFECTIVE_WIDTH, face_and_root, mean_thickness
 from gearwright.parts.gears import (
     CylindricalGear,
     ball_measurement,
@@ -219,6 +219,12 @@ def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     stage = sizing.design.stages[gear.stage]
     backlash = stage.backlash or least_backlash(pair.mean_cone_distance, pair.mean_module)
     yield "Least backlash, mean cone" + ("" if stage.backlash else " (assumed)"), "j_{t}", _mm(backlash)
+    cutter = sizing.design.rules(gear.stage).cutter_radius
+    if pair.spiral_angle:
+        yield "Cutter radius", "r_{c0}", _mm(cutter) if cutter else "not chosen; rated as large"
+    if making_of(sizing, gear.stage).iso_steel is not None:
+        yield "Contact pattern at full load, as rated", "b_{e}", f"{_mm(EFFECTIVE_WIDTH * pair.face_width)} long"
+    yield "Contact pattern, light load (assumed)", "", "free of all edges, marked in place"
 
 
 def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:

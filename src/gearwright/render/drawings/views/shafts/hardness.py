@@ -26,7 +26,7 @@ _MM = 1e3
 
 
 class Zone(NamedTuple):
-    """A surface that is hardened."""
+    """A surface of a shaft that is hardened."""
 
     piece: Piece
     what: str
@@ -39,10 +39,22 @@ class Zone(NamedTuple):
     @property
     def words(self) -> str:
         """Hardness and depth of the case as drawings write them."""
-        more = HARDEST - self.hardness
-        low, high = self.depth
-        hard = f"{self.hardness:.0f} {more:+.0f} HV" if more > 0.0 else f"{self.hardness:.0f} HV"
-        return f"{hard}, CHD {trimmed(low, 2)} +{trimmed(high - low, 2)}"
+        return case_words(self.hardness, self.depth)
+
+
+def case_words(hardness: float, depth: tuple[float, float]) -> str:
+    """Return hardness and depth of a case as drawings write them.
+
+    Args:
+        hardness: At least [HV].
+        depth: At least and at most [mm].
+
+    >>> case_words(700.0, (0.3, 0.4))
+    '700 +100 HV, CHD 0.3 +0.1'
+    """
+    more, (low, high) = HARDEST - hardness, depth
+    hard = f"{hardness:.0f} {more:+.0f} HV" if more > 0.0 else f"{hardness:.0f} HV"
+    return f"{hard}, CHD {trimmed(low, 2)} +{trimmed(high - low, 2)}"
 
 
 def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
@@ -78,11 +90,21 @@ def zone_lines(axis: Axis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
             axis.at(x, -diameter / 2.0) for x, diameter in zip((piece.start, piece.end), piece.diameters, strict=True)
         ]
         along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-        away = -1j * along * OUTSIDE
-        yield Path((ends[0] + away, ends[1] + away), Layer.HARDENED)
-        middle = (ends[0] + ends[1]) / 2.0 + away / OUTSIDE * (OUTSIDE + RING + 0.7)
-        yield Arc(middle, RING, Layer.SYMBOL)
-        yield Words(middle - 1j * SMALL / 2.0, f"{number}", SMALL, "middle", layer=Layer.SYMBOL)
+        yield from hard_line((ends[0], ends[1]), -1j * along, number)
+
+
+def hard_line(ends: tuple[complex, complex], away: complex, number: int) -> Iterator[Entity]:
+    """Yield the line beside a surface that is hardened, and its number in a circle (ISO 15787).
+
+    Args:
+        ends: Of the surface's outline [mm of paper].
+        away: Unit vector out of the part [-].
+        number: In the table of hardened surfaces.
+    """
+    yield Path((ends[0] + OUTSIDE * away, ends[1] + OUTSIDE * away), Layer.HARDENED)
+    middle = (ends[0] + ends[1]) / 2.0 + (OUTSIDE + RING + 0.7) * away
+    yield Arc(middle, RING, Layer.SYMBOL)
+    yield Words(middle - 1j * SMALL / 2.0, f"{number}", SMALL, "middle", layer=Layer.SYMBOL)
 
 
 def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
