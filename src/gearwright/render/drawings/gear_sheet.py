@@ -81,7 +81,8 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
     def views(scale: float) -> Rows:
         axis = Axis(0j, 1 + 0j, scale)
         drawn = bevel_view if bevel else face_view if is_face_wheel(sizing, gear) else _cylindrical
-        main = [*drawn(sizing, gear, hub, axis), *hard_lines(sizing, gear, axis)]
+        main = drawn(sizing, gear, hub, axis)
+        main += hard_lines(sizing, gear, axis, list(main))
         return [[main, *([end_of_gear(hub, _circles(sizing, gear, hub), axis)] if needs_end(hub) else [])]]
 
     grids = (tooth_grid(sizing, gear, shaft), *hard_grid(sizing, gear))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from gearwright.parts.iso6336 import Treatment
+from gearwright.render.drawings.sheet.crossing import clear_of, segments, texts
 from gearwright.render.drawings.sheet.entities import Entity
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.face_view import face_teeth, is_face_wheel
@@ -68,26 +69,34 @@ def hard_grid(sizing: Sizing, gear: GearSizing) -> Iterator[Grid]:
     yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))
 
 
-def hard_lines(sizing: Sizing, gear: GearSizing, axis: Axis) -> Iterator[Entity]:
-    """Yield the line beside the teeth of a gear in section, above its axis.
+def hard_lines(sizing: Sizing, gear: GearSizing, axis: Axis, view: Sequence[Entity]) -> Iterator[Entity]:
+    """Yield the line beside the teeth of a gear in section, above its axis, or below it where letters are in its way.
 
     Args:
         sizing: What was sized.
         gear: One of its gears.
         axis: Of the section.
+        view: What is drawn of the gear.
     """
     if hard_teeth(sizing, gear) is None:
         return
+    lines, ends = list(segments(view)), _ends(sizing, gear)
+    for side in (1.0, -1.0):
+        first, last = (axis.on(complex(end.real, side * end.imag)) for end in ends)
+        away = side * 1j * (last - first) / abs(last - first)
+        found = list(hard_line((first, last), away, 1))
+        if clear_of(texts(found), lines) and clear_of(texts(view), list(segments(found))):
+            yield from found
+            return
+
+
+def _ends(sizing: Sizing, gear: GearSizing) -> tuple[complex, complex]:
+    """Return both ends of the tips of a gear's teeth, metal to the right of the way from one to the other [mm]."""
     if kind_of(sizing, gear.stage) == "bevel":
         profile = bevel_profile(sizing, gear)
-        ends = axis.on(profile.small[0]), axis.on(profile.large[0])
-    elif is_face_wheel(sizing, gear):
+        return profile.small[0], profile.large[0]
+    if is_face_wheel(sizing, gear):
         teeth = face_teeth(sizing, gear)
-        ends = axis.at(-teeth.tip, teeth.reach[0]), axis.at(-teeth.tip, teeth.reach[1])
-    else:
-        tip, wide = MM * cylindrical_gear(sizing, gear).tip_radius, MM * gear.face_width * halves_of(gear)
-        ends = axis.at(0.0, tip), axis.at(wide, tip)
-        if is_internal(sizing, gear):
-            ends = ends[::-1]
-    along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-    yield from hard_line(ends, 1j * along, 1)
+        return complex(-teeth.tip, teeth.reach[0]), complex(-teeth.tip, teeth.reach[1])
+    tip, wide = MM * cylindrical_gear(sizing, gear).tip_radius, MM * gear.face_width * halves_of(gear)
+    return (complex(wide, tip), 1j * tip) if is_internal(sizing, gear) else (1j * tip, complex(wide, tip))
