@@ -71,7 +71,7 @@ def _of_table(design: Design, stage: str, table: Callable[[float, str], T], aske
     try:
         return table(*asked)
     except DesignError as error:
-        path = f"{design.table(stage)}.gears.{'centre_' if table is centre_allowance else ''}allowance"
+        path = design.key_of(stage, f"gears.{'centre_' if table is centre_allowance else ''}allowance")
         raise DesignError(Problem(path, f"{asked[1]!r}, but {part.message}") for part in error.problems) from None
 
 

@@ -37,7 +37,7 @@ def refuse_dishes(sizing: Sizing) -> None:
 
 def _dish_problems(sizing: Sizing, wheel: GearSizing, seats: Seats) -> Iterator[Problem]:
     """Yield what is wrong with the dish of one wheel."""
-    dish, path = sizing.design.rules(wheel.stage).web_dish, sizing.design.gear_key(wheel.stage, "web_dish")
+    dish, path = sizing.design.rules(wheel.stage).web_dish, sizing.design.key_of(wheel.stage, "gears.web_dish")
     own = path != "gears.web_dish"
     limits = _dishes(sizing, wheel, seats)
     if not dish:

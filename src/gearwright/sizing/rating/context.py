@@ -156,14 +156,14 @@ def demands_of(context: Context) -> dict[str, Demand]:
     Raises:
         DesignError: Teeth or steels that the method of a stage does not cover; with every stage.
     """
-    refuse(problem for mesh in context.train.meshes for problem in _uncovered(context, mesh))
+    refuse(dict.fromkeys(problem for mesh in context.train.meshes for problem in _uncovered(context, mesh)))
     return {mesh.name: _demand(context, mesh) for mesh in context.train.meshes}
 
 
 def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
     first, second = (context.teeth[gear] for gear in mesh.gears)
     signed = (first, -second if mesh.sign == INTERNAL else second)
-    return uncovered_teeth(context.rating(mesh), signed, context.design.table(mesh.stage))
+    return uncovered_teeth(context.design, mesh.stage, context.rating(mesh), signed)
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:

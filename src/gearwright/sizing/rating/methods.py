@@ -21,6 +21,7 @@ from gearwright.sizing.rating.iso10300 import Iso10300
 from gearwright.sizing.rating.lewis_hertz import LewisHertz
 from gearwright.sizing.rating.protocol import Method
 from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.spec import Design
 
 METHODS: dict[str, Method[Any]] = {
     "lewis-hertz": LewisHertz(),
@@ -70,13 +71,14 @@ def stage_width_ratio(rating: Rating, small: ArrayLike, large: ArrayLike) -> Flo
     return method_for(rating).width_ratio(rating, first, second)
 
 
-def uncovered_teeth(rating: Rating, teeth: tuple[int, int], path: str) -> Iterator[Problem]:
+def uncovered_teeth(design: Design, stage: str, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
     """Yield what the method of a stage does not cover, by its place in the file.
 
     Args:
-        rating: Resolved rules.
+        design: As read.
+        stage: Of it.
+        rating: Its resolved rules.
         teeth: Of a mesh of the stage, z_2 < 0 for a ring.
-        path: Of the stage, such as ``pairs.first``.
     """
     for problem in method_for(rating).refuse(rating, teeth):
-        yield Problem(f"{path}.{problem.path}", problem.message)
+        yield Problem(design.key_of(stage, problem.path), problem.message)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem
 from gearwright.identity import Role
 from gearwright.parts.gears import ISO53_A
 from gearwright.parts.iso6336 import rim_factor
@@ -45,18 +47,29 @@ def rim_factors(rating: Rating, roles: tuple[Role, Role], *, internal: bool) -> 
     Source: ISO 6336-3:2006, clause 9.
 
     Raises:
-        DesignError: Rims that are too thin for the standard.
+        DesignError: Rims that are too thin for the standard, which `ring_problems` names before.
     """
     first, second = (_factor(rating, role, internal=internal and gear == 1) for gear, role in enumerate(roles))
     return first, second
 
 
-def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
-    """Y_B of one gear; a rim that is too thin is named by the key that states it."""
-    if (rim := rim_below_roots(rating, role, internal=internal)) is None:
-        return 1.0
-    if internal and rim <= LEAST_RING:
+def ring_problems(rating: Rating) -> Iterator[Problem]:
+    """Yield a rim of a ring that is too thin for the standard, by the key that states it.
+
+    Args:
+        rating: Resolved rules of a stage with a ring.
+
+    Source: ISO 6336-3:2006, clause 9.
+    """
+    rim = rim_below_roots(rating, Role.RING, internal=True)
+    if rim is not None and rim <= LEAST_RING:
         given, least = rating.rules.rim_thickness_ratio, LEAST_RING + ISO53_A.dedendum
         why = f"{given:g} leaves a rim that ISO 6336-3, clause 9 does not rate; give more than {least:.4g}"
-        raise DesignError([Problem("gears.rim_thickness_ratio", why)])
+        yield Problem("gears.rim_thickness_ratio", why)
+
+
+def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
+    """Y_B of one gear."""
+    if (rim := rim_below_roots(rating, role, internal=internal)) is None:
+        return 1.0
     return float(np.asarray(rim_factor(rim, HEIGHT, 1.0, internal=internal)))

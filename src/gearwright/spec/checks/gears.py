@@ -62,7 +62,7 @@ def _dished(design: Design) -> Iterator[Problem]:
     found = set[Problem]()
     for name, pair in design.pairs.items():
         rules = design.rules(name)
-        path = design.gear_key(name, "web_dish")
+        path = design.key_of(name, "gears.web_dish")
         if not rules.web_dish:
             continue
         if rules.web_holes and pair.kind == "cylindrical":
@@ -83,7 +83,7 @@ def _agma_steels(design: Design) -> Iterator[Problem]:
     for name in design.stages:
         table = RATINGS[design.rating(name)].table
         if table in ("agma2001", "agma2003"):
-            rules[design.gear_key(name, table).removesuffix(f".{table}"), table] = design.rules(name)
+            rules[design.key_of(name, f"gears.{table}").removesuffix(f".{table}"), table] = design.rules(name)
     for (path, table), every in rules.items():
         standard = every.agma2001 if table == "agma2001" else every.agma2003
         told = [*_strengths(standard), *_unread_hardness(standard)]

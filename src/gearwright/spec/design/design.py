@@ -237,16 +237,19 @@ class Design(Shown, Record):
         """
         return _rules(self)[stage]
 
-    def gear_key(self, stage: str, rule: str) -> str:
-        """Return where a gear rule of a stage is written: in the stage's own table, else in that of the design.
+    def key_of(self, stage: str, key: str) -> str:
+        """Return where a key of a stage is written: in the stage's table; rules of gears that it lacks in [gears].
 
         Args:
             stage: Name of a pair, planetary set or compound set.
-            rule: Such as ``web_dish``.
+            key: Below the stage, such as ``wheel_shift`` or ``gears.iso6336.ring_cutter.teeth``.
         """
-        own = self.stages[stage].gears
-        written = own is not None and rule in own.model_fields_set
-        return f"{self.table(stage)}.gears.{rule}" if written else f"gears.{rule}"
+        at: object = self.stages[stage]
+        for name in key.split(".") if key.startswith("gears.") else ():
+            if not isinstance(at, Record) or name not in at.model_fields_set:
+                return key
+            at = getattr(at, name)
+        return f"{self.table(stage)}.{key}"
 
     @property
     def efficiencies(self) -> dict[str, float]:

@@ -8,6 +8,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import gearwright as gw
+from gearwright.errors import DesignError
 from gearwright.identity import Role
 from gearwright.parts.gears import ToothShift, contact_angles
 from gearwright.parts.iso6336 import MeshGeometry
@@ -15,7 +17,7 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing.rating import Ask
 from gearwright.sizing.rating.context import bends_both_ways, row_ask
 from gearwright.sizing.rating.lewis_hertz.strength import working_angles
-from gearwright.sizing.rating.rims import rim_factors
+from gearwright.sizing.rating.rims import rim_factors, ring_problems
 from gearwright.sizing.rating.rows import rate_row
 from gearwright.sizing.rating.rules import _open_shifts
 from gearwright.sizing.rating.search import by_teeth, module_for
@@ -27,7 +29,7 @@ from gearwright.sizing.rating.standard_teeth import (
     working_radii,
 )
 from gearwright.sizing.rating.widths import STANDARD_MODULES, narrowest, next_standard, overlap_width, under_spectrum
-from gearwright.spec import read
+from gearwright.spec import edited, read
 from rated_pieces import OFF_SET, near, rating
 
 
@@ -119,11 +121,29 @@ def test_rims_have_their_factor_where_they_are_given():
     solid = SimpleNamespace(rules=SimpleNamespace(rim_thickness_ratio=9.0, rim_ratio=None))
     assert rim_factors(solid, (Role.PINION, Role.WHEEL), internal=False) == (1.0, 1.0)
     for ratio in (2.9, 3.0):
-        with pytest.raises(Exception, match="give more than 3"):
-            rim_factors(
-                SimpleNamespace(rules=SimpleNamespace(rim_thickness_ratio=ratio, rim_ratio=None)),
-                (Role.PLANET, Role.RING), internal=True,
-            )  # fmt: skip
+        rating = SimpleNamespace(rules=SimpleNamespace(rim_thickness_ratio=ratio, rim_ratio=None))
+        with pytest.raises(DesignError, match="rates rims above"):
+            rim_factors(rating, (Role.PLANET, Role.RING), internal=True)
+        (problem,) = ring_problems(rating)
+        assert problem.path == "gears.rim_thickness_ratio" and problem.message.endswith("give more than 3")
+    assert not list(ring_problems(own))
+
+
+@pytest.mark.parametrize("table", ["gears", "planetaries.first.gears"])
+@pytest.mark.parametrize(
+    ("entries", "key", "said"),
+    [
+        ({"rim_thickness_ratio": 1.2}, "rim_thickness_ratio", "give more than 3"),
+        ({"iso6336.ring_cutter.teeth": 400}, "iso6336.ring_cutter.teeth", "400 given; a ring of"),
+    ],
+)
+def test_what_the_method_does_not_cover_is_told_once_where_it_is_written(table, entries, key, said):
+    design = edited(gw.read("hybrid-turboprop"), {f"{table}.{name}": value for name, value in entries.items()})
+    with pytest.raises(DesignError) as refused:
+        gw.size(design)
+    assert {problem.path for problem in refused.value.problems} == {f"{table}.{key}"}
+    assert len(set(refused.value.problems)) == len(refused.value.problems)
+    assert said in refused.value.problems[0].message
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
 from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rims import rim_factors
+from gearwright.sizing.rating.rims import rim_factors, ring_problems
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
@@ -63,8 +63,10 @@ class Iso6336:
         self._name, self._part3, self.edition = name, EDITIONS[name], edition
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
-        """Yield a cutter that does not cut the ring; steels are checked as a file is read."""
+        """Yield a rim that is too thin, a cutter that does not cut the ring; steels are checked as a file is read."""
         tool = rating.rules.iso6336.ring_cutter
+        if teeth[1] < 0:
+            yield from ring_problems(rating)
         if tool is None or teeth[1] > 0:
             return
         if tool.teeth >= -teeth[1]:
