@@ -7,8 +7,10 @@ import pytest
 
 import gearwright as gw
 from gearwright.render.drawings.casing.casing_section import casing_section, joints_of
+from gearwright.render.drawings.casing.exits import closed_towards
 from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, seen_from_second_end, span_of
 from gearwright.render.drawings.casing.section_path import lanes
+from gearwright.render.drawings.casing.true_section import true_section
 from gearwright.render.drawings.casing_sheet import casing_content
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.dimensions import extent
@@ -135,11 +137,32 @@ def test_the_list_of_parts_has_the_housing_with_its_mass():
         assert {mark.spacing for mark in sheet.entities if isinstance(mark, Hatch)} >= {3.0, 4.0}
 
 
-def test_a_housing_without_a_true_section_is_left_out_and_said_to_be():
-    (sheet,) = sheets(sized("face-gear-split-torque"), ["arrangement"])
+def test_a_housing_that_an_unfolded_section_cannot_hold_is_cut_by_one_plane_beside_it():
+    """Face gears: input, left and right shaft lie in y = 0; the output, 233.6 mm off it, is unfolded alone."""
+    sizing = sized("face-gear-split-torque")
+    scene, unfolded = gw.scene(sizing), positions(sizing)
+    section = true_section(sizing, scene, unfolded)
+    assert set(section.plane.shafts) == {"input", "left", "right"}
+    for name, lying in section.plane.shafts.items():
+        frame = sizing.arrangement.frames[name]
+        for place in (lying.start, lying.end):
+            true = np.array(frame.origin) + place / MM * np.array(frame.along)
+            assert lying.at(place) / MM == pytest.approx(complex(true[0], true[2]), abs=1e-9) and abs(true[1]) < 1e-9
+    (sheet,) = sheets(sizing, ["arrangement"])
     said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
-    assert "Housing" not in said
-    assert any("The housing is not drawn" in words for words in said)
+    assert "Housing" in said and "B-B" in said
+    marks = [mark.at for mark in sheet.entities
+             if isinstance(mark, Words) and mark.text == "B" and mark.layer is Layer.SYMBOL]  # fmt: skip
+    assert len(marks) == 2
+    assert marks[0].real == pytest.approx(marks[1].real)  # the plane is upright in the view along the first shaft
+
+
+def test_machines_towards_which_the_housing_has_no_opening_are_named():
+    """Ends of first sizings within the housing; the mast of the EC120B, which is built, goes out through its cover."""
+    for name, closed in (("face-gear-split-torque", ("engine", "rotor")), ("ec120b", ()), ("off-set-h1", ())):
+        assert closed_towards(sized(name), gw.scene(sized(name))) == closed
+    notes = casing_content(sized("face-gear-split-torque")).notes
+    assert any("No opening is cut towards engine, rotor" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from gearwright.catalogue.standard_parts.radial_seals import BORE, ROUGHNESS, SHAFT
@@ -12,21 +11,29 @@ from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
 from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
+from gearwright.render.drawings.casing.exits import closed_towards, exit_notes
 from gearwright.render.drawings.casing.plane_section import seen_from_second_end
+from gearwright.render.drawings.casing.true_section import (
+    TrueSection,
+    cutting_line,
+    true_entities,
+    true_items,
+    true_section,
+)
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
 from gearwright.render.drawings.sheet.dimensions import arrow, drawn, extent
 from gearwright.render.drawings.sheet.entities import SMALL, Arc, Box, Distance, Entity, Layer, Path, Words, trimmed
 from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import balloon
+from gearwright.render.drawings.sheet.numbers import balloons
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
-from gearwright.render.drawings.views.end_view import Outside, end_view, is_square
+from gearwright.render.drawings.views.end_view import Outside, end_view, is_square, is_turned
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.render.schematic.layout import pair_meshes
-from gearwright.render.style.labels import overlap, spread
+from gearwright.render.style.labels import overlap
 from gearwright.shape import scene as scene_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
@@ -35,14 +42,8 @@ from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 from gearwright.spec import GROUND
 
 NAME = "arrangement"
-AROUND = 9.0
-"""From the parts to their item numbers [mm]."""
 ARROW_NAME, LETTER, LENGTH = "A", 5.0, 12.0
 """Of the view along the first shaft: its letter, how high that is, how long its arrow [mm]."""
-_APART = 10.0
-"""Between item numbers [mm]."""
-SIDES = ("left", "right", "top", "bottom")
-"""On which item numbers stand."""
 BEYOND = 8.0
 """From the outermost item numbers to lengths over all [mm]."""
 DOT = 1.5
@@ -63,6 +64,10 @@ class _Shown:
     """The housing, where the section cuts it."""
     outside: Outside
     """The housing from the second end of the first shaft, where the sheet has that view."""
+    apart: TrueSection | None = None
+    """A section by one plane with the housing, where the unfolded one cannot have it."""
+    closed: tuple[str, ...] = ()
+    """Machines towards which the housing has no opening."""
 
 
 def arrangement_content(sizing: Sizing) -> Content:
@@ -71,9 +76,8 @@ def arrangement_content(sizing: Sizing) -> Content:
     Args:
         sizing: What was sized.
     """
-    plane = positions(sizing)
-    shown = _Shown(sizing, plane, casing_section(sizing, plane), _outside(sizing, plane))
-    _, items = _parts(shown, 1.0)
+    shown = _shown(sizing)
+    items = _items(shown)
     rows = tuple(
         (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else _kilograms(item.mass))
         for k, item in enumerate(items, start=1)
@@ -85,14 +89,26 @@ def arrangement_content(sizing: Sizing) -> Content:
     return Content(
         NAME, title, lambda scale: _views(shown, scale),
         (Grid("Parts; mass of one", rows, heads), _axes(sizing)),
-        (*plane.notes, *_notes(shown)), largest_scale=1.0, kind=NAME, is_whole=True,
+        (*shown.plane.notes, *_notes(shown)), largest_scale=1.0, kind=NAME, is_whole=True,
     )  # fmt: skip
 
 
-def _outside(sizing: Sizing, plane: Positions) -> Outside:
-    if not sizing.design.housing.own or not _has_end_view(sizing, plane):
-        return Outside()
-    return Outside(*seen_from_second_end(scene_of(sizing, detail="coarse")))
+def _shown(sizing: Sizing) -> _Shown:
+    plane = positions(sizing)
+    casing = casing_section(sizing, plane)
+    if not sizing.design.housing.own:
+        return _Shown(sizing, plane, casing, Outside())
+    scene = scene_of(sizing, detail="coarse")
+    has_end = _has_end_view(sizing, plane)
+    outside = Outside(*seen_from_second_end(scene)) if has_end else Outside()
+    apart = true_section(sizing, scene, plane) if has_end and casing is None else None
+    return _Shown(sizing, plane, casing, outside, apart, closed_towards(sizing, scene))
+
+
+def _items(shown: _Shown) -> list[Item]:
+    """Return the list of parts."""
+    apart = true_items(shown.sizing, shown.apart, 1.0) if shown.apart is not None else []
+    return [*_parts(shown, 1.0)[1], *apart]
 
 
 def _kilograms(mass: float) -> str:
@@ -117,8 +133,11 @@ def _notes(shown: _Shown) -> Iterator[str]:
     if any(True for _ in bells(sizing)):
         yield "Bells of rings: thickness by torque; what joins them to ring and shaft is not sized, and not drawn."
     yield from _crowded(sizing)
-    yield from casing_notes(sizing, shown.casing)
-    listed = sum(item.count * (item.mass or 0.0) for item in _parts(shown, 1.0)[1])
+    if shown.apart is not None:
+        yield "B-B: by the plane through the first axis with most axes, the housing in section; other axes unfolded."
+    yield from casing_notes(sizing, shown.casing if shown.apart is None else shown.apart.casing.section)
+    yield from exit_notes(shown.closed)
+    listed = sum(item.count * (item.mass or 0.0) for item in _items(shown))
     yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."
     yield "Gears in section by ISO 2203. Lubrication is not drawn."
     yield from _seals(sizing)
@@ -162,16 +181,21 @@ def _views(shown: _Shown, scale: float) -> Rows:
     entities += _distances(sizing, plane, scale, list(segments(entities)))
     dots = [(item.anchor - arm, item.anchor + arm) for item in items for arm in (DOT, 1j * DOT)]
     entities += _machines(sizing, plane, scale, [*segments(entities), *dots], parts)
-    entities += _balloons(items, extent(entities), texts(entities))
+    entities += balloons([item.anchor for item in items], extent(entities), texts(entities))
     entities += _overall(parts, entities, scale, tall=plane.exact and not plane.notes)
     if not _has_end_view(sizing, plane):
         return [[entities]]
     level = plane.shafts[sizing.design.shafts[0]].at(0.0).imag * scale
     entities += _looked(complex(extent(entities)[2] + BEYOND, level))
-    seen = end_view(sizing, scale, shown.outside)
+    turned = is_turned(sizing, plane.shafts)
+    seen = end_view(sizing, scale, shown.outside, turned=turned)
+    if shown.apart is not None:
+        seen += cutting_line(shown.apart, shown.outside.lines, scale, turned=turned)
     box = extent(seen)
     seen.append(Words(complex((box[0] + box[2]) / 2.0, box[3] + BEYOND / 2.0), ARROW_NAME, LETTER, "middle"))
-    return [[seen, entities]]
+    if shown.apart is None:
+        return [[seen, entities]]
+    return [[seen, entities, true_entities(sizing, shown.apart, scale, len(items) + 1)]]
 
 
 def _looked(tip: complex) -> Iterator[Entity]:
@@ -284,41 +308,3 @@ def _overall(parts: Box, entities: Sequence[Entity], scale: float, *, tall: bool
     for size in (wide, high) if tall else (wide,):
         if clear_of(words, list(segments(drawn([size])))):
             yield size
-
-
-def _balloons(items: Sequence[Item], box: Box, words: Sequence[Words]) -> Iterator[Entity]:
-    """Yield item numbers around the parts, each on the nearest side from which its leader crosses no text."""
-    barred = [set[str]() for _ in items]
-    for _ in range(len(SIDES)):
-        middles = _around(items, box, barred)
-        through = [not clear_of(words, [(middle, item.anchor)])
-                   for (_, middle), item in zip(middles, items, strict=True)]  # fmt: skip
-        retried = False
-        for (side, _), shut, crosses in zip(middles, barred, through, strict=True):
-            if crosses and len(shut) < len(SIDES) - 1:
-                shut.add(side)
-                retried = True
-        if not retried:
-            break
-    for k, ((_, middle), item) in enumerate(zip(middles, items, strict=True), start=1):
-        yield from balloon(item.anchor, middle, f"{k}")
-
-
-def _around(items: Sequence[Item], box: Box, barred: Sequence[AbstractSet[str]]) -> list[tuple[str, complex]]:
-    """Return side and place of every item number, on the nearest side that is not barred for it [mm]."""
-    sides: dict[str, list[tuple[float, int]]] = {side: [] for side in SIDES}
-    for k, item in enumerate(items):
-        x, y = item.anchor.real, item.anchor.imag
-        far = {"left": x - box[0], "right": box[2] - x, "bottom": y - box[1], "top": box[3] - y}
-        side = min((side for side in far if side not in barred[k]), key=far.__getitem__)
-        sides[side].append((y if side in ("left", "right") else x, k))
-    found: dict[int, tuple[str, complex]] = {}
-    for side, listed in sides.items():
-        ordered = sorted(listed)
-        for place, (_, k) in zip(spread([along for along, _ in ordered], _APART), ordered, strict=True):
-            middle = {
-                "left": complex(box[0] - AROUND, place), "right": complex(box[2] + AROUND, place),
-                "bottom": complex(place, box[1] - AROUND), "top": complex(place, box[3] + AROUND),
-            }[side]  # fmt: skip
-            found[k] = (side, middle)
-    return [found[k] for k in range(len(items))]

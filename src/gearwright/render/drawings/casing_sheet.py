@@ -11,6 +11,7 @@ from gearwright.arrays import Floats
 from gearwright.catalogue import centre_allowance
 from gearwright.render.drawings.casing.casing_parts import SCREWS, SHOWN
 from gearwright.render.drawings.casing.casing_section import casing_entities
+from gearwright.render.drawings.casing.exits import closed_towards, exit_notes
 from gearwright.render.drawings.casing.plane_section import (
     Casing,
     casing_of,
@@ -241,6 +242,7 @@ def _notes(sizing: Sizing, casing: Casing, flanges: Flanges) -> Iterator[str]:
         yield "Dashed: chambers that the plane does not meet."
     yield "Lengths from the outside of the first end. y and z across the first shaft, as in the arrangement."
     yield f"Positions of axes by {CENTRE_FIT} (DIN 3964) where the design gives nothing; flatness of joints assumed."
+    yield from exit_notes(closed_towards(sizing, casing.scene))
     hidden = [name for name in made_of(sizing).casing if name not in (*SHOWN, SCREWS)]
     if hidden:
         yield f"In the mass, not drawn: {', '.join(hidden)}. Radii, drafts and walls that carry bosses are not sized."

@@ -131,7 +131,7 @@ def _plans(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
 
 def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
     """Yield ways in which a gearbox may stand beside a column of tables on the title block: with notes below the views,
-    with notes in the column, with the first of two views over the column, for which the last table may make room.
+    with notes in the column, with the first of several views over the column, for which the last table may make room.
     """
     left, low, right, high = inside(size)
     wide = max(BLOCK_WIDTH, *(grid_size(grid)[0] + AIR / 2.0 for grid in content.grids))
@@ -150,9 +150,9 @@ def _whole(content: Content, size: Size, rows: Rows) -> Iterator[Plan]:
     if above < high:
         notes = (complex(right - wide + AIR / 2.0, top.imag), wide - AIR)
         yield Plan(((rows, (left + half, low + half, beside, high - half)),), tuple(corners), notes)
-    if [len(row) for row in rows] != [2] or content.projected:
+    if len(rows) != 1 or len(rows[0]) < 2 or content.projected:
         return
-    aside, main = [[rows[0][0]]], [[rows[0][1]]]
+    aside, main = [[rows[0][0]]], [[view] for view in rows[0][1:]]
     far = right - max(wide, _rows_size(aside)[0] + AIR) - AIR
     under = low + AIR / 2.0 + notes_height(content.notes, far - foot.real) + AIR
     rooms = (far + AIR, top.imag - half, right - half, high - half / 2.0), (left + half, under, far, high - half)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
 from typing import NamedTuple
@@ -13,6 +13,7 @@ from gearwright.arrays import Floats
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, words_length
+from gearwright.render.drawings.views.laid.beside import Lying
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT
 from gearwright.render.style.labels import overlap
@@ -36,7 +37,7 @@ class Outside(NamedTuple):
     """Convex loops that fill what it covers [m], shape (n, 2) each."""
 
 
-def end_view(sizing: Sizing, scale: float, outside: Outside) -> list[Entity]:
+def end_view(sizing: Sizing, scale: float, outside: Outside, *, turned: bool) -> list[Entity]:
     """Return a gearbox seen along the first shaft, from its second end; planets are left out.
 
     Gears whose axes lie along the view are their pitch circles; of those across it the outlines of the bodies are seen,
@@ -46,6 +47,7 @@ def end_view(sizing: Sizing, scale: float, outside: Outside) -> list[Entity]:
         sizing: What was sized; all axes along the first shaft or square to it.
         scale: mm of paper per mm [-].
         outside: The housing; empty where none is drawn.
+        turned: Whether the view is turned by half a turn.
     """
     entities: list[Entity] = [
         replace(line, points=tuple(scale * point for point in line.points)) for line in outside.lines
@@ -66,10 +68,20 @@ def end_view(sizing: Sizing, scale: float, outside: Outside) -> list[Entity]:
         if name not in along:
             entities += _across(sizing, name, scale, outside.covers)
             names_of.append((_seen(frames[name].origin, scale), name))
-    down = sum(frames[name].along[2] for name in frames if name not in along) < 0.0
-    if down:  # shafts across the view are drawn upright, as the section has them
+    if turned:
         entities, names_of = _upside_down(entities), [(-middle, name) for middle, name in names_of]
     return [*entities, *names_beside(names_of, list(segments(entities)))]
+
+
+def is_turned(sizing: Sizing, shafts: Mapping[str, Lying]) -> bool:
+    """Tell whether the section has shafts across the first one upside down, as the view along it has to, then.
+
+    Args:
+        sizing: What was sized.
+        shafts: As the section has them.
+    """
+    frames = sizing.arrangement.frames
+    return sum(frames[name].along.z * lying.along.imag for name, lying in shafts.items()) < 0.0
 
 
 def _upside_down(entities: Sequence[Entity]) -> list[Entity]:
