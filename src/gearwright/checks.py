@@ -42,6 +42,7 @@ BEYOND_SIZING = (
     "access to a nut",
     "access to a screw",
     "bridges between planets",
+    "webs of bosses",
     "seal speed",
     "seal temperature",
     "seal seat",

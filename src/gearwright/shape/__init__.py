@@ -7,7 +7,7 @@ from gearwright.shape.casings.flanges import FLANGES, screw_places
 from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
-from gearwright.shape.housing import CHAMBER
+from gearwright.shape.housing import CHAMBER, COLLAR, WEB
 from gearwright.shape.masses import SolidMass, casing_masses, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
@@ -25,10 +25,12 @@ from gearwright.shape.teeth import (
 
 __all__ = [
     "CHAMBER",
+    "COLLAR",
     "COLOURS",
     "DETAILS",
     "FLANGES",
     "SCREW",
+    "WEB",
     "Contact",
     "Edges",
     "Node",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -12,11 +11,21 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
 from gearwright.shape.casings.flanges import FLANGES, flange_halves
-from gearwright.shape.casings.loops import NEAR, SAME, fits, inside_of, loop_around, loop_size
 from gearwright.shape.casings.screws import SCREW, flange_screw, placed_screws
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
-from gearwright.shape.solids import Chamber, End, Fastener, Opening, Solid, chamber_volume, has_room, round_hole, tube
+from gearwright.shape.solids import (
+    Chamber,
+    End,
+    Fastener,
+    Opening,
+    Solid,
+    block,
+    chamber_volume,
+    has_room,
+    round_hole,
+    tube,
+)
 from gearwright.shape.stands import Axes, axes_at, middle_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body, Direction, Point, Station
@@ -28,10 +37,12 @@ from gearwright.sizing.casing import (
     flanges_of,
     housed,
     leaving_of,
+    rooms_around,
     shell_around,
-    stretches_around,
 )
-from gearwright.sizing.mass import reaction_torque, wall_of
+from gearwright.sizing.casing.loops import NEAR, SAME, fits, inside_of, loop_around
+from gearwright.sizing.casing.rooms import LEAST
+from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
@@ -41,10 +52,8 @@ LIP = 2e-4
 """How far a plate stands inside of its own wall [m]."""
 SAME_WAY = 1e-9
 """How far directions of one line may differ [-]."""
-LEAST = 2.0
-"""Length of a chamber over the wall's thickness, below which it is one with its neighbour [-]."""
-CHAMBER = "chamber"
-"""What pieces of the shell are named."""
+CHAMBER, COLLAR, WEB = "chamber", "collar", "web"
+"""What pieces of the shell, and tubes and flat walls that carry bosses, are named."""
 BESIDE = 5e-4
 """Between a cover and the hole of the wall in which it lies [m], an assumption."""
 AROUND = 1.06
@@ -116,7 +125,7 @@ def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
 def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
     shell = shell_around(housed(sizing))
     wall = wall_of(sizing, shell).thickness
-    stretches = _nested(_long_enough(list(stretches_around(bodies)), wall))
+    stretches = rooms_around(bodies, wall)
     metal = shell.area * wall if sizing.design.housing.wall is None else None
     through = [*_leaving(sizing, drawn), *_leaving_built(sizing)], list(_across(sizing))
     wall, chambers = _as_weighed(stretches, through, wall, metal)
@@ -137,6 +146,21 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
+    yield from _carrying(sizing)
+
+
+def _carrying(sizing: Sizing) -> Iterator[Piece]:
+    """Yield the collars and webs that carry bosses."""
+    for carried in carried_in_walls(sizing):
+        for k, collar in enumerate(carried.collars, start=1):
+            name, half = f"housing, {COLLAR} {k} of {collar.bearing}", (collar.span[1] - collar.span[0]) / 2.0
+            frame = sizing.arrangement.frames[collar.shaft]
+            middle = np.asarray(frame.origin) + (collar.span[0] + half) * np.asarray(frame.along)
+            yield Piece(name, name, tube((-half, half), collar.outer, collar.inner), axes_at(frame, middle))
+        for k, web in enumerate(carried.webs, start=1):
+            name = f"housing, {WEB} {k} of {web.bearing}"
+            axes = Axes(web.start + web.length / 2.0 * web.way, np.column_stack([web.along, -web.across, web.way]))
+            yield Piece(name, name, block(web.thickness, web.width, web.length), axes)
 
 
 def _as_weighed(
@@ -153,42 +177,6 @@ def _as_weighed(
             break
         wall *= share
     return wall, chambers
-
-
-def _long_enough(stretches: list[Stretch], wall: float) -> list[Stretch]:
-    """Return cross-sections without steps that are too short to cast: one with the neighbour that grows least."""
-    found = list(stretches)
-    while len(found) > 1:
-        k = min(range(len(found)), key=lambda k: found[k].length)
-        if found[k].length >= LEAST * wall:
-            break
-        beside = [_joined(found[j], found[k]) for j in (k - 1, k + 1) if 0 <= j < len(found)]
-        _, one = min(beside, key=lambda choice: choice[0])
-        low = next(j for j, each in enumerate(found) if each.start == one.start)
-        found[low : low + 2] = [one]
-    return found
-
-
-def _joined(one: Stretch, other: Stretch) -> tuple[float, Stretch]:
-    """Return by how much two neighbours grow when they become one [m³], and that one."""
-    reach, least = np.maximum(one.reach, other.reach), np.maximum(one.least, other.least)
-    whole = min(one, other, key=lambda each: each.start)
-    around, area = loop_size(reach)
-    whole = Stretch(whole.start, max(one.end, other.end), reach, least, around, area)
-    return whole.area * whole.length - one.area * one.length - other.area * other.length, whole
-
-
-def _nested(stretches: list[Stretch]) -> list[Stretch]:
-    """Return cross-sections of which, side by side, one lies in the other: the larger one reaches around both."""
-    found, again = list(stretches), True
-    while again:
-        again = False
-        for k, (one, other) in enumerate(pairwise(found)):
-            if all(np.any(a.reach > b.reach + SAME) for a, b in ((one, other), (other, one))):
-                j = k if one.area >= other.area else k + 1
-                reach, least = np.maximum(one.reach, other.reach), np.maximum(one.least, other.least)
-                found[j], again = found[j]._replace(reach=reach, least=least), True
-    return found
 
 
 def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: Ways) -> Chamber:

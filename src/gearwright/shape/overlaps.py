@@ -44,7 +44,8 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
         sizing: As sized.
         scene: Of it.
     """
-    nodes = [node for node in scene.nodes if node.surface and (node.part.number or 1) == 1 and node.part != HOUSING]
+    nodes = [node for node in scene.nodes
+             if isinstance(scene.solids.get(node.surface), Solid) and (node.part.number or 1) == 1]  # fmt: skip
     moves = {node.name: _moves(sizing, node) for node in nodes}
     found = []
     for one, other in combinations(nodes, 2):
@@ -72,6 +73,8 @@ def _into_walls(scene: Scene, bodies: list[Node]) -> Iterator[Overlap]:
 
 def _moves(sizing: Sizing, node: Node) -> str:
     """Return what a body turns with: a shaft, a planet, the carrier that it is on, or the ground."""
+    if node.part == HOUSING:
+        return GROUND
     if node.look == "shaft" or node.part.kind is Kind.SHAFT:
         return node.part.name
     if node.part.kind is Kind.CARRIER:

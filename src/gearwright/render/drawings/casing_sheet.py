@@ -21,6 +21,7 @@ from gearwright.render.drawings.casing.plane_section import (
     span_of,
     uncut,
 )
+from gearwright.render.drawings.casing.web_section import web_nodes
 from gearwright.render.drawings.sheet.compose import AIR, Content, Rows
 from gearwright.render.drawings.sheet.crossing import segments
 from gearwright.render.drawings.sheet.dimensions import arrow, extent
@@ -47,7 +48,7 @@ from gearwright.shape.solids import spans_in
 from gearwright.shape.teeth import kind_of, sized_mesh
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
-from gearwright.sizing.mass import reaction_torque
+from gearwright.sizing.mass import carried_in_walls, reaction_torque
 
 NAME = "housing"
 CENTRE_FIT = "js7"
@@ -77,7 +78,7 @@ def casing_content(sizing: Sizing) -> Content | None:
     def views(scale: float) -> Rows:
         return [[_section(sizing, casing, scale), _end(sizing, casing, flanges, scale)]]
 
-    grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _axes(sizing))
+    grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _webs(sizing, casing), _axes(sizing))
     return Content(
         NAME, title, views, tuple(grid for grid in grids if grid.rows), tuple(_notes(sizing, casing, flanges)),
         largest_scale=1.0, kind="housing", is_whole=True, projected=True,
@@ -225,6 +226,18 @@ def _circle(hole: Floats) -> tuple[list[float], float | None]:
     return middle.tolist(), float(far.mean()) * math.cos(math.pi / len(hole)) if is_round else None
 
 
+def _webs(sizing: Sizing, casing: Casing) -> Grid:
+    """Return the webs that carry bosses, seen from the first end: 0° points up, clockwise."""
+    rows = []
+    for web in (web for carried in carried_in_walls(sizing) for web in carried.webs):
+        seen = complex(casing.seen(casing.foot + web.way[None, 1:])[0])
+        turned = round(math.degrees(math.atan2(seen.real, seen.imag))) % 360
+        where = f"{turned}°" if abs(web.way[0]) < SQUARE else "along the first shaft"
+        sizes = (millimetres(MM * web.thickness), millimetres(MM * web.width), trimmed(MM * web.length, 1))
+        rows.append((web.bearing, where, *sizes))
+    return Grid("Webs of bosses [mm]", tuple(rows), ("Boss", "Way", "Thickness", "Width", "Length"))
+
+
 def _axes(sizing: Sizing) -> Grid:
     """Return where axes along the first shaft stand."""
     rows = tuple((name, *(trimmed(MM * at, 3) for at in frame.origin[1:]))
@@ -240,12 +253,14 @@ def _notes(sizing: Sizing, casing: Casing, flanges: Flanges) -> Iterator[str]:
     )
     if any(uncut(casing, 1.0)):
         yield "Dashed: chambers that the plane does not meet."
+    if any(web_nodes(casing.scene)):
+        yield "Webs of bosses: ways seen from the first end, clockwise from above; in the plane they are not hatched."
     yield "Lengths from the outside of the first end. y and z across the first shaft, as in the arrangement."
     yield f"Positions of axes by {CENTRE_FIT} (DIN 3964) where the design gives nothing; flatness of joints assumed."
     yield from exit_notes(closed_towards(sizing, casing.scene))
     hidden = [name for name in made_of(sizing).casing if name not in (*SHOWN, SCREWS)]
     if hidden:
-        yield f"In the mass, not drawn: {', '.join(hidden)}. Radii, drafts and walls that carry bosses are not sized."
+        yield f"In the mass, not drawn: {', '.join(hidden)}. Radii and drafts are not sized."
     if sizing.bearings:
         yield "Bores of bearings with their fits: sheet housing-bores."
     else:

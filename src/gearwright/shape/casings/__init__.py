@@ -1,1 +1,1 @@
-"""Pieces of housings that are no chambers, and loops around cross-sections; which a housing has is for `housing`."""
+"""Pieces of housings that are no chambers; which a housing has is for `housing`."""

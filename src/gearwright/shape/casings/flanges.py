@@ -9,9 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.shape.casings.loops import NEAR, SAME, inside_of, loop_around, ways_of
 from gearwright.shape.solids import Chamber
 from gearwright.sizing.casing import HEAD, LENGTH, THICKNESS, WASHER, Flanges, Stretch
+from gearwright.sizing.casing.loops import NEAR, SAME, inside_of, loop_around, ways_of
 
 SIDES = 48
 """Directions in which loops around a housing are measured [-]."""

@@ -14,8 +14,10 @@ from gearwright.sizing.casing.flanges import (
     flanges_of,
     screw_volume,
 )
-from gearwright.sizing.casing.housed import BOSS, bosses_of, cover_at, housed
+from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed
+from gearwright.sizing.casing.rooms import rooms_around
 from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, shell_around, stretches_around
+from gearwright.sizing.casing.webs import Carried, Collar, Web, carried_bosses
 from gearwright.sizing.sealing import Leaving, leaving_of
 
 __all__ = [
@@ -26,16 +28,23 @@ __all__ = [
     "NUT",
     "THICKNESS",
     "WASHER",
+    "Carried",
+    "Collar",
     "Flanges",
     "Leaving",
     "Shell",
     "Stretch",
+    "Web",
+    "boss_bodies",
     "bosses_of",
+    "carried_bosses",
     "cover_at",
+    "cover_bodies",
     "flanges_of",
     "housed",
     "leaving_of",
     "outline_of",
+    "rooms_around",
     "screw_volume",
     "shell_around",
     "stretches_around",

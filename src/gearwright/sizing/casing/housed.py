@@ -63,16 +63,40 @@ def cover_at(holders: Sequence[Holder], leaving: Leaving) -> Holder | None:
 def _still(sizing: Sizing, ends: tuple[Leaving, ...]) -> Iterator[Body]:
     """Yield bosses, and what holds bearings within the housing, not where a shaft leaves."""
     holders = holders_of(sizing)
-    bosses = bosses_of(sizing, holders)
-    for bearing in sizing.bearings:
-        half = bearing.width / 2.0
-        yield _round(sizing, bearing.shaft, (bearing.position - half, bearing.position + half), bosses[bearing.name])
+    yield from boss_bodies(sizing, holders).values()
     for holder in holders:
         beyond = (
             end.way * (holder.start + holder.end - 2.0 * end.face) > 0.0 for end in ends if end.shaft == holder.shaft
         )
         if not any(beyond):
             yield _round(sizing, holder.shaft, (holder.start, holder.end), holder.outer)
+
+
+def boss_bodies(sizing: Sizing, holders: Sequence[Holder]) -> dict[str, Body]:
+    """Return bearing of a built shaft -> its boss.
+
+    Args:
+        sizing: As sized.
+        holders: Of it.
+    """
+    bosses, found = bosses_of(sizing, holders), dict[str, Body]()
+    for bearing in sizing.bearings:
+        span = (bearing.position - bearing.width / 2.0, bearing.position + bearing.width / 2.0)
+        found[bearing.name] = _round(sizing, bearing.shaft, span, bosses[bearing.name])
+    return found
+
+
+def cover_bodies(sizing: Sizing, holders: Sequence[Holder]) -> list[tuple[str, Body]]:
+    """Return the plates and necks of covers, each with the bearing that its cover is beside.
+
+    Args:
+        sizing: As sized.
+        holders: Of it.
+    """
+    return [
+        (holder.beside, _round(sizing, holder.shaft, (ring.start, ring.end), ring.outer))
+        for holder in holders if holder.kind == "cover" for ring in holder.rings
+    ]  # fmt: skip
 
 
 def _round(sizing: Sizing, shaft: str, span: tuple[float, float], diameter: float) -> Body:

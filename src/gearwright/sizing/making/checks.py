@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.checks import Check
 from gearwright.sizing import Sizing
+from gearwright.sizing.making.bosses import boss_checks, web_checks
 from gearwright.sizing.making.bridges import bridge_checks
 from gearwright.sizing.making.grinding import grinding_checks
 from gearwright.sizing.making.order import order_checks, stack_checks
@@ -32,6 +33,8 @@ def making_checks(sizing: Sizing) -> Iterator[Check]:
     yield from order_checks(sizing)
     yield from spanner_checks(sizing)
     yield from bridge_checks(sizing)
+    yield from boss_checks(sizing)
+    yield from web_checks(sizing)
 
 
 def built_checks(sizing: Sizing) -> Iterator[Check]:

@@ -8,8 +8,19 @@ from typing import NamedTuple
 
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.identity import Role
+from gearwright.latest import of_latest
 from gearwright.parts.bearings import BearingKind
-from gearwright.sizing.casing import BOSS, Shell, bosses_of, flanges_of, screw_volume
+from gearwright.sizing.casing import (
+    BOSS,
+    Carried,
+    Shell,
+    bosses_of,
+    carried_bosses,
+    flanges_of,
+    housed,
+    screw_volume,
+    shell_around,
+)
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.mounted import BearingSizing
@@ -73,6 +84,9 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     outside = bosses_of(sizing, holders_of(sizing))
     bosses += sum(_around(bearing, outside[bearing.name], material) for bearing in sizing.bearings)
     yield _item("bosses", bosses, "wall of 0.12 D around bearings, as wide as covers at least", "estimate")
+    webs = sum(carried.volume for carried in carried_bosses(sizing, wall.thickness)) * material.density
+    if webs:
+        yield _item("webs", webs, "F = Σ k_i (u_i·δ) u_i, σ = N/A + M/W ≤ 2 τ", "webs built in at both ends")
 
 
 def _item(part: str, mass: float, formula: str, source: str, count: int = 1) -> MassItem:
@@ -116,6 +130,16 @@ def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> W
         Wall(reaction_torque(sizing) / (2.0 * shell.section * shear), "its torque"),
     )
     return max(asked)
+
+
+@of_latest
+def carried_in_walls(sizing: Sizing) -> tuple[Carried, ...]:
+    """Return how the housing, in its wall as it is weighed, carries the bosses of bearings.
+
+    Args:
+        sizing: As sized.
+    """
+    return carried_bosses(sizing, wall_of(sizing, shell_around(housed(sizing))).thickness)
 
 
 def reaction_torque(sizing: Sizing) -> float:

@@ -11,9 +11,9 @@ from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import LENGTH, flanges_of, housed, shell_around
-from gearwright.sizing.mass import reaction_torque, wall_of
+from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
 
-SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses")
+SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses", "housing webs")
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
 SCREWS = "housing bolts"
 """What of it is not one piece with it."""
@@ -50,11 +50,15 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
         yield "The housing is not drawn: the section has axes beside each other that are not in one plane in space."
     else:
         wall = wall_of(sizing, shell_around(housed(sizing)))
-        inner = " Walls that carry bosses within it are not sized." if sizing.bearings else ""
         yield (
             f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
-            f"measured, as {wall.why} asks, with flanges and bosses.{inner}"
+            f"measured, as {wall.why} asks, with flanges and bosses."
         )
+        bare = [name for one in carried_in_walls(sizing) if not one.found for name in one.bearings]
+        if sizing.bearings:
+            yield "Webs (not hatched) and collars carry bosses; webs beside this plane: sheet housing."
+        if bare:
+            yield f"No web or collar finds a way from the housing to the bosses of {', '.join(bare)}."
         hidden = {name: mass for name, mass in made_of(sizing).casing.items() if name not in (*SHOWN, SCREWS)}
         if hidden:
             listed = ", ".join(f"{name} {mass:.3g} kg" for name, mass in hidden.items())

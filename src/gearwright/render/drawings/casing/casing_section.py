@@ -11,6 +11,7 @@ import numpy as np
 
 from gearwright.render.drawings.casing.screw_view import screw_entities
 from gearwright.render.drawings.casing.section_path import Lane, crossed, lanes
+from gearwright.render.drawings.casing.web_section import Line, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -19,7 +20,7 @@ from gearwright.shape import scene as scene_of
 from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, bored, cut_chamber, spans_in, united, without
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
-from gearwright.sizing.mass import reaction_torque
+from gearwright.sizing.mass import carried_in_walls, reaction_torque
 
 LEAN, SPACING = math.pi / 4.0, 4.0
 """Of the hatching of the housing [rad] and [mm]: wider than that of gears; parts beside a joint lean the other way."""
@@ -42,6 +43,8 @@ class CasingSection:
     leaning: tuple[tuple[complex, ...], ...]
     """Outlines of bosses on axes that lean on the sheet [mm]."""
 
+    webs: tuple[Line, ...] = ()
+    """Edges of webs along which the section lies [m]."""
     screws: tuple[tuple[complex, complex], ...] = ()
     """Centre lines of screws in flanges, through both halves, heads and nuts [mm]."""
     holes: tuple[Rectangle, ...] = ()
@@ -87,6 +90,7 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
             if cut is None:
                 return None
             rectangles += cut
+    rectangles += webs_across(scene, ways)
     leaning = []
     for corners in _bosses(sizing, scene, plane):
         turn = (corners[1] - corners[0]) / abs(corners[1] - corners[0])
@@ -104,7 +108,8 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
     others = tuple(crossed(sizing, plane, ways))
-    return CasingSection(cuts, steps, flat, tuple(leaning), screws, holes, MM * flanges.thread, others)
+    webs = tuple(webs_along(scene, ways, rectangles))
+    return CasingSection(cuts, steps, flat, tuple(leaning), webs, screws, holes, MM * flanges.thread, others)
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
@@ -162,7 +167,7 @@ def joints_of(scene: Scene) -> list[float]:
 
 
 def _bosses(sizing: Sizing, scene: Scene, plane: Positions) -> Iterator[tuple[complex, ...]]:
-    """Yield the outlines of both halves of every boss on the sheet [mm]."""
+    """Yield the outlines of both halves of every boss and collar on the sheet [mm]."""
     for bearing in sizing.bearings:
         node = scene.by_name.get(f"housing, boss of {bearing.name}")
         solid = scene.solids[node.surface] if node else None
@@ -172,6 +177,11 @@ def _bosses(sizing: Sizing, scene: Scene, plane: Positions) -> Iterator[tuple[co
         middle = float((node.axes.origin - np.array(frame.origin)) @ np.array(frame.along))
         for side in (1.0, -1.0):
             yield tuple(lying.at(MM * (middle + z), side * MM * radius) for z, radius in solid.profile[:-1])
+    for collar in (one for carried in carried_in_walls(sizing) for one in carried.collars):
+        lying, (low, high) = plane.shafts[collar.shaft], collar.span
+        around = ((low, collar.inner), (low, collar.outer), (high, collar.outer), (high, collar.inner))
+        for side in (1.0, -1.0):
+            yield tuple(lying.at(MM * place, side * MM * radius) for place, radius in around)
 
 
 def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
@@ -190,6 +200,8 @@ def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
             yield Hatch(tuple(paper * corner for corner in corners), lean, SPACING)
         for loop in cut.loops:
             yield from _outline([paper * complex(*corner) for corner in loop], [paper * at for at in section.steps])
+    for start, end in section.webs:
+        yield Path((paper * start, paper * end), Layer.OUTLINE)
     for start, end in section.screws:
         yield Path((scale * start, scale * end), Layer.CENTRE)
         if section.thread:

@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.arrays import Complexes, Floats
 from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
 from gearwright.render.drawings.casing.section_path import Lane
+from gearwright.render.drawings.casing.web_section import web_nodes, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape import FLANGES, Node, Scene, screw_places
@@ -137,7 +138,8 @@ def casing_of(sizing: Sizing, scene: Scene) -> Casing | None:
 def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> CasingSection | None:
     leg = Leg(-math.inf, math.inf, foot, up)
     rectangles: list[Rectangle] = []
-    for node in (node for node in scene.nodes if node.look == "housing"):
+    webs = {node.name for node in web_nodes(scene)}
+    for node in (node for node in scene.nodes if node.look == "housing" and node.name not in webs):
         solid, at = scene.solids[node.surface], float(node.axes.origin[0])
         if isinstance(solid, Fastener):
             continue
@@ -146,10 +148,13 @@ def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> Casing
             return None
         moved = at if isinstance(solid, Chamber) else 0.0
         rectangles += [one._replace(start=one.start + moved, end=one.end + moved) for one in found]
-    screws = tuple(screw_lines(scene, (Lane(-math.inf, math.inf, (leg,)),)))
+    ways = (Lane(-math.inf, math.inf, (leg,)),)
+    rectangles += webs_across(scene, ways)
+    edges = tuple(webs_along(scene, ways, rectangles))
+    screws = tuple(screw_lines(scene, ways))
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
-    return CasingSection(cuts, (), flat=True, leaning=(), screws=screws, holes=holes)
+    return CasingSection(cuts, (), flat=True, leaning=(), webs=edges, screws=screws, holes=holes)
 
 
 def _cut_boss(node: Node, solid: Solid, foot: Floats, up: Floats) -> list[Rectangle] | None:

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from gearwright.arrays import Floats, following
-from gearwright.sizing.casing import Stretch, outline_of
+from gearwright.sizing.casing.shell import Stretch, outline_of
 
 SAME = 1e-4
 """Steps of a wall that are less are none [m]."""
