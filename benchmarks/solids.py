@@ -13,11 +13,14 @@ import numpy as np
 
 import gearwright as gw
 from gearwright.exchange.step import to_step
+from gearwright.identity import HOUSING
 from gearwright.parts.gears import least_backlash
-from gearwright.shape import glb, kind_of, sized_mesh, solid_masses
+from gearwright.shape import Scene, casing_masses, glb, kind_of, sized_mesh, solid_masses
 from gearwright.shape.crossing import crossed_depths
+from gearwright.shape.masses import CORNERS
 from gearwright.shape.meshing import deepest, planar_contacts
 from gearwright.shape.overlaps import overlaps
+from gearwright.shape.record import triangles_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import bevel_cones
 
@@ -36,12 +39,27 @@ def masses(names: Sequence[str]) -> Iterator[tuple[str, ...]]:
             sizing = _at(name, level)
             if sizing is None:
                 continue
-            for row in solid_masses(sizing, gw.scene(sizing, detail="smooth")):
+            scene = gw.scene(sizing, detail="smooth")
+            for row in solid_masses(sizing, scene):
                 weight = row.sized if level == "preliminary" and str(row.part.kind) == "gear" else row.weighed
                 if weight and f"{row.part}.mass" not in sizing.given:
-                    gaps.setdefault(str(row.part.kind), []).append(row.solid / weight - 1.0)
+                    kind = "shells of housings" if row.part == HOUSING else f"{row.part.kind}s"
+                    gaps.setdefault(kind, []).append(row.solid / weight - 1.0)
+            for part, (solid, weight) in casing_masses(sizing, scene).items():
+                gaps.setdefault(part, []).append(solid / weight - 1.0)
+            for gap in _bells(sizing, scene):
+                gaps.setdefault("bells of rings", []).append(gap)
         for kind, found in gaps.items():
-            yield (level, f"{kind}s", str(len(found)), f"{100 * min(found):+.2f} to {100 * max(found):+.2f} %")
+            yield (level, kind, str(len(found)), f"{100 * min(found):+.2f} to {100 * max(found):+.2f} %")
+
+
+def _bells(sizing: Sizing, scene: Scene) -> Iterator[float]:
+    """Yield by which part of it each bell of a turning ring weighs more as a solid than in the complete mass."""
+    weights = {item.part: item.each for item in gw.complete_mass(sizing).parts}
+    density = sizing.design.shaft_material.density
+    for node in scene.nodes:
+        if node.look == "bell" and node.name in weights:
+            yield density * triangles_of(scene.solids[node.surface], CORNERS).volume / weights[node.name] - 1.0
 
 
 def _at(name: str, level: str) -> Sizing | None:
