@@ -17,7 +17,7 @@ from gearwright.sizing.casing.flanges import (
 from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed
 from gearwright.sizing.casing.rooms import rooms_around
 from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, shell_around, stretches_around
-from gearwright.sizing.casing.webs import Carried, Collar, Web, carried_bosses
+from gearwright.sizing.casing.webs import Carried, Collar, Web, ball_around, carried_bosses
 from gearwright.sizing.sealing import Leaving, leaving_of
 
 __all__ = [
@@ -35,6 +35,7 @@ __all__ = [
     "Shell",
     "Stretch",
     "Web",
+    "ball_around",
     "boss_bodies",
     "bosses_of",
     "carried_bosses",

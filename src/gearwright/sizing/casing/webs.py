@@ -190,12 +190,17 @@ def carried_bosses(sizing: Sizing, wall: float) -> tuple[Carried, ...]:
     rooms = rooms_around(bodies, wall)
     obstacles = [*sizing.arrangement.bodies, *(body for body in bodies if body not in sizing.arrangement.bodies)]
     material = housing_materials()[sizing.design.housing.material]
-    place = _Place(rooms, obstacles, np.array([_ball(body) for body in obstacles]), wall, material)
+    place = _Place(rooms, obstacles, np.array([ball_around(body) for body in obstacles]), wall, material)
     outsides = bosses_of(sizing, holders)
     return tuple(_carried(sizing, group, holders, place) for group in _groups(sizing, outsides))
 
 
-def _ball(body: Body) -> list[float]:
+def ball_around(body: Body) -> list[float]:
+    """Return middle and radius of a ball around a body [m].
+
+    Args:
+        body: The body.
+    """
     middle = np.asarray(body.origin) + body.length / 2.0 * np.asarray(body.direction)
     return [*middle.tolist(), math.hypot(body.length / 2.0, body.radius)]
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from gearwright.checks import Check
 from gearwright.identity import GEARBOX, Kind
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import boss_bodies, cover_bodies
+from gearwright.sizing.casing import ball_around, boss_bodies, cover_bodies
 from gearwright.sizing.making.running import OFF, bending, moved
 from gearwright.sizing.mass import carried_in_walls
 from gearwright.sizing.places import room_between
@@ -43,11 +45,14 @@ def _beside(sizing: Sizing) -> Iterator[tuple[float, float, str]]:
     """Yield the room between a boss or cover and a body about another axis, what is needed [m], and both names."""
     holders, bent = holders_of(sizing), bending(sizing)
     bosses, covers = boss_bodies(sizing, holders), cover_bodies(sizing, holders)
+    balls = np.array([ball_around(body) for body in sizing.arrangement.bodies])
     named = [(f"the boss of {name}", body) for name, body in bosses.items()]
     named += [(f"the cover of {name}", body) for name, body in covers]
     for name, body in named:
-        for other in (one for one in sizing.arrangement.bodies if one.part.kind is not Kind.BEARING):
-            if other.shaft != body.shaft:
+        ball = ball_around(body)
+        near = np.linalg.norm(balls[:, :3] - ball[:3], axis=1) < balls[:, 3] + ball[3] + NEAR
+        for other in (sizing.arrangement.bodies[k] for k in np.flatnonzero(near).tolist()):
+            if other.shaft != body.shaft and other.part.kind is not Kind.BEARING:
                 gap = room_between(body, other, enough=NEAR).gap
                 yield gap, OFF + moved(other, bent), f"{name} and {other.part}"
         for beside, other in covers:
