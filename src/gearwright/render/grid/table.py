@@ -44,6 +44,8 @@ _HEADERS = {
 }  # fmt: skip
 NOISE = 1e-9
 """Magnitude, in the unit that is shown, below which a number is rounding."""
+EXACT = 12
+"""Digits of a number that no rounding touches [-]: a half is decided by these."""
 SMALLEST_PLAIN = 1e-3
 """Magnitude below which a number is written with a power of ten."""
 LARGEST_PLAIN = 1e12
@@ -193,14 +195,14 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
 
 
 def written(number: float, digits: int = 4) -> str:
-    """Return a number with so many significant digits, trailing zeros kept.
+    """Return a number with so many significant digits, trailing zeros kept; what differs by rounding alone reads alike.
 
     Args:
         number: In the unit that is shown.
         digits: Significant digits [-].
 
-    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30)
-    ('1.000', '−16035', '0', '0')
+    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30), written(196.25), written(196.25 + 1e-12)
+    ('1.000', '−16035', '0', '0', '196.2', '196.2')
     """
     if abs(number) < NOISE:
         return "0"
@@ -208,6 +210,7 @@ def written(number: float, digits: int = 4) -> str:
         return f"−{written(-number, digits)}"
     if math.isinf(number):
         return "∞"
+    number = float(f"{number:.{EXACT}g}")
     if abs(number) >= LARGEST_PLAIN:
         return f"{number:.{digits - 1}e}"
     if abs(number) >= 10 ** (digits - 1):
