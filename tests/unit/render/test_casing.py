@@ -14,7 +14,7 @@ from gearwright.render.drawings.casing.true_section import true_section
 from gearwright.render.drawings.casing_sheet import casing_content
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.dimensions import extent
-from gearwright.render.drawings.sheet.entities import Distance, Hatch, Layer, Path, Words
+from gearwright.render.drawings.sheet.entities import Arc, Distance, Hatch, Layer, Path, Words
 from gearwright.render.drawings.views.positions import positions
 from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
@@ -169,8 +169,8 @@ def test_machines_towards_which_the_housing_has_no_opening_are_named():
     ("name", "size", "scale"),
     [
         ("ec120b", "A1", 0.5),
-        ("in-line-star", "A2", 0.5),
-        ("twin-engine-helicopter", "A1", 0.5),
+        ("in-line-star", "A1", 0.5),
+        ("twin-engine-helicopter", "A0", 0.5),
         ("wolfrom-reducer", "A2", 1.0),
     ],
 )
@@ -182,14 +182,14 @@ def test_arrangements_fill_their_sheets(name, size, scale):
 
 def test_a_slim_view_has_a_smaller_scale_rather_than_a_large_empty_sheet():
     (sheet,) = sheets(sized("single-planetary"), ["arrangement"])
-    assert (sheet.size.name, sheet.scale) == ("A2", 0.2)
+    assert (sheet.size.name, sheet.scale) == ("A1", 0.2)
 
 
 def test_a_view_that_stands_elsewhere_has_an_arrow_and_a_letter():
     (sheet,) = sheets(sized("ec120b"), ["arrangement"])
     letters = [mark for mark in sheet.entities if isinstance(mark, Words) and mark.text == "A" and mark.height == 5.0]
     assert len(letters) == 2
-    (none,) = sheets(sized("in-line-h2"), ["arrangement"])
+    (none,) = sheets(sized("e-axle"), ["arrangement"])
     assert not [mark for mark in none.entities if isinstance(mark, Words) and mark.height == 5.0 and mark.text == "A"]
 
 
@@ -259,8 +259,8 @@ def test_what_is_seen_from_the_first_end_hides_what_is_behind_it():
     casing = casing_of(sizing, gw.scene(sizing))
     radii = sorted({round(max(abs(point) for point in path.points)) for path in end_outlines(casing, 1.0)})
     outer = [solid.outer for _, solid in (*casing.chambers[:3], casing.halves[0])]
-    wide = [MM * float(np.linalg.norm(loop, axis=1).max()) for loop in outer]
-    assert radii[-4:] == [round(each) for each in wide]
+    wide = [MM * float(np.linalg.norm(loop, axis=1).max()) * math.cos(math.pi / 48.0) for loop in outer]
+    assert radii[-4:] == [round(each) for each in wide]  # circles that the sides of the solids touch
 
 
 @pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set"])
@@ -339,3 +339,18 @@ def test_the_view_from_the_first_end_stands_right_of_the_section_on_its_level(na
     (sheet,) = [sheet for sheet in sheets(sized(name), ["housing"]) if sheet.name == "housing"]
     titles = {mark.text: mark.at for mark in sheet.entities if isinstance(mark, Words)}
     assert titles["Section along the first shaft"].real < titles["From the first end"].real
+
+
+def test_planets_stand_in_the_view_along_the_axis_with_their_distance():
+    """In-line H2: 3 planets on 100.794 mm and 5 on 157.035 mm; pitch circles of suns and rings about the axis."""
+    sizing = sized("in-line-h2")
+    (sheet,) = sheets(sizing, ["arrangement"])
+    circles = [mark for mark in sheet.entities if isinstance(mark, Arc) and mark.layer is Layer.PITCH]
+    middle = max(circles, key=lambda circle: circle.radius).centre
+    for carrier, count in zip(sizing.carriers, (3, 5), strict=True):
+        far = [circle for circle in circles
+               if abs(abs(circle.centre - middle) - MM * carrier.radius * sheet.scale) < 1e-4]  # fmt: skip
+        assert len(far) == count
+        said = [mark for mark in sheet.entities if isinstance(mark, Distance)]
+        assert any(math.isclose(mark.measured, MM * carrier.radius, rel_tol=1e-6) for mark in said)
+    assert len([circle for circle in circles if abs(circle.centre - middle) < 1e-6]) == 4

@@ -206,7 +206,8 @@ def _looked(tip: complex) -> Iterator[Entity]:
 
 
 def _has_end_view(sizing: Sizing, plane: Positions) -> bool:
-    return is_square(sizing) and (not plane.exact or bool(plane.notes))
+    """Tell whether the sheet has a view along the first shaft: where axes are unfolded or planets stand around them."""
+    return is_square(sizing) and (not plane.exact or bool(plane.notes) or bool(sizing.design.sets))
 
 
 def _parts(shown: _Shown, scale: float) -> tuple[list[Entity], list[Item]]:

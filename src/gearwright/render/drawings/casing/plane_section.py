@@ -11,6 +11,7 @@ import numpy as np
 
 from gearwright.arrays import Complexes, Floats
 from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
+from gearwright.render.drawings.casing.rounded import rounded
 from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.render.drawings.casing.web_section import web_nodes, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
@@ -262,10 +263,10 @@ def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[F
                 run.append(ends[1])
                 continue
             if len(run) > 1:
-                yield Path(tuple(run), Layer.OUTLINE)
+                yield Path(rounded(run), Layer.OUTLINE)
             run = ends
     if len(run) > 1:
-        yield Path(tuple(run), Layer.OUTLINE)
+        yield Path(rounded(run), Layer.OUTLINE)
 
 
 def screw_circles(casing: Casing, number: int, hole: float, scale: float) -> list[Arc]:

@@ -1,10 +1,10 @@
-"""A train seen along its first shaft, where no single plane holds all axes: gears at their true places."""
+"""A gearbox seen along its first shaft, where one section cannot show how all stands: gears at their true places."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import chain, pairwise
+from itertools import islice, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -12,18 +12,21 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments
 from gearwright.render.drawings.sheet.dimensions import extent
-from gearwright.render.drawings.sheet.entities import SMALL, Arc, Entity, Layer, Path, Words, words_length
+from gearwright.render.drawings.sheet.entities import SMALL, Arc, Distance, Entity, Layer, Path, Words, words_length
 from gearwright.render.drawings.views.laid.beside import Lying
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT
 from gearwright.render.style.labels import overlap
 from gearwright.shape.solids import Leg, spans_in, without
+from gearwright.shape.stands import stands_of
 from gearwright.sizing import Sizing
 
 STEP = 2.0
 """Between places of a name that are tried [mm]."""
 TRIES = 30
 """Of them, each way [-]."""
+BELOW = 8.0
+"""From the view to the distance of its planets, and from each to the next [mm]."""
 _ALONG = 1.0 - 1e-9
 """Share of an axis along the view from which on it lies along it [-]."""
 
@@ -38,10 +41,10 @@ class Outside(NamedTuple):
 
 
 def end_view(sizing: Sizing, scale: float, outside: Outside, *, turned: bool) -> list[Entity]:
-    """Return a gearbox seen along the first shaft, from its second end; planets are left out.
+    """Return a gearbox seen along the first shaft, from its second end.
 
-    Gears whose axes lie along the view are their pitch circles; of those across it the outlines of the bodies are seen,
-    dashed where the housing covers them.
+    Gears whose axes lie along the view, planets too, are their pitch circles; of those across it the outlines of the
+    bodies are seen, dashed where the housing covers them.
 
     Args:
         sizing: What was sized; all axes along the first shaft or square to it.
@@ -57,20 +60,47 @@ def end_view(sizing: Sizing, scale: float, outside: Outside, *, turned: bool) ->
     for name in along:
         y, z = (round(scale * MM * coordinate, 6) for coordinate in frames[name].origin[1:])
         axes.setdefault(complex(y, z), []).append(name)
-    for middle, names in axes.items():
-        gears = [gear for gear in sizing.gears if set(names) & set(gear.shafts)]
-        radii = {scale * MM * gear.pitch_diameter / 2.0 for gear in gears}
+    circles = _pitch_circles(sizing, scale)
+    for middle in dict.fromkeys((*axes, *circles)):
+        radii = circles.get(middle, set())
         entities += [Arc(middle, radius, Layer.PITCH) for radius in sorted(radii)]
-        reach = max(radii, default=0.0) + OVERSHOOT
+        reach = max(radii, default=0.0) + OVERSHOOT if middle in axes else OVERSHOOT
         entities += [Path((middle - way, middle + way), Layer.CENTRE) for way in (reach, 1j * reach)]
-    names_of = [(middle, name) for middle, shafts in axes.items() for name in shafts]
+    several = len(axes) > 1 or len(along) < len(frames)
+    names_of = [(middle, ", ".join(shafts)) for middle, shafts in axes.items() if several]
     for name in frames:
         if name not in along:
             entities += _across(sizing, name, scale, outside.covers)
             names_of.append((_seen(frames[name].origin, scale), name))
     if turned:
         entities, names_of = _upside_down(entities), [(-middle, name) for middle, name in names_of]
-    return [*entities, *names_beside(names_of, list(segments(entities)))]
+    entities += names_beside(names_of, list(segments(entities)))
+    return [*entities, *_planet_distances(sizing, scale, extent(entities)[1], -1.0 if turned else 1.0)]
+
+
+def _planet_distances(sizing: Sizing, scale: float, low: float, sense: float) -> Iterator[Distance]:
+    """Yield the distance of planets from the axis of their set, below the view, of sets with one beside their axis."""
+    stands = stands_of(sizing)
+    for row, carrier in enumerate(sizing.carriers, start=1):
+        middle = next(stand.axes for stand in stands if stand.gear.stage == carrier.stage and not stand.carrier)
+        if abs(float(middle.along[0])) <= _ALONG:
+            continue
+        foot = sense * _seen(middle.origin.tolist(), scale)
+        planets = [sense * _seen(stand.axes.origin.tolist(), scale) for stand in stands
+                   if stand.carrier and stand.gear.stage == carrier.stage]  # fmt: skip
+        level = [place for place in planets if abs(place.imag - foot.imag) < 1e-6]
+        if level:
+            yield Distance(foot, level[0], complex(0.0, low - BELOW * row), 0.0, scale)
+
+
+def _pitch_circles(sizing: Sizing, scale: float) -> dict[complex, set[float]]:
+    """Return axis along the view -> radii of the pitch circles about it, also of planets [mm of paper]."""
+    found: dict[complex, set[float]] = {}
+    for stand in stands_of(sizing):
+        if abs(float(stand.axes.along[0])) > _ALONG:
+            y, z = (round(scale * MM * float(coordinate), 6) for coordinate in stand.axes.origin[1:])
+            found.setdefault(complex(y, z), set()).add(scale * MM * stand.gear.pitch_diameter / 2.0)
+    return found
 
 
 def is_turned(sizing: Sizing, shafts: Mapping[str, Lying]) -> bool:
@@ -148,6 +178,8 @@ def _seen(point: Sequence[float], scale: float) -> complex:
 def names_beside(named: Sequence[tuple[complex, str]], lines: Sequence[Segment]) -> list[Words]:
     """Return the names of shafts beside their axes, each at the nearest place that no line and no name crosses.
 
+    A name for which there is no such place is left out: the table of axes has it.
+
     Args:
         named: Axes [mm of paper] with their names.
         lines: Of the view.
@@ -161,6 +193,10 @@ def names_beside(named: Sequence[tuple[complex, str]], lines: Sequence[Segment])
         wanted = [Words(middle + way, name, SMALL) for way in sorted(ways, key=abs)]
         boxes = [extent([other]) for other in found]
         apart = (words for words in wanted if not any(overlap(extent([words]), box) for box in boxes))
-        nearest = next(apart)
-        found.append(next((words for words in chain([nearest], apart) if clear_of([words], lines)), nearest))
+        found += islice((words for words in apart if clear_of([_wider(words)], lines)), 1)
     return found
+
+
+def _wider(words: Words) -> Words:
+    """Return a text with air at both ends."""
+    return replace(words, at=words.at - words_length("i", SMALL), text=f"i{words.text}i")
