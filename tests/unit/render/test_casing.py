@@ -1,5 +1,6 @@
 """The housing in drawings: it is cut where the section lies, what is cut is the metal that is weighed."""
 
+import itertools
 import math
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.render.drawings.casing.casing_section import casing_section, joints_of
+from gearwright.render.drawings.casing.cutting_way import cutting_way
 from gearwright.render.drawings.casing.exits import closed_towards
 from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, seen_from_second_end, span_of
 from gearwright.render.drawings.casing.section_path import lanes
@@ -354,3 +356,30 @@ def test_planets_stand_in_the_view_along_the_axis_with_their_distance():
         said = [mark for mark in sheet.entities if isinstance(mark, Distance)]
         assert any(math.isclose(mark.measured, MM * carrier.radius, rel_tol=1e-6) for mark in said)
     assert len([circle for circle in circles if abs(circle.centre - middle) < 1e-6]) == 4
+
+
+@pytest.mark.parametrize("name", ["off-set", "off-set-h1-free", "off-set-h2", "off-set-h3"])
+def test_the_view_along_the_first_shaft_shows_where_an_unfolded_section_runs(name):
+    """Its length is the height of the section; its corners are axes, in their order on the sheet; letters at both."""
+    sizing = sized(name)
+    plane = positions(sizing)
+    _, covers = seen_from_second_end(gw.scene(sizing))
+    way = cutting_way(sizing, plane, covers)
+    section = casing_section(sizing, plane)
+    high = max(one.high for cut in section.cuts for one in cut.rectangles)
+    low = min(one.low for cut in section.cuts for one in cut.rectangles)
+    long = sum(abs(other - one) for one, other in itertools.pairwise(way))
+    assert long == pytest.approx(MM * (high - low), abs=1e-3)
+    order = sorted(plane.shafts, key=lambda shaft: plane.shafts[shaft].origin.imag)
+    axes = list(dict.fromkeys(tuple(round(MM * each, 2) for each in sizing.arrangement.frames[shaft].origin[1:])
+                              for shaft in order))  # fmt: skip
+    assert [(round(point.real, 2), round(point.imag, 2)) for point in way[1:-1]] == axes
+    (sheet,) = sheets(sizing, ["arrangement"])
+    said = [mark for mark in sheet.entities if isinstance(mark, Words) and mark.text in ("B", "B-B")]
+    assert len([mark for mark in said if mark.layer is Layer.SYMBOL or mark.text == "B-B"]) == 3
+
+
+def test_a_section_by_one_plane_or_one_that_steps_has_no_way_in_the_view_along_the_first_shaft():
+    for name in ("ec120b", "in-line-h2"):
+        sizing = sized(name)
+        assert cutting_way(sizing, positions(sizing), seen_from_second_end(gw.scene(sizing))[1]) == ()

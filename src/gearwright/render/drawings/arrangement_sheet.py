@@ -11,6 +11,8 @@ from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
 from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
+from gearwright.render.drawings.casing.cutting_way import LETTER as SECTION
+from gearwright.render.drawings.casing.cutting_way import cutting_way, way_marks
 from gearwright.render.drawings.casing.exits import closed_towards, exit_notes
 from gearwright.render.drawings.casing.plane_section import seen_from_second_end
 from gearwright.render.drawings.casing.true_section import (
@@ -100,7 +102,10 @@ def _shown(sizing: Sizing) -> _Shown:
         return _Shown(sizing, plane, casing, Outside())
     scene = scene_of(sizing, detail="coarse")
     has_end = _has_end_view(sizing, plane)
-    outside = Outside(*seen_from_second_end(scene)) if has_end else Outside()
+    outside = Outside()
+    if has_end:
+        lines, covers = seen_from_second_end(scene)
+        outside = Outside(lines, covers, cutting_way(sizing, plane, covers) if casing is not None else ())
     apart = true_section(sizing, scene, plane) if has_end and casing is None else None
     return _Shown(sizing, plane, casing, outside, apart, closed_towards(sizing, scene))
 
@@ -191,6 +196,11 @@ def _views(shown: _Shown, scale: float) -> Rows:
     seen = end_view(sizing, scale, shown.outside, turned=turned)
     if shown.apart is not None:
         seen += cutting_line(shown.apart, shown.outside.lines, scale, turned=turned)
+    if shown.outside.way:
+        seen += way_marks([(-scale if turned else scale) * point for point in shown.outside.way])
+        around = extent(entities)
+        name_at = complex((around[0] + around[2]) / 2.0, around[3] + BEYOND)
+        entities.append(Words(name_at, f"{SECTION}-{SECTION}", LETTER, "middle"))
     box = extent(seen)
     seen.append(Words(complex((box[0] + box[2]) / 2.0, box[3] + BEYOND / 2.0), ARROW_NAME, LETTER, "middle"))
     if shown.apart is None:

@@ -66,7 +66,7 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
         if section.steps:
             yield "The section of the housing steps from one plane of axes to the other at the chain line."
         elif not section.flat:
-            yield "The housing is cut in the plane of each two axes that stand beside each other."
+            yield "B-B is unfolded: cut in the plane of each two axes that stand beside each other, as view A has them."
         if section.crossed:
             names = ", ".join(section.crossed)
             yield f"Where other legs of the section also cut bodies on {names}, these are left out of them."

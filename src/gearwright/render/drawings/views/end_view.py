@@ -38,6 +38,8 @@ class Outside(NamedTuple):
     """Its edges [mm]."""
     covers: tuple[Floats, ...] = ()
     """Convex loops that fill what it covers [m], shape (n, 2) each."""
+    way: tuple[complex, ...] = ()
+    """Corners of an unfolded section, from end to end [mm]."""
 
 
 def end_view(sizing: Sizing, scale: float, outside: Outside, *, turned: bool) -> list[Entity]:
@@ -55,6 +57,8 @@ def end_view(sizing: Sizing, scale: float, outside: Outside, *, turned: bool) ->
     entities: list[Entity] = [
         replace(line, points=tuple(scale * point for point in line.points)) for line in outside.lines
     ]
+    if outside.way:
+        entities.append(Path(tuple(scale * point for point in outside.way), Layer.CENTRE))
     frames, axes = sizing.arrangement.frames, dict[complex, list[str]]()
     along = [name for name in frames if abs(frames[name].along[0]) > _ALONG]
     for name in along:
