@@ -43,6 +43,7 @@ BEYOND_SIZING = (
     "access to a screw",
     "bridges between planets",
     "webs of bosses",
+    "ring seat pressure",
     "seal speed",
     "seal temperature",
     "seal seat",

@@ -88,7 +88,7 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     ),
     "making": Requirement(
         ("assembly", "axial retention", "access", "running clearance", "wheel that grinds", "order along",
-         "bridges between planets", "webs of bosses", "plate through its ring", "seal"), (), "nothing",
+         "bridges between planets", "webs of bosses", "ring seat", "plate through its ring", "seal"), (), "nothing",
         "other places of gears and bearings, thinner shafts, more room",
     ),
     "life in flight": Requirement(

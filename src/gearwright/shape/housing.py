@@ -36,6 +36,7 @@ from gearwright.sizing.casing import (
     cover_at,
     flanges_of,
     housed,
+    lands_of,
     leaving_of,
     rooms_around,
     shell_around,
@@ -147,6 +148,11 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
     yield from _carrying(sizing)
+    for land in lands_of(sizing, wall_of(sizing, shell).thickness):
+        for k, piece in enumerate(land.pieces, start=1):
+            name, width = f"housing, land {k}, {land.seat.ring.name}", piece.span[1] - piece.span[0]
+            moved = Axes(np.array([piece.span[0], 0.0, 0.0]), axes.turned)
+            yield Piece(name, name, Chamber(piece.outer, piece.inner, (0.0, width)), moved)
 
 
 def _carrying(sizing: Sizing) -> Iterator[Piece]:

@@ -93,4 +93,4 @@ def casing_masses(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]
 
 def _of(node: Node, stage: str, part: PartId) -> bool:
     same = (node.part.name, node.part.role, node.part.own) == (stage, part.role, part.own)
-    return same and node.look != "bell"
+    return same and node.look not in ("bell", "seat")

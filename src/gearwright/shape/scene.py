@@ -25,19 +25,20 @@ from gearwright.shape.gears import Leaning, gear_solid, leanings
 from gearwright.shape.housing import housing_nodes
 from gearwright.shape.phases import Phases, phases_of
 from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import bearing_bodies, bearing_solid, bell_solid, holder_solid, shaft_solid
+from gearwright.shape.shafts import bearing_bodies, bearing_solid, bell_solid, holder_solid, seat_solids, shaft_solid
 from gearwright.shape.solids import Chamber, Fastener, Fineness, Solid
 from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
 from gearwright.shape.teeth import halves_of, kind_of
 from gearwright.shape.words import approximations
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import Cage, bell_name, cage_of, gear_blanks
+from gearwright.sizing.casing import ring_frame, ring_seats
+from gearwright.sizing.mass import Cage, bell_name, cage_of, gear_blanks, seat_names
 from gearwright.sizing.places import Run, bells, runs
 from gearwright.sizing.shafts import holders_of
 from gearwright.verbs import verb
 
 DETAILS: Mapping[str, Fineness] = {
-    "fine": Fineness(3, 4, 60, 0.06, 6),
+    "fine": Fineness(3, 4, 48, 0.06, 6),
     "coarse": Fineness(2, 2, 30, 0.2, 3),
     "smooth": Fineness(8, 10, 90, 0.03, 6),
 }
@@ -74,6 +75,7 @@ def scene(sizing: Sizing, *, detail: Literal["fine", "coarse", "smooth"] = "fine
         *_on_pins(task),
         *_bearings(task),
         *_bells(task),
+        *_seats(task),
         *_holders(task),
     ]
     nodes += _housing(task, nodes)
@@ -216,6 +218,17 @@ def _bells(task: _Task) -> Iterator[Node]:
         yield Node(label, bell.ring.part, "bell", label, axes_at(frame, place), 0.0, task.spins(shaft))
 
 
+def _seats(task: _Task) -> Iterator[Node]:
+    """Yield the splines of rings that stand in the housing, and what keeps them there."""
+    still = dict.fromkeys(task.sizing.flows, 0.0)
+    for seat in ring_seats(task.sizing):
+        frame, place = ring_frame(task.sizing, seat.ring)
+        axes = axes_at(frame, np.asarray(frame.origin) + place * np.asarray(frame.along))
+        for name, solid in zip(seat_names(seat.ring), seat_solids(seat), strict=True):
+            task.solids[name] = solid
+            yield Node(name, seat.ring.part, "seat", name, axes, 0.0, still)
+
+
 def _holders(task: _Task) -> Iterator[Node]:
     """Yield rings, nuts, end plates, spacers and covers."""
     for holder in holders_of(task.sizing):
@@ -229,7 +242,7 @@ def _holders(task: _Task) -> Iterator[Node]:
 def _housing(task: _Task, nodes: Sequence[Node]) -> Iterator[Node]:
     """Yield the pieces of the housing around bodies that turn about the axes of their shafts."""
     central = [node for node in nodes
-               if node.look == "carrier" or not (node.on or node.look in ("bearing", "holder"))]  # fmt: skip
+               if node.look == "carrier" or not (node.on or node.look in ("bearing", "holder", "seat"))]  # fmt: skip
     inside = [(node, solid) for node in central if isinstance(solid := task.solids[node.surface], Solid)]
     for node, solid in housing_nodes(task.sizing, task.runs, inside):
         task.solids.setdefault(node.surface, solid)

@@ -8,6 +8,7 @@ from gearwright.identity import Kind, PartId
 from gearwright.shape.solids import Solid, bearing, stepped, tube, turned
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Body
+from gearwright.sizing.casing import RingSeat
 from gearwright.sizing.places import Bell, Run
 from gearwright.sizing.shafts import Holder
 
@@ -31,6 +32,16 @@ def bell_solid(bell: Bell) -> Solid:
     corners = [(place - bell.middle, radius) for place, radius in bell.section]
     way = corners if bell.disc[1] > bell.disc[0] else corners[::-1]
     return Solid((*way, way[0]))
+
+
+def seat_solids(seat: RingSeat) -> tuple[Solid, Solid]:
+    """Return the splines of a ring as a tube to half of their height, and its keeper, about its middle.
+
+    Args:
+        seat: As sized.
+    """
+    teeth = turned([(*seat.spline, seat.teeth.shaft_root / 2.0, seat.middle)])
+    return teeth, turned([(*seat.keeper, seat.clear, seat.outside)])
 
 
 def bearing_solid(body: Body) -> Solid:

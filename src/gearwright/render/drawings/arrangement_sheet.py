@@ -39,6 +39,7 @@ from gearwright.render.style.labels import overlap
 from gearwright.shape import scene as scene_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
+from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.places import CLAUSE, bells
 from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 from gearwright.spec import GROUND
@@ -133,8 +134,7 @@ def _notes(shown: _Shown) -> Iterator[str]:
         )
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
-    if any(gear.rim and GROUND in gear.shafts for gear in sizing.gears):
-        yield "What holds rings that stand in the housing is not sized, and not drawn."
+    yield from _standing(shown)
     if any(True for _ in bells(sizing)):
         yield "Bells of rings: thickness by torque; what joins them to ring and shaft is not sized, and not drawn."
     yield from _crowded(sizing)
@@ -146,6 +146,16 @@ def _notes(shown: _Shown) -> Iterator[str]:
     yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."
     yield "Gears in section by ISO 2203. Lubrication is not drawn."
     yield from _seals(sizing)
+
+
+def _standing(shown: _Shown) -> Iterator[str]:
+    """Yield how rings that do not turn are held."""
+    rings = [gear.name for gear in shown.sizing.gears if gear.rim and GROUND in gear.shafts]
+    if rings and not list(ring_seats(shown.sizing)):
+        yield "What holds rings that stand is not sized, and not drawn."
+    elif rings:
+        lands = "in lands of the housing" if shown.casing is not None else "in the housing"
+        yield f"Rings that stand have splines (as DIN 5480-1, cut at half of their height) {lands}; keepers by screws."
 
 
 def _seals(sizing: Sizing) -> Iterator[str]:

@@ -36,7 +36,7 @@ from gearwright.render.drawings.views.bevel_view import bevel_plate, bevel_view
 from gearwright.render.drawings.views.face_view import face_teeth, face_view, is_face_wheel
 from gearwright.render.drawings.views.gear_dimensions import FACE_GRADE, LEAN, face_runout, thickness
 from gearwright.render.drawings.views.gear_parts import Hub, Web, hub_of
-from gearwright.render.drawings.views.gear_view import bore_edges, cylinder_section, ring_section
+from gearwright.render.drawings.views.gear_view import bore_edges, cylinder_section, ring_section, seat_section
 from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
 from gearwright.render.drawings.views.tooth_data import tooth_grid
@@ -50,6 +50,7 @@ from gearwright.shape.teeth import (
 )
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.blanks import BACKUP
+from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass import bevel_dish, ring_outside
 from gearwright.sizing.places import BOSS
 
@@ -187,6 +188,8 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     entities: list[Entity] = [Path((axis.at(span[0] - beyond), axis.at(span[1] + beyond)), Layer.CENTRE)]
     if internal:
         entities += ring_section(axis, teeth, outer, span, lean=LEAN)
+        for seat in (seat for seat in ring_seats(sizing) if seat.ring is gear):
+            entities += seat_section(axis, seat, (span[0] + span[1]) / 2.0, lean=LEAN)
         tip = MM * teeth.tip_radius
         entities += [Path((axis.at(x, -tip), axis.at(x, tip)), Layer.OUTLINE) for x in span]
         entities.append(_across(axis, tip, span[0], -ASIDE))

@@ -103,9 +103,11 @@ def _plate(solid: Solid, edges: Bools, bores: Bores) -> Surface:
 
 
 def _widened(profile: Sequence[tuple[float, float]], segments: int) -> list[tuple[float, float]]:
-    """Return a way whose hole is widened for its corners, and what it would cut is not below it."""
+    """Return a way whose hole is widened for its corners, where that leaves metal, and what it would cut not below."""
     bore = min(radius for _, radius in profile)
     least = around_hole(bore, segments) if bore else 0.0
+    if least >= max(radius for _, radius in profile):  # a ring thinner than its chords are deep
+        return list(profile)
     return [(height, max(radius, least)) for height, radius in profile]
 
 

@@ -15,6 +15,7 @@ from gearwright.sizing.casing.flanges import (
     screw_volume,
 )
 from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed
+from gearwright.sizing.casing.ring_seats import Land, LandPiece, RingSeat, lands_of, ring_frame, ring_seats
 from gearwright.sizing.casing.rooms import rooms_around
 from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, shell_around, stretches_around
 from gearwright.sizing.casing.webs import Carried, Collar, Web, ball_around, carried_bosses
@@ -31,7 +32,10 @@ __all__ = [
     "Carried",
     "Collar",
     "Flanges",
+    "Land",
+    "LandPiece",
     "Leaving",
+    "RingSeat",
     "Shell",
     "Stretch",
     "Web",
@@ -43,8 +47,11 @@ __all__ = [
     "cover_bodies",
     "flanges_of",
     "housed",
+    "lands_of",
     "leaving_of",
     "outline_of",
+    "ring_frame",
+    "ring_seats",
     "rooms_around",
     "screw_volume",
     "shell_around",

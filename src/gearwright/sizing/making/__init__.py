@@ -7,6 +7,7 @@ from gearwright.sizing.making.bridges import bridge_checks
 from gearwright.sizing.making.checks import built_checks, making_checks
 from gearwright.sizing.making.grinding import grinding_checks, largest_wheel
 from gearwright.sizing.making.order import Withdrawn, order_checks, stack_checks, withdrawals
+from gearwright.sizing.making.ring_seats import ring_seat_checks
 from gearwright.sizing.making.running import running_checks
 from gearwright.sizing.making.spanner import spanner_checks
 
@@ -18,6 +19,7 @@ __all__ = [
     "largest_wheel",
     "making_checks",
     "order_checks",
+    "ring_seat_checks",
     "running_checks",
     "spanner_checks",
     "stack_checks",

@@ -10,6 +10,7 @@ from gearwright.sizing.making.bosses import boss_checks, web_checks
 from gearwright.sizing.making.bridges import bridge_checks
 from gearwright.sizing.making.grinding import grinding_checks
 from gearwright.sizing.making.order import order_checks, stack_checks
+from gearwright.sizing.making.ring_seats import ring_seat_checks
 from gearwright.sizing.making.running import running_checks
 from gearwright.sizing.making.spanner import spanner_checks
 from gearwright.sizing.shafts import (
@@ -35,6 +36,7 @@ def making_checks(sizing: Sizing) -> Iterator[Check]:
     yield from bridge_checks(sizing)
     yield from boss_checks(sizing)
     yield from web_checks(sizing)
+    yield from ring_seat_checks(sizing)
 
 
 def built_checks(sizing: Sizing) -> Iterator[Check]:

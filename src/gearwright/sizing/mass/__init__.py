@@ -18,7 +18,7 @@ from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.dishes import refuse_dishes
-from gearwright.sizing.mass.gears import bell_name
+from gearwright.sizing.mass.gears import bell_name, seat_names
 from gearwright.sizing.mass.housing import MOUNTS, RIBS, Wall, carried_in_walls, reaction_torque, wall_of
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
@@ -56,6 +56,7 @@ __all__ = [
     "refuse_dishes",
     "requirement_of",
     "ring_outside",
+    "seat_names",
     "statistics_beside",
     "summed",
     "tooth_of",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass.bodies import Seats, gear_volume, shaft_diameters
 from gearwright.sizing.mass.planet_bores import PlanetBore
 from gearwright.sizing.mass.record import MassItem
@@ -13,6 +14,7 @@ from gearwright.sizing.result import GearSizing, Sizing
 _SOLID = "A_z b ρ + annuli; A_z = z ∫ 2 ψ r dr"
 _SOURCE = "outline of the true tool; AGMA 2001-D04 (backup ratio 1.2); geometry"
 _BELL, _SHEAR = "wall; disc, t = 2 T/(π d² τ) at its hub, a cone to t/3", "equilibrium of a disc in shear (Tresca)"
+_SPLINE = "DIN 5480-1"
 SURE = 0.10
 """One standard deviation of gears over their value, an estimate: bores, webs, holes that lighten [-]."""
 SURE_BELL = 0.3
@@ -37,6 +39,12 @@ def gear_items(sizing: Sizing, bores: Mapping[str, PlanetBore]) -> Iterator[Mass
     for bell in bells(sizing):
         if f"{bell.ring.name}.mass" not in sizing.given:  # a ring's given mass is with its bell
             yield MassItem(bell_name(bell.ring), "gears", 1, bell.volume * density, SURE_BELL, _BELL, _SHEAR)
+    for seat in ring_seats(sizing):
+        if f"{seat.ring.name}.mass" not in sizing.given:
+            steel = sizing.design.material(sizing.design.rules(seat.ring.stage).material).density
+            teeth, keeper = seat_names(seat.ring)
+            yield MassItem(teeth, "gears", 1, seat.teeth_volume * steel, SURE, "half of the height of splines", _SPLINE)
+            yield MassItem(keeper, "gears", 1, seat.keeper_volume * density, SURE_BELL, "section", "estimate")
 
 
 def bell_name(ring: GearSizing) -> str:
@@ -46,6 +54,15 @@ def bell_name(ring: GearSizing) -> str:
         ring: That turns.
     """
     return f"{ring.name} bell"
+
+
+def seat_names(ring: GearSizing) -> tuple[str, str]:
+    """Return what the splines of a ring are called, and what keeps it in the housing.
+
+    Args:
+        ring: That stands in it.
+    """
+    return f"{ring.name} splines", f"{ring.name} keeper"
 
 
 def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:

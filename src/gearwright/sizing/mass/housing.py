@@ -18,6 +18,7 @@ from gearwright.sizing.casing import (
     carried_bosses,
     flanges_of,
     housed,
+    lands_of,
     screw_volume,
     shell_around,
 )
@@ -87,6 +88,9 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     webs = sum(carried.volume for carried in carried_bosses(sizing, wall.thickness)) * material.density
     if webs:
         yield _item("webs", webs, "F = Σ k_i (u_i·δ) u_i, σ = N/A + M/W ≤ 2 τ", "webs built in at both ends")
+    lands = sum(land.volume for land in lands_of(sizing, wall.thickness)) * material.density
+    if lands:
+        yield _item("lands of rings", lands, "from the splines of rings to the wall", "DIN 5480-1; widths: estimates")
 
 
 def _item(part: str, mass: float, formula: str, source: str, count: int = 1) -> MassItem:

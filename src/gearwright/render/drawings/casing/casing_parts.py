@@ -13,7 +13,7 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.casing import LENGTH, flanges_of, housed, shell_around
 from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
 
-SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses", "housing webs")
+SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses", "housing webs", "housing lands of rings")
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
 SCREWS = "housing bolts"
 """What of it is not one piece with it."""

@@ -16,7 +16,7 @@ from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.render.drawings.casing.web_section import web_nodes, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.shape import FLANGES, Node, Scene, screw_places
+from gearwright.shape import CHAMBER, FLANGES, Node, Scene, screw_places
 from gearwright.shape.solids import (
     Chamber,
     Fastener,
@@ -61,7 +61,7 @@ class Casing:
     @property
     def chambers(self) -> list[tuple[Node, Chamber]]:
         """Its chambers, from the first end on."""
-        return [piece for piece in self.pieces if FLANGES not in piece[0].name]
+        return [piece for piece in self.pieces if CHAMBER in piece[0].name]
 
     @property
     def halves(self) -> list[tuple[Node, Chamber]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.identity import Role, gear_part
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
@@ -17,7 +17,9 @@ from gearwright.render.drawings.views.gear_view import (
     bevel_corners,
     bevel_section,
     cylinder_section,
+    keeper_section,
     ring_section,
+    seat_section,
 )
 from gearwright.render.drawings.views.holder_view import holder_anchor, holder_section
 from gearwright.render.drawings.views.laid.beside import Lying
@@ -34,7 +36,8 @@ from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
 from gearwright.render.drawings.views.weights import made_of, mass_with_gears
 from gearwright.shape.teeth import cylindrical_gear, halves_of, is_internal, kind_of
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
-from gearwright.sizing.mass import Cage, bell_name, cage_of, ring_outside
+from gearwright.sizing.casing import RingSeat, ring_seats
+from gearwright.sizing.mass import Cage, bell_name, cage_of, ring_outside, seat_names
 from gearwright.sizing.places import bells, runs
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
@@ -249,7 +252,22 @@ def planetary_parts(
         ring = gears[Role.RING]
         entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
         items.append(gear_item(sizing, ring, axis, shaft=GROUND, middle=middle))
+        seat = next((seat for seat in ring_seats(sizing) if seat.ring is ring), None)
+        if seat is not None:
+            entities += seat_section(axis, seat, middle, lean=math.pi - lean)
+            entities += keeper_section(axis, seat, middle, lean=lean)
+            items[-1:] = _seated(sizing, items[-1], seat, axis, middle)
     return entities, items
+
+
+def _seated(sizing: Sizing, item: Item, seat: RingSeat, axis: Axis, middle: float) -> Iterator[Item]:
+    """Yield the item of a ring with the splines on its outside, and that of the ring that keeps it in the housing."""
+    teeth, keeper = (made_of(sizing).weights.get(name) for name in seat_names(seat.ring))
+    yield replace(item, remark=f"{item.remark}, W {seat.name}", mass=(item.mass or 0.0) + (teeth or 0.0))
+    low, high = seat.keeper
+    size = f"Ø{2.0 * MM * seat.outside:.4g} / Ø{2.0 * MM * seat.clear:.4g} x {MM * (high - low):.4g}, screwed"
+    anchor = axis.at(middle + MM * (low + high) / 2.0, -MM * (seat.outside + seat.clear) / 2.0)
+    yield Item(f"Keeper of {seat.ring.name}", size, 1, keeper, anchor)
 
 
 def _turning(axis: Axis, pin: float, bore: float, span: tuple[float, float]) -> Iterator[Entity]:

@@ -13,6 +13,7 @@ from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_prof
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, is_internal, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
+from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web
 from gearwright.sizing.places import BOSS
 from gearwright.spec import GROUND
@@ -132,9 +133,7 @@ def _bored(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
         hub = _joined(joint)
         return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear.stage) == "bevel" else hub
     if is_internal(sizing, gear):
-        bell = f"The arrangement has its bell to shaft {shaft}; their joint"
-        what = "What holds the ring" if shaft == GROUND else bell
-        return Hub(0.0, note=f"{what} is not sized, and not drawn.")
+        return Hub(0.0, note=_held(sizing, gear, shaft))
     carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
     if gear.role is Role.PLANET and carrier is not None:
         bore = 2.0 * MM * made_of(sizing).blanks[gear.name].bore_radius
@@ -145,6 +144,20 @@ def _bored(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
     sized = next((body for body in sizing.shafts if body.name == shaft), None)
     diameter = MM * sized.diameter if sized is not None else 0.0
     return _fitting(sizing, gear, diameter, "Bore: diameter of the shaft; their joint is not sized.")
+
+
+def _held(sizing: Sizing, ring: GearSizing, shaft: str) -> str:
+    """Return what holds a ring."""
+    if shaft != GROUND:
+        return f"The arrangement has its bell to shaft {shaft}; their joint is not sized, and not drawn."
+    seat = next((seat for seat in ring_seats(sizing) if seat.ring is ring), None)
+    if seat is None:
+        return "What holds the ring is not sized, and not drawn."
+    length, tip = (f"{MM * size:.4g}" for size in (seat.spline[1] - seat.spline[0], seat.teeth.shaft_tip))
+    return (
+        f"Outside, about the middle: splines W {seat.name} (as DIN 5480-1, which has no such diameter), {length} long, "
+        f"Ø{tip} over tips, drawn to half of their height."
+    )
 
 
 def _joined(joint: JointSizing) -> Hub:

@@ -13,6 +13,7 @@ from gearwright.render.drawings.views.gear_parts import Hub, Web
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
 from gearwright.sizing.blanks import BACKUP
+from gearwright.sizing.casing import RingSeat
 from gearwright.sizing.places import Bell
 
 
@@ -105,6 +106,38 @@ def ring_section(
             _pitch(axis, span, side * MM * teeth.pitch_radius),
         ]
     return entities
+
+
+def seat_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
+    """Return the splines of a ring that stands in the housing in section, to half of their height, both halves.
+
+    Args:
+        axis: Of the ring.
+        seat: Of the ring.
+        middle: Of the ring along the axis [mm].
+        lean: Angle of the hatching [rad].
+    """
+    span = (middle + MM * seat.spline[0], middle + MM * seat.spline[1])
+    return list(_rings(axis, span, (MM * seat.teeth.shaft_root / 2.0, MM * seat.middle), lean))
+
+
+def keeper_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
+    """Return the ring that keeps a ring in the housing in section, both halves.
+
+    Args:
+        axis: Of the ring.
+        seat: Of the ring.
+        middle: Of the ring along the axis [mm].
+        lean: Angle of the hatching [rad].
+    """
+    span = (middle + MM * seat.keeper[0], middle + MM * seat.keeper[1])
+    return list(_rings(axis, span, (MM * seat.clear, MM * seat.outside), lean))
+
+
+def _rings(axis: Axis, span: tuple[float, float], radii: tuple[float, float], lean: float) -> Iterator[Entity]:
+    for side in (1.0, -1.0):
+        corners = _box(span, radii[0], radii[1], side)
+        yield from (hatched(axis, corners, lean), line(axis, corners, closed=True))
 
 
 def bell_section(axis: Axis, bell: Bell, *, lean: float) -> list[Entity]:
