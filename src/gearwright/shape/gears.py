@@ -16,6 +16,9 @@ from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web, pinion_of, ring_outside, tooth_of
 
+LEAST_FLANK = 2
+"""Points on a flank of a ring, at least [-]; its hollow flanks are flatter than those of planets, and need one less."""
+
 
 class Leaning(NamedTuple):
     """How the teeth of a gear lean."""
@@ -77,7 +80,8 @@ def gear_solid(sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[s
         bore, width = blanks[gear.name].bore_radius, pinion.face_width
         return face_wheel(tooth_of(sizing, pinion), gear.teeth, width=width, bore=bore, fine=fine)
     tooth = tooth_of(sizing, gear)
-    loop = loop_of(transverse_form(tooth, fillet=fine.fillet, flank=fine.flank), gear.teeth)
+    flank = fine.flank if tooth.side > 0 else max(fine.flank - 1, LEAST_FLANK)
+    loop = loop_of(transverse_form(tooth, fillet=fine.fillet, flank=flank), gear.teeth)
     levels = _levels(gear, leaning, fine.layer, halves=halves_of(gear))
     if tooth.side < 0:
         return ring_gear(loop, levels, ring_outside(sizing, gear))
