@@ -135,7 +135,8 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
     flanges = flanges_of(sizing, shell, reaction_torque(sizing))
-    halves = list(flange_halves(flanges, stretches, wall))
+    taken = [list(_outside(stretch, through, wall)) for stretch in stretches]
+    halves = list(flange_halves(flanges, stretches, wall, taken))
     for k, (place, key, half) in enumerate(halves):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
@@ -153,6 +154,17 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
             name, width = f"housing, land {k}, {land.seat.ring.name}", piece.span[1] - piece.span[0]
             moved = Axes(np.array([piece.span[0], 0.0, 0.0]), axes.turned)
             yield Piece(name, name, Chamber(piece.outer, piece.inner, (0.0, width)), moved)
+
+
+def _outside(own: Stretch, leaving: Ways, wall: float) -> Iterator[tuple[float, float]]:
+    """Yield between which places ends of shafts and their covers stand outside of the wall of a cross-section [m]."""
+    outside = inside_of(own, wall) + wall
+    for (low, high), middle, radii in leaving[0]:
+        if not fits(outside, middle, max(radii)):
+            yield low, high
+    for choices in leaving[1]:
+        radius = max(opening.radius for opening in choices)
+        yield float(choices[0].middle[2]) - radius, float(choices[0].middle[2]) + radius
 
 
 def _carrying(sizing: Sizing) -> Iterator[Piece]:

@@ -8,10 +8,11 @@ from functools import cache
 import pytest
 
 import gearwright as gw
+from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
-from gearwright.sizing.arranged import Body, Point, Station
-from gearwright.sizing.casing import shell_around
-from gearwright.sizing.mass import complete_mass, gear_blanks, wall_of
+from gearwright.sizing.arranged import Body, Direction, Point, Station
+from gearwright.sizing.casing import housed, section_across, shell_around
+from gearwright.sizing.mass import CALIBRATED, complete_mass, gear_blanks, held_torques, reaction_torque, wall_of
 from gearwright.spec import edited
 
 STEEL = 7850.0
@@ -161,6 +162,29 @@ def test_twice_the_lengths_weigh_eight_times_but_for_walls_at_the_casting_minimu
     shells = [shell_around(sizing.arrangement.bodies) for sizing in (one, gw.size(edited(gw.read("off-set"), little)))]
     assert wall_of(one, shells[0]).why == "its torque"
     assert wall_of(gw.size(edited(gw.read("off-set"), little)), shells[1]).why == "the thinnest casting"
+
+
+def test_the_section_across_a_cylinder_is_a_circle_or_its_length_times_its_width():
+    length, radius = 0.3, 0.1
+    circles = (Station(0.0, radius), Station(length, radius))
+    body = Body(PartId(Kind.GEAR, "g"), "s", "", Point(0.1, 0.2, 0.3), Direction(1.0, 0.0, 0.0), circles)
+    assert section_across([body], Direction(1.0, 0.0, 0.0)) == pytest.approx(math.pi * (1.06 * radius) ** 2, rel=2e-3)
+    for way in (Direction(0.0, 1.0, 0.0), Direction(0.0, 0.0, -1.0)):
+        assert section_across([body], way) == pytest.approx(length * 2.0 * 1.06 * radius, rel=2e-3)
+
+
+def test_walls_are_by_each_torque_in_the_section_across_its_own_axis():
+    """The mast of EC120B stands square to all other shafts; the rotor's torque is held across it."""
+    sizing = gw.size(gw.read("ec120b"))
+    (along, small), (up, large) = held_torques(sizing)
+    assert (abs(along.x), abs(up.z)) == (pytest.approx(1.0), pytest.approx(1.0))
+    assert large == abs(sizing.reference.machine_torques["main-rotor"]) > 10.0 * small
+    shear = CALIBRATED.stress_share * 25e6
+    asked = large / (2.0 * section_across(housed(sizing), up) * shear)
+    assert wall_of(sizing, shell_around(housed(sizing))) == (pytest.approx(asked), "its torque")
+    one = gw.size(gw.read("off-set"))
+    (only,) = held_torques(one)
+    assert only[1] == reaction_torque(one), "parallel axes"
 
 
 @pytest.mark.parametrize("name", ["in-line", "off-set"])

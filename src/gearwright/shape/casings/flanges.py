@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.shape.solids import Chamber
+from gearwright.shape.solids import Chamber, without
 from gearwright.sizing.casing import HEAD, LENGTH, THICKNESS, WASHER, Flanges, Stretch
 from gearwright.sizing.casing.loops import NEAR, SAME, inside_of, loop_around, ways_of
 
@@ -25,30 +25,43 @@ ROOM = 1.05 * sum(ENDS)
 """From flange to flange over the thickness of a half [-]: halves, heads and ends of screws, and some air."""
 
 
-def flange_halves(flanges: Flanges, stretches: Sequence[Stretch], wall: float) -> Iterator[tuple[float, str, Chamber]]:
+Span = tuple[float, float]
+
+
+def flange_halves(
+    flanges: Flanges, stretches: Sequence[Stretch], wall: float, taken: Sequence[Sequence[Span]]
+) -> Iterator[tuple[float, str, Chamber]]:
     """Yield place, key and solid of both halves of every flange, as heavy as they are weighed.
 
     Args:
         flanges: As they are weighed.
         stretches: Cross-sections of the housing, each within the wider one beside it.
         wall: Thickness of the wall [m].
+        taken: Of every cross-section, between which places something stands outside of its wall [m].
     """
-    for k, place in _joints(stretches, flanges.number, flanges.thickness, wall):
+    for k, place in _joints(stretches, flanges.number, flanges.thickness, wall, taken):
         solid = _flange(inside_of(stretches[k], wall) + wall, flanges.face, flanges.thickness)
         yield place - flanges.thickness, f" {k + 1}", solid
         yield place, f" {k + 1}", solid
 
 
-def _joints(stretches: Sequence[Stretch], count: int, thick: float, wall: float) -> list[tuple[int, float]]:
+def _joints(
+    stretches: Sequence[Stretch], count: int, thick: float, wall: float, taken: Sequence[Sequence[Span]]
+) -> list[tuple[int, float]]:
     """Return number of the cross-section and place of every flange, from the first end to the last [m].
 
     They stand apart around cross-sections nearly as long around as the longest one; where there is no room for screws
     between them, around shorter ones, too.
     """
     longest, found = max(one.perimeter for one in stretches), list[tuple[int, float]]()
-    free = [_beside_plates(stretches, k, 1.05 * ENDS[1] * thick + wall) for k in range(len(stretches))]
+    room = 1.05 * ENDS[1] * thick
+    plain = [_beside_plates(stretches, k, room + wall) for k in range(len(stretches))]
+    clear = [_beside(span, held, room) for span, held in zip(plain, taken, strict=True)]
+    free = clear if any(low <= high for low, high in clear) else plain
     for least in NEARLY:
         wide = [k for k, one in enumerate(stretches) if one.perimeter >= least * longest and free[k][0] <= free[k][1]]
+        if not wide:
+            continue
         ends = np.cumsum([stretches[k].length for k in wide])
         found = []
         for share in np.linspace(0.0, float(ends[-1]), count):
@@ -69,6 +82,14 @@ def _beside_plates(stretches: Sequence[Stretch], k: int, room: float) -> tuple[f
     if k + 1 < len(stretches) and np.any(stretches[k + 1].reach > own.reach + SAME):
         high -= room
     return low, high
+
+
+def _beside(free: Span, taken: Sequence[Span], room: float) -> Span:
+    """Return the longest piece of a stretch on which a flange is clear of what stands outside of the wall [m]."""
+    if not taken or free[0] > free[1]:
+        return free
+    left = without([free], [(low - room, high + room) for low, high in taken])
+    return max(left, key=lambda span: span[1] - span[0], default=(free[0], free[0] - room))
 
 
 def _flange(reach: Floats, face: float, thick: float) -> Chamber:

@@ -17,7 +17,7 @@ from gearwright.sizing.casing.flanges import (
 from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed
 from gearwright.sizing.casing.ring_seats import Land, LandPiece, RingSeat, lands_of, ring_frame, ring_seats
 from gearwright.sizing.casing.rooms import rooms_around
-from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, shell_around, stretches_around
+from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, section_across, shell_around, stretches_around
 from gearwright.sizing.casing.webs import Carried, Collar, Web, ball_around, carried_bosses
 from gearwright.sizing.sealing import Leaving, leaving_of
 
@@ -54,6 +54,7 @@ __all__ = [
     "ring_seats",
     "rooms_around",
     "screw_volume",
+    "section_across",
     "shell_around",
     "stretches_around",
 ]

@@ -11,8 +11,8 @@ from gearwright.sizing.arranged import Body
 from gearwright.sizing.casing.loops import SAME, loop_size
 from gearwright.sizing.casing.shell import Stretch, stretches_around
 
-LEAST = 2.0
-"""Length of a room over the wall's thickness, below which it is one with its neighbour [-]."""
+LEAST, SHORTEST = 2.0, 0.02
+"""Length of a room over the wall's thickness [-], and in metres, below which it is one with its neighbour."""
 
 
 def rooms_around(bodies: Sequence[Body], wall: float) -> list[Stretch]:
@@ -30,7 +30,7 @@ def _long_enough(stretches: list[Stretch], wall: float) -> list[Stretch]:
     found = list(stretches)
     while len(found) > 1:
         k = min(range(len(found)), key=lambda k: found[k].length)
-        if found[k].length >= LEAST * wall:
+        if found[k].length >= max(LEAST * wall, SHORTEST):
             break
         beside = [_joined(found[j], found[k]) for j in (k - 1, k + 1) if 0 <= j < len(found)]
         _, one = min(beside, key=lambda choice: choice[0])

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,7 +18,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, following
 from gearwright.identity import Kind
-from gearwright.sizing.arranged import Body
+from gearwright.sizing.arranged import Body, Direction, Point
 
 _SIDES = 48
 """Sides of the polygon around a slice [-]."""
@@ -85,6 +86,24 @@ def shell_around(bodies: Iterable[Body]) -> Shell:
         is as wide as the narrower of the widest before and the widest behind it, so that its walls across are two.
     """
     return _around([_Round.of(body) for body in bodies])
+
+
+def section_across(bodies: Iterable[Body], way: Direction) -> float:
+    """Return the largest cross-section of the shell around bodies square to a direction [m²].
+
+    Args:
+        bodies: As the arrangement has them.
+        way: Unit vector.
+    """
+    first = np.array(way)
+    beside = np.cross(first, np.eye(3)[int(np.argmin(np.abs(first)))])
+    turned = np.stack([first, beside / np.linalg.norm(beside), np.cross(first, beside / np.linalg.norm(beside))])
+    moved = (
+        replace(body, origin=Point(*(turned @ np.array(body.origin)).tolist()),
+                direction=Direction(*(turned @ np.array(body.direction)).tolist()))
+        for body in bodies
+    )  # fmt: skip
+    return shell_around(moved).section
 
 
 def _around(rounds: list[_Round]) -> Shell:

@@ -10,6 +10,7 @@ from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, ho
 from gearwright.identity import Role
 from gearwright.latest import of_latest
 from gearwright.parts.bearings import BearingKind
+from gearwright.sizing.arranged import Direction
 from gearwright.sizing.casing import (
     BOSS,
     Carried,
@@ -20,6 +21,7 @@ from gearwright.sizing.casing import (
     housed,
     lands_of,
     screw_volume,
+    section_across,
     shell_around,
 )
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
@@ -34,6 +36,8 @@ RIBS = 0.20
 """Ribs over the shell [-], an estimate: as high as five walls, as thick as one, a fifth of the area each way."""
 MOUNTS = 0.10
 """Feet, lugs and torque arms over the shell [-], an estimate."""
+ALONG = 1e-6
+"""How far the cosine of directions of one axis may differ from 1 [-]."""
 SEAT = 1.6
 """Outside of a bearing over its shaft [-]: light series of ISO 15."""
 _SHARE = STEEL_SHARE[BearingKind.CYLINDRICAL]
@@ -122,17 +126,17 @@ def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> W
         shell: Around it.
         fitted: What published gearboxes set.
 
-    Source: Bredt's shear flow in the largest section, τ = T/(2 A t).
+    Source: Bredt's shear flow, τ = T/(2 A t), in the largest section across the axis of each torque.
     """
     given = sizing.design.housing.wall
     if given is not None:
         return Wall(given, "the design")
     material = housing_materials()[sizing.design.housing.material]
     shear = fitted.stress_share * material.shear_strength
-    asked = (
-        Wall(material.least_wall, "the thinnest casting"),
-        Wall(reaction_torque(sizing) / (2.0 * shell.section * shear), "its torque"),
-    )
+    asked = [Wall(material.least_wall, "the thinnest casting")]
+    for way, torque in held_torques(sizing):
+        section = shell.section if abs(way.x) > 1.0 - ALONG else section_across(housed(sizing), way)
+        asked.append(Wall(torque / (2.0 * section * shear), "its torque"))
     return max(asked)
 
 
@@ -146,8 +150,33 @@ def carried_in_walls(sizing: Sizing) -> tuple[Carried, ...]:
     return carried_bosses(sizing, wall_of(sizing, shell_around(housed(sizing))).thickness)
 
 
+def held_torques(sizing: Sizing) -> tuple[tuple[Direction, float], ...]:
+    """Return what the housing holds about each direction of machines' axes, in the case that speaks for the design.
+
+    Args:
+        sizing: As sized.
+
+    Returns:
+        Directions, from the first shaft's on, and torques [N m]: their sum about each, the largest machine at least.
+
+    Source: equilibrium of the whole.
+    """
+    shafts, frames = sizing.train.machines, sizing.arrangement.frames
+    about = [(frames[shafts[name]].along, torque) for name, torque in sizing.reference.machine_torques.items()]
+    found: list[tuple[Direction, float]] = []
+    for way, _ in sorted(about, key=lambda one: -abs(one[0].x)):
+        if all(abs(_cosine(way, other)) < 1.0 - ALONG for other, _ in found):
+            parts = [torque for other, torque in about if abs(_cosine(way, other)) > 1.0 - ALONG]
+            found.append((way, max(abs(sum(parts)), *map(abs, parts))))
+    return tuple(found)
+
+
+def _cosine(one: Direction, other: Direction) -> float:
+    return sum(a * b for a, b in zip(one, other, strict=True))
+
+
 def reaction_torque(sizing: Sizing) -> float:
-    """Return what the housing holds along the first shaft, in the case that speaks for the design [N m].
+    """Return what joints across the first shaft hold, in the case that speaks for the design [N m].
 
     Args:
         sizing: As sized.

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -215,7 +216,7 @@ def end_outlines(casing: Casing, scale: float) -> Iterator[Path]:
         casing: The housing.
         scale: mm of paper per mm [-].
     """
-    faces = [(solid.outer, solid.ends[0].holes if solid.ends[0] else ()) for _, solid in casing.pieces]
+    faces = [_face(node, solid, 0) for node, solid in casing.pieces]
     yield from _not_hidden(faces, lambda points: np.asarray(scale * MM * casing.seen(points), dtype=np.complex128))
 
 
@@ -229,24 +230,38 @@ def seen_from_second_end(scene: Scene) -> tuple[tuple[Path, ...], tuple[Floats, 
         Lines [mm], and outlines of its pieces across the first shaft [m]; y in space to the right, z upwards.
     """
     pieces = sorted(pieces_of(scene), key=lambda piece: -span_of(*piece)[1])
-    faces = [(solid.outer, solid.ends[1].holes if solid.ends[1] else ()) for _, solid in pieces]
+    faces = [_face(node, solid, 1) for node, solid in pieces]
     lines = _not_hidden(faces, lambda points: np.asarray(MM * (points[:, 0] + 1j * points[:, 1]), dtype=np.complex128))
     return tuple(lines), tuple(solid.outer for _, solid in pieces)
 
 
-def _not_hidden(
-    faces: Iterable[tuple[Floats, Iterable[Floats]]], seen: Callable[[Floats], Complexes]
-) -> Iterator[Path]:
+class _Face(NamedTuple):
+    """What a piece shows of itself along the first shaft."""
+
+    outer: Floats
+    holes: tuple[Floats, ...]
+    is_ring: bool
+    """Whether one looks through its one hole at what is behind; through those of plates, too little is seen."""
+
+
+def _face(node: Node, solid: Chamber, side: int) -> _Face:
+    end = solid.ends[side]
+    if FLANGES in node.name:
+        return _Face(solid.outer, (solid.inner,), is_ring=True)
+    return _Face(solid.outer, end.holes if end else (), is_ring=False)
+
+
+def _not_hidden(faces: Iterable[_Face], seen: Callable[[Floats], Complexes]) -> Iterator[Path]:
     """Yield the edges of faces with holes, one behind the other, past those before."""
-    before: list[Floats] = []
-    for outer, holes in faces:
-        yield from _edges(seen, outer, before)
-        for hole in holes:
-            yield from _edges(seen, hole, before)
-        before.append(outer + COVERED * (outer - outer.mean(axis=0)))
+    before: list[tuple[Floats, ...]] = []
+    for face in faces:
+        for loop in (face.outer, *face.holes):
+            yield from _edges(seen, loop, before)
+        through = tuple(hole - COVERED * (hole - hole.mean(axis=0)) for hole in face.holes if face.is_ring)
+        before.append((face.outer + COVERED * (face.outer - face.outer.mean(axis=0)), *through))
 
 
-def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[Floats]) -> Iterator[Path]:
+def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[tuple[Floats, ...]]) -> Iterator[Path]:
     """Yield what is seen of a loop past what stands before it, in lines as long as can be."""
     run: list[complex] = []
     for here, there in pairwise(np.concatenate([loop, loop[:1]])):
@@ -255,8 +270,11 @@ def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[F
             continue
         leg = Leg(0.0, length, here, (there - here) / length)
         left = [(0.0, length)]
-        for other in before:
-            left = without(left, spans_in(other, [leg]))
+        for outer, *through in before:
+            hidden = spans_in(outer, [leg])
+            for hole in through:
+                hidden = without(hidden, spans_in(hole, [leg]))
+            left = without(left, hidden)
         for low, high in left:
             ends = [complex(point) for point in seen(np.array([here + at * leg.along for at in (low, high)]))]
             if run and abs(run[-1] - ends[0]) < 1e-6:
