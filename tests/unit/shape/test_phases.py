@@ -84,8 +84,8 @@ WHOLE = ("ec120b", "in-line-h2", "mixed", "twin-engine-helicopter", "wind-turbin
 
 @pytest.mark.parametrize(("name", "found"), [*((name, 0) for name in WHOLE), ("ec120b-as-reported", 11)])
 def test_no_body_of_a_design_that_is_whole_stands_in_one_that_turns_against_it(name, found):
-    """The student's EC120B, whose checks of room fail, has six, two of them a wheel in bosses, and five of two covers in
-    walls without room for their holes; `benchmarks/solids.py` tells of all."""
+    """The student's EC120B, whose checks of room fail, has 6, two of them a wheel in bosses, and 5 of two covers
+    in walls without room for their holes; `benchmarks/solids.py` tells of all."""
     sizing = sized(name)
     assert len(overlaps(sizing, scene(sizing, detail="coarse"))) == found
 
