@@ -57,6 +57,8 @@ CHAMBER, COLLAR, WEB = "chamber", "collar", "web"
 """What pieces of the shell, and tubes and flat walls that carry bosses, are named."""
 BESIDE = 5e-4
 """Between a cover and the hole of the wall in which it lies [m], an assumption."""
+SPANNER = 0.02
+"""Between the edge of an opening in a side and the screws of a flange [m], an assumption."""
 AROUND = 1.06
 """Hole for a shaft over the shaft's diameter [-]: as much as the housing leaves around what turns."""
 
@@ -163,7 +165,7 @@ def _outside(own: Stretch, leaving: Ways, wall: float) -> Iterator[tuple[float, 
         if not fits(outside, middle, max(radii)):
             yield low, high
     for choices in leaving[1]:
-        radius = max(opening.radius for opening in choices)
+        radius = max(opening.radius for opening in choices) + SPANNER
         yield float(choices[0].middle[2]) - radius, float(choices[0].middle[2]) + radius
 
 

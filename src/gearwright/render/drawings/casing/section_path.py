@@ -21,6 +21,8 @@ from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.shape.solids import Leg
 from gearwright.sizing import Sizing
 from gearwright.sizing.arranged import Frame
+from gearwright.sizing.casing import boss_bodies
+from gearwright.sizing.shafts import holders_of
 
 BESIDE = 0.02
 """From a joint to a step of the section [m]: beyond flanges of common screws."""
@@ -161,7 +163,8 @@ def _across(sizing: Sizing, name: str, lying: Lying, corners: Corners) -> _Acros
     if at is None:
         return None
     bodies = [body for body in sizing.arrangement.bodies if body.shaft == name and str(body.part.kind) != "gear"]
-    wide = max((body.radius for body in bodies), default=0.0)
+    bosses = boss_bodies(sizing, holders_of(sizing))
+    wide = max([0.0, *(body.radius for body in (*bodies, *bosses.values()) if body.shaft == name)])
     ends = [lying.at(end) / MM for end in (lying.start, lying.end)]
     xs, ys = sorted(end.real for end in ends), sorted(end.imag for end in ends)
     return _Across(at, up, (xs[0] - wide, xs[1] + wide), (ys[0], ys[1]))
