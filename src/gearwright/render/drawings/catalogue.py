@@ -17,6 +17,7 @@ from gearwright.render.drawings.sheet.sheets import Sheet
 from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.shape.teeth import hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.places import runs
 from gearwright.verbs import verb
 
 
@@ -49,7 +50,10 @@ def contents(sizing: Sizing) -> Iterator[Content]:
         sizing: What was sized.
     """
     yield arrangement_content(sizing)
-    yield from (shaft_content(sizing, shaft.name) for shaft in sizing.shafts if shaft.diameter > 0.0)
+    made = {run.shaft for run in runs(sizing)[0]}  # a shaft that is the cage of its planets alone is none
+    yield from (
+        shaft_content(sizing, shaft.name) for shaft in sizing.shafts if shaft.diameter > 0.0 and shaft.name in made
+    )
     for gear in sizing.gears:
         for label, shaft in gear_sheets(sizing, gear).items():
             yield gear_content(sizing, gear, shaft, label)

@@ -54,6 +54,8 @@ from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass import bevel_dish, ring_outside
 from gearwright.sizing.places import BOSS
 
+BORE_ROUGHNESS = 1.6
+"""Ra of toleranced bores [µm]; assumed, as of bores in the housing."""
 LEAST_ACROSS = 20.0
 """Diameter on paper below which that of a hub stands in the notes alone [mm]."""
 CORNER = 2.0
@@ -129,6 +131,8 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         yield f"Run-out of the back IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
     if hub.bore and kind_of(sizing, gear.stage) == "cylindrical" and not is_internal(sizing, gear):
         yield f"Axial run-out of the faces IT{FACE_GRADE} at the root diameter against the bore A (assumed)."
+    if hub.tolerance:
+        yield f"Bore Ra {BORE_ROUGHNESS:g} (assumed)."
     if hub.teeth is not None:
         yield "Datum A is the pitch cylinder of the hub's spline."
     yield from edge_notes(hub.bore, MM * gear.module)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.gears.hardened import hard_grid, hard_teeth
 from gearwright.render.drawings.sheet.dimensions import drawn
 from gearwright.render.drawings.sheet.entities import Layer, Path, Words
@@ -75,3 +75,9 @@ def test_the_back_of_a_face_gear_runs_out_against_its_bore():
     """IT5 of 218.4 mm: 20 µm."""
     _, _, said = shown("face-gear-split-torque", "first.wheel-left")
     assert "0.02" in said and said.count("A") >= 2
+
+
+def test_a_shaft_that_no_solid_has_has_no_sheet():
+    """The Wolfrom reducer's cage is a carrier without anything else on its axis: not weighed, not drawn."""
+    names = [content.name for content in contents(sized("wolfrom-reducer"))]
+    assert "shaft-cage" not in names and {"shaft-fast", "shaft-slow"} <= set(names)
