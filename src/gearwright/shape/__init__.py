@@ -4,11 +4,13 @@ Envelopes and places are `sizing`'s; pages and drawings that show solids are `re
 """
 
 from gearwright.shape.casings.flanges import FLANGES, screw_places
+from gearwright.shape.casings.mounts import MOUNT
+from gearwright.shape.casings.ribs import RIB
 from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.contacts import Contact, contacts_of
 from gearwright.shape.glb import COLOURS, glb
 from gearwright.shape.housing import CHAMBER, COLLAR, WEB
-from gearwright.shape.masses import SolidMass, casing_masses, solid_masses
+from gearwright.shape.masses import SolidMass, casing_masses, short_of, solid_masses
 from gearwright.shape.record import Node, Scene
 from gearwright.shape.scene import DETAILS, scene
 from gearwright.shape.solids import Edges, Surface, edges_of
@@ -29,6 +31,8 @@ __all__ = [
     "COLOURS",
     "DETAILS",
     "FLANGES",
+    "MOUNT",
+    "RIB",
     "SCREW",
     "WEB",
     "Contact",
@@ -50,6 +54,7 @@ __all__ = [
     "kind_of",
     "scene",
     "screw_places",
+    "short_of",
     "sized_mesh",
     "solid_masses",
     "stands_of",

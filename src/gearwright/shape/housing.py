@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
+from zlib import crc32
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
 from gearwright.shape.casings.flanges import FLANGES, flange_halves
+from gearwright.shape.casings.mounts import MOUNT, lugs_on
+from gearwright.shape.casings.outside import Joint, Taken, rods_of
+from gearwright.shape.casings.ribs import RIB, ribs_on
 from gearwright.shape.casings.screws import SCREW, flange_screw, placed_screws
 from gearwright.shape.record import Node
 from gearwright.shape.shafts import bearing_bodies
@@ -43,7 +47,7 @@ from gearwright.sizing.casing import (
 )
 from gearwright.sizing.casing.loops import NEAR, SAME, fits, inside_of, loop_around
 from gearwright.sizing.casing.rooms import LEAST
-from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
+from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, reaction_torque, wall_of
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
@@ -145,6 +149,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     screw = flange_screw(flanges.thread)
     for name, at in placed_screws(flanges, [(place, half) for place, _, half in halves[1::2]]):
         yield Piece(name, f"housing {SCREW}", screw, Axes(at, axes.turned))
+    yield from _outside(sizing, drawn, chambers, halves, metal or shell.area * wall)
     bosses = bosses_of(sizing, holders_of(sizing))
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
@@ -181,6 +186,25 @@ def _carrying(sizing: Sizing) -> Iterator[Piece]:
             name = f"housing, {WEB} {k} of {web.bearing}"
             axes = Axes(web.start + web.length / 2.0 * web.way, np.column_stack([web.along, -web.across, web.way]))
             yield Piece(name, name, block(web.thickness, web.width, web.length), axes)
+
+
+def _outside(
+    sizing: Sizing, drawn: tuple[Run, ...], chambers: list[Chamber], halves: list[tuple[float, str, Chamber]],
+    skin: float,
+) -> Iterator[Piece]:  # fmt: skip
+    """Yield mounts and ribs on the outside, as heavy as they are weighed for a shell of so much metal [m³]."""
+    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    joints = [Joint(int(key) - 1, place, half) for place, key, half in halves[1::2]]
+    wall = float(np.max(chambers[0].outer[:, 0]) - np.max(chambers[0].inner[:, 0]))
+    rods = rods_of(sizing, drawn)
+    lugs = lugs_on(chambers, joints, MOUNTS * skin, rods)
+    for k, lug in enumerate(lugs):
+        form = crc32(np.round(lug.outline, 8).tobytes())
+        yield Piece(f"housing, {MOUNT} {k + 1}", f"housing {MOUNT} {form}", *lug.placed)
+    taken = [Taken(lug.foot, lug.span, lug.width / 2.0) for lug in lugs]
+    ribs = ribs_on(chambers, joints, flanges, wall, RIBS * skin, rods=rods, taken=taken)
+    for k, (size, solid, axes) in enumerate(ribs):
+        yield Piece(f"housing, {RIB} {k + 1}", f"housing {RIB} {size}", solid, axes)
 
 
 def _as_weighed(

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from gearwright.catalogue import STEEL_DENSITY, housing_materials
 from gearwright.identity import HOUSING, Kind, PartId
 from gearwright.shape.casings.flanges import FLANGES
+from gearwright.shape.casings.mounts import MOUNT
+from gearwright.shape.casings.ribs import RIB
 from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.housing import CHAMBER
 from gearwright.shape.record import Node, Scene, triangles_of
@@ -15,8 +17,10 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass
 from gearwright.units import Mass
 
-PARTS = {"housing flanges": FLANGES, "housing bolts": SCREW}
+PARTS = {"housing flanges": FLANGES, "housing bolts": SCREW, "housing ribs": RIB, "housing mounts": MOUNT}
 """What of a housing is drawn as it is weighed -> word in the names of its bodies."""
+NEAR = 5e-3
+"""By how much what is drawn may differ from what is weighed [-]."""
 CORNERS = 720
 """Of circles whose volumes are taken: their chords lose 1.3e-5 [-]."""
 
@@ -82,13 +86,24 @@ def casing_masses(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]
     material = housing_materials()[sizing.design.housing.material]
     exact = {name: triangles_of(scene.solids[name], CORNERS).volume
              for name in {node.surface for node in scene.nodes if node.part == HOUSING}}  # fmt: skip
-    volumes: defaultdict[str, float] = defaultdict(float)
+    volumes: dict[str, float] = dict.fromkeys(set(PARTS) & weighed.keys(), 0.0)
     for node in scene.nodes:
-        part = next((part for part, word in PARTS.items() if node.part == HOUSING and word in node.name), "")
+        part = next((part for part, word in PARTS.items() if node.name.startswith(f"housing, {word} ")), "")
         if part in weighed:
             volumes[part] += exact[node.surface]
     density = {part: STEEL_DENSITY if word == SCREW else material.density for part, word in PARTS.items()}
     return {part: (volume * density[part], weighed[part]) for part, volume in volumes.items()}
+
+
+def short_of(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]]:
+    """Return what of a housing is drawn otherwise than it is weighed, as `casing_masses`: walls leave no more room.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    drawn = casing_masses(sizing, scene)
+    return {part: masses for part, masses in drawn.items() if abs(masses[0] - masses[1]) > NEAR * masses[1]}
 
 
 def _of(node: Node, stage: str, part: PartId) -> bool:

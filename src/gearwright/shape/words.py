@@ -50,8 +50,8 @@ def _bodies(sizing: Sizing) -> Iterator[str]:
     if sizing.design.housing.own:
         yield (
             "the housing is the shell of the complete mass, a statistical one, as thick as it is weighed, with its "
-            "flanges and their screws, and bosses around sized bearings; ribs, feet, walls that carry bosses, "
-            "and openings for shafts that leave it across the first one are left out"
+            "flanges and their screws, ribs and mounts, bosses around sized bearings and what carries these; openings "
+            "for shafts of a first sizing that leave it across the first one are left out"
         )
     if any(holder.lip for holder in holders_of(sizing)):
         yield "radial seals are rings of their sizes, without the lip's form"

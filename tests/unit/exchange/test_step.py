@@ -119,7 +119,8 @@ def test_a_gearbox_is_read_back_with_the_names_colours_places_and_volumes_of_its
         assert written == pytest.approx(surface.volume, rel=near), label
         middle = properties.CentreOfMass()
         along = (np.array([middle.X(), middle.Y(), middle.Z()]) / 1e3 - node.axes.origin) @ node.axes.turned
-        assert flat or math.hypot(along[0], along[1]) < 1e-3 * surface.reach, label  # round bodies, on their axes
+        off_axis = flat or label.startswith("housing, mount")
+        assert off_axis or math.hypot(along[0], along[1]) < 1e-3 * surface.reach, label  # round bodies, on their axes
         assert BRepCheck_Analyzer(bodies[label]).IsValid(), label
         assert painted[node.surface] == pytest.approx(COLOURS[node.look], abs=2e-3), label
 

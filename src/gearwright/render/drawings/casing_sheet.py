@@ -12,6 +12,7 @@ from gearwright.catalogue import centre_allowance
 from gearwright.render.drawings.casing.casing_parts import SCREWS, SHOWN
 from gearwright.render.drawings.casing.casing_section import casing_entities
 from gearwright.render.drawings.casing.exits import closed_towards, exit_notes
+from gearwright.render.drawings.casing.outside_tables import mounts_grid, standing_notes
 from gearwright.render.drawings.casing.plane_section import (
     Casing,
     casing_of,
@@ -78,7 +79,8 @@ def casing_content(sizing: Sizing) -> Content | None:
     def views(scale: float) -> Rows:
         return [[_section(sizing, casing, scale), _end(sizing, casing, flanges, scale)]]
 
-    grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _webs(sizing, casing), _axes(sizing))
+    grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _webs(sizing, casing),
+             mounts_grid(casing), _axes(sizing))  # fmt: skip
     return Content(
         NAME, title, views, tuple(grid for grid in grids if grid.rows), tuple(_notes(sizing, casing, flanges)),
         largest_scale=1.0, kind="housing", is_whole=True, projected=True,
@@ -103,7 +105,7 @@ def _section(sizing: Sizing, casing: Casing, scale: float) -> list[Entity]:
     entities += _heights(sizing, casing, box, scale)
     node, half = casing.halves[0]
     top = scale * MM * complex(span_of(node, half)[1], spans_in(half.outer, [casing.leg])[-1][1])
-    knee = top + complex(-4.0, 10.0)
+    knee = complex(top.real, box[3] + HIGH)
     entities += [Path((top, knee), Layer.SYMBOL), arrow(top, (top - knee) / abs(top - knee), Layer.SYMBOL)]
     frame = Tolerance("flatness", FLAT)
     entities += tolerance_frame(knee + 1j * HIGH / 2.0, frame)
@@ -258,6 +260,7 @@ def _notes(sizing: Sizing, casing: Casing, flanges: Flanges) -> Iterator[str]:
     yield "Lengths from the outside of the first end. y and z across the first shaft, as in the arrangement."
     yield f"Positions of axes by {CENTRE_FIT} (DIN 3964) where the design gives nothing; flatness of joints assumed."
     yield from exit_notes(closed_towards(sizing, casing.scene))
+    yield from standing_notes(sizing, casing)
     hidden = [name for name in made_of(sizing).casing if name not in (*SHOWN, SCREWS)]
     if hidden:
         yield f"In the mass, not drawn: {', '.join(hidden)}. Radii and drafts are not sized."

@@ -101,6 +101,16 @@ def _flange(reach: Floats, face: float, thick: float) -> Chamber:
     return Chamber(loop_around(reach + wide), inner, (0.0, thick))
 
 
+def screw_loop(half: Chamber) -> Floats:
+    """Return the middle of a flange's face, along which its screws stand [m], shape (n, 2).
+
+    Args:
+        half: One half of the flange.
+    """
+    ways = ways_of(SIDES)
+    return loop_around(np.asarray([(ways @ one.T).max(axis=1) for one in (half.outer, half.inner)]).mean(axis=0))
+
+
 def screw_places(half: Chamber, number: int) -> Floats:
     """Return where the screws of a flange stand, equally far apart along the middle of its face [m], shape (n, 2).
 
@@ -108,8 +118,7 @@ def screw_places(half: Chamber, number: int) -> Floats:
         half: One half of the flange.
         number: Of screws.
     """
-    ways = ways_of(SIDES)
-    loop = loop_around(np.asarray([(ways @ one.T).max(axis=1) for one in (half.outer, half.inner)]).mean(axis=0))
+    loop = screw_loop(half)
     closed = np.concatenate([loop, loop[:1]])
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
     at = (np.arange(number) + 0.5) * along[-1] / number

@@ -20,7 +20,7 @@ from gearwright.shape.solids.fasteners import Fastener, Layer, fastener_surface
 from gearwright.shape.solids.plates import Arm, Form, Outline, plate, plate_form
 from gearwright.shape.solids.round_bodies import bearing, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
-from gearwright.shape.solids.surface import Edges, Surface, circle, edges_of
+from gearwright.shape.solids.surface import Edges, Surface, around, circle, edges_of
 from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
 __all__ = [
@@ -41,6 +41,7 @@ __all__ = [
     "Section",
     "Solid",
     "Surface",
+    "around",
     "bearing",
     "bevel_gear",
     "block",

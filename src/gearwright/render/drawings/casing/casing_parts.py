@@ -13,7 +13,9 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.casing import LENGTH, flanges_of, housed, shell_around
 from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
 
-SHOWN = ("housing", "housing shell", "housing flanges", "housing bosses", "housing webs", "housing lands of rings")
+SHOWN = tuple(
+    f"housing {part}".strip() for part in ("", "shell", "flanges", "bosses", "webs", "lands of rings", "ribs", "mounts")
+)
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
 SCREWS = "housing bolts"
 """What of it is not one piece with it."""
@@ -52,7 +54,7 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
         wall = wall_of(sizing, shell_around(housed(sizing)))
         yield (
             f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
-            f"measured, as {wall.why} asks, with flanges and bosses."
+            f"measured, as {wall.why} asks, with flanges, bosses, ribs and mounts."
         )
         bare = [name for one in carried_in_walls(sizing) if not one.found for name in one.bearings]
         if sizing.bearings:
@@ -63,6 +65,8 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
         if hidden:
             listed = ", ".join(f"{name} {mass:.3g} kg" for name, mass in hidden.items())
             yield f"Weighed, not drawn: {listed}."
+        for part, (drawn, weighed) in section.short.items():
+            yield f"{part.capitalize()}: {drawn:.3g} kg of {weighed:.3g} kg are drawn: walls leave no room for more."
         if section.steps:
             yield "The section of the housing steps from one plane of axes to the other at the chain line."
         elif not section.flat:

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
 
+from gearwright.render.drawings.casing.outside_view import rib_outlines
 from gearwright.render.drawings.casing.screw_view import screw_entities
 from gearwright.render.drawings.casing.section_path import Lane, crossed, lanes
 from gearwright.render.drawings.casing.web_section import Line, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.shape import FLANGES, Node, Scene
+from gearwright.shape import FLANGES, Node, Scene, short_of
 from gearwright.shape import scene as scene_of
 from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, bored, cut_chamber, spans_in, united, without
 from gearwright.sizing import Sizing
@@ -49,6 +50,10 @@ class CasingSection:
     """Centre lines of screws in flanges, through both halves, heads and nuts [mm]."""
     holes: tuple[Rectangle, ...] = ()
     """Clearance holes around them [m]."""
+    ribs: tuple[tuple[complex, ...], ...] = ()
+    """Outlines of ribs beside it [mm]."""
+    short: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    """What is drawn otherwise than weighed -> both masses [kg]."""
     thread: float = 0.0
     """Diameter of the screws that are drawn [mm]; 0 where their holes are alone."""
 
@@ -107,9 +112,11 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     screws = tuple(screw_lines(scene, ways))
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
-    others = tuple(crossed(sizing, plane, ways))
-    webs = tuple(webs_along(scene, ways, rectangles))
-    return CasingSection(cuts, steps, flat, tuple(leaning), webs, screws, holes, MM * flanges.thread, others)
+    ribs, short = rib_outlines(scene, ways, screws, MM * flanges.thread), short_of(sizing, scene)
+    return CasingSection(
+        cuts, steps, flat, tuple(leaning), tuple(webs_along(scene, ways, rectangles)), screws, holes, ribs, short,
+        MM * flanges.thread, tuple(crossed(sizing, plane, ways)),
+    )  # fmt: skip
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
@@ -202,6 +209,8 @@ def casing_entities(section: CasingSection, scale: float) -> Iterator[Entity]:
             yield from _outline([paper * complex(*corner) for corner in loop], [paper * at for at in section.steps])
     for start, end in section.webs:
         yield Path((paper * start, paper * end), Layer.OUTLINE)
+    for outline in section.ribs:
+        yield Path(tuple(scale * corner for corner in outline), Layer.OUTLINE, closed=True)
     for start, end in section.screws:
         yield Path((scale * start, scale * end), Layer.CENTRE)
         if section.thread:

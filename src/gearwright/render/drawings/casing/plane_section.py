@@ -12,12 +12,13 @@ import numpy as np
 
 from gearwright.arrays import Complexes, Floats
 from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
+from gearwright.render.drawings.casing.outside_view import mounts_of, rib_outlines, ribs_of, round_loop
 from gearwright.render.drawings.casing.rounded import rounded
 from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.render.drawings.casing.web_section import web_nodes, webs_across, webs_along
 from gearwright.render.drawings.sheet.entities import Arc, Entity, Layer, Path
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.shape import CHAMBER, FLANGES, Node, Scene, screw_places
+from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, Node, Scene, screw_places
 from gearwright.shape.solids import (
     Chamber,
     Fastener,
@@ -38,6 +39,8 @@ LINED = 1e-9
 """How far axes may turn from along the plane, or from square to it [-]."""
 COVERED = 1e-5
 """By how much what stands before an edge is taken as wider, so that equal edges are drawn once [-]."""
+UNCUT = tuple(f"housing, {word} " for word in (RIB, MOUNT))
+"""How names of bodies begin that stand outside of walls, and are not cut."""
 SHOWN = 1e-4
 """Edges that are shorter are left out [m]."""
 
@@ -143,7 +146,7 @@ def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> Casing
     webs = {node.name for node in web_nodes(scene)}
     for node in (node for node in scene.nodes if node.look == "housing" and node.name not in webs):
         solid, at = scene.solids[node.surface], float(node.axes.origin[0])
-        if isinstance(solid, Fastener):
+        if isinstance(solid, Fastener) or node.name.startswith(UNCUT):
             continue
         found = cut_chamber(solid, [leg]) if isinstance(solid, Chamber) else _cut_boss(node, solid, foot, up)
         if found is None:
@@ -156,7 +159,8 @@ def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> Casing
     screws = tuple(screw_lines(scene, ways))
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))
-    return CasingSection(cuts, (), flat=True, leaning=(), webs=edges, screws=screws, holes=holes)
+    ribs = rib_outlines(scene, ways)
+    return CasingSection(cuts, (), flat=True, leaning=(), webs=edges, screws=screws, holes=holes, ribs=ribs)
 
 
 def _cut_boss(node: Node, solid: Solid, foot: Floats, up: Floats) -> list[Rectangle] | None:
@@ -216,12 +220,14 @@ def end_outlines(casing: Casing, scale: float) -> Iterator[Path]:
         casing: The housing.
         scale: mm of paper per mm [-].
     """
-    faces = [_face(node, solid, 0) for node, solid in casing.pieces]
+    faces = [*(_face(node, solid, 0) for node, solid in casing.pieces), *_standing(casing.scene)]
     yield from _not_hidden(faces, lambda points: np.asarray(scale * MM * casing.seen(points), dtype=np.complex128))
 
 
 def seen_from_second_end(scene: Scene) -> tuple[tuple[Path, ...], tuple[Floats, ...]]:
     """Return what is seen of a housing along the first shaft from its second end, and loops that fill what it covers.
+
+    Ribs and mounts are left to the sheet of the housing.
 
     Args:
         scene: Solids with those of a housing.
@@ -229,48 +235,59 @@ def seen_from_second_end(scene: Scene) -> tuple[tuple[Path, ...], tuple[Floats, 
     Returns:
         Lines [mm], and outlines of its pieces across the first shaft [m]; y in space to the right, z upwards.
     """
-    pieces = sorted(pieces_of(scene), key=lambda piece: -span_of(*piece)[1])
-    faces = [_face(node, solid, 1) for node, solid in pieces]
+    faces = [_face(node, solid, 1) for node, solid in pieces_of(scene)]
     lines = _not_hidden(faces, lambda points: np.asarray(MM * (points[:, 0] + 1j * points[:, 1]), dtype=np.complex128))
-    return tuple(lines), tuple(solid.outer for _, solid in pieces)
+    return tuple(lines), tuple(face.cover for face in faces)
 
 
 class _Face(NamedTuple):
     """What a piece shows of itself along the first shaft."""
 
+    at: float
+    """Where it begins for who looks [m]."""
     outer: Floats
+    cover: Floats
+    """A convex outline, with which it hides what is behind [m]."""
     holes: tuple[Floats, ...]
-    is_ring: bool
+    is_ring: bool = False
     """Whether one looks through its one hole at what is behind; through those of plates, too little is seen."""
 
 
 def _face(node: Node, solid: Chamber, side: int) -> _Face:
-    end = solid.ends[side]
+    end, at = solid.ends[side], (-1.0 if side else 1.0) * span_of(node, solid)[side]
     if FLANGES in node.name:
-        return _Face(solid.outer, (solid.inner,), is_ring=True)
-    return _Face(solid.outer, end.holes if end else (), is_ring=False)
+        return _Face(at, solid.outer, solid.outer, (solid.inner,), is_ring=True)
+    return _Face(at, solid.outer, solid.outer, end.holes if end else ())
+
+
+def _standing(scene: Scene) -> Iterator[_Face]:
+    """Yield what ribs and mounts show towards the first end."""
+    for one in (*ribs_of(scene), *mounts_of(scene)):
+        yield _Face(one.span[0], one.loop, one.cover, (round_loop(one.hole),) if one.hole else ())
 
 
 def _not_hidden(faces: Iterable[_Face], seen: Callable[[Floats], Complexes]) -> Iterator[Path]:
     """Yield the edges of faces with holes, one behind the other, past those before."""
     before: list[tuple[Floats, ...]] = []
-    for face in faces:
+    for face in sorted(faces, key=lambda face: face.at):
         for loop in (face.outer, *face.holes):
             yield from _edges(seen, loop, before)
         through = tuple(hole - COVERED * (hole - hole.mean(axis=0)) for hole in face.holes if face.is_ring)
-        before.append((face.outer + COVERED * (face.outer - face.outer.mean(axis=0)), *through))
+        before.append((face.cover + COVERED * (face.cover - face.cover.mean(axis=0)), *through))
 
 
 def _edges(seen: Callable[[Floats], Complexes], loop: Floats, before: Sequence[tuple[Floats, ...]]) -> Iterator[Path]:
     """Yield what is seen of a loop past what stands before it, in lines as long as can be."""
     run: list[complex] = []
+    lows, highs = (np.array([pick(outer, axis=0) for outer, *_ in before]).reshape(-1, 2) for pick in (np.min, np.max))
     for here, there in pairwise(np.concatenate([loop, loop[:1]])):
         length = float(np.linalg.norm(there - here))
         if length < 1e-9:
             continue
         leg = Leg(0.0, length, here, (there - here) / length)
         left = [(0.0, length)]
-        for outer, *through in before:
+        near = np.all((lows < np.maximum(here, there)) & (highs > np.minimum(here, there)), axis=1)
+        for outer, *through in (before[k] for k in np.flatnonzero(near).tolist()):
             hidden = spans_in(outer, [leg])
             for hole in through:
                 hidden = without(hidden, spans_in(hole, [leg]))
