@@ -149,7 +149,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     screw = flange_screw(flanges.thread)
     for name, at in placed_screws(flanges, [(place, half) for place, _, half in halves[1::2]]):
         yield Piece(name, f"housing {SCREW}", screw, Axes(at, axes.turned))
-    yield from _outside(sizing, drawn, chambers, halves, metal or shell.area * wall)
+    yield from _standing(sizing, drawn, chambers, halves, metal or shell.area * wall)
     bosses = bosses_of(sizing, holders_of(sizing))
     for part, body in bearing_bodies(sizing):
         name, span = f"housing, boss of {part}", (-body.length / 2.0, body.length / 2.0)
@@ -188,7 +188,7 @@ def _carrying(sizing: Sizing) -> Iterator[Piece]:
             yield Piece(name, name, block(web.thickness, web.width, web.length), axes)
 
 
-def _outside(
+def _standing(
     sizing: Sizing, drawn: tuple[Run, ...], chambers: list[Chamber], halves: list[tuple[float, str, Chamber]],
     skin: float,
 ) -> Iterator[Piece]:  # fmt: skip
