@@ -88,7 +88,7 @@ def casing_masses(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]
              for name in {node.surface for node in scene.nodes if node.part == HOUSING}}  # fmt: skip
     volumes: dict[str, float] = dict.fromkeys(set(PARTS) & weighed.keys(), 0.0)
     for node in scene.nodes:
-        part = next((part for part, word in PARTS.items() if node.name.startswith(f"housing, {word} ")), "")
+        part = next((part for part, word in PARTS.items() if f"housing, {word} " in node.name), "")
         if part in weighed:
             volumes[part] += exact[node.surface]
     density = {part: STEEL_DENSITY if word == SCREW else material.density for part, word in PARTS.items()}

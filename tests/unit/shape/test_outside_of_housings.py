@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.shape import MOUNT, RIB, SCREW, casing_masses, scene
+from gearwright.shape import MOUNT, RIB, SCREW, casing_masses, scene, short_of
 from gearwright.shape.casings.mounts import BOLT, CENTRE, DEPTH, LUGS, lugs_on
 from gearwright.shape.casings.outside import Rods
 from gearwright.shape.casings.ribs import MOST, ribs_on
@@ -16,6 +16,8 @@ from shipped_work import sized
 
 OWN = [name for name in shipped_designs() if sized(name).design.housing.own]
 FEW = ["ec120b", "face-gear-split-torque", "in-line-h2", "off-set-h3", "twin-engine-helicopter"]
+SHORT = ["off-set-h2"]
+"""Whose walls leave too little room for ribs of five walls, as its sheets say."""
 NONE = Rods(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0))
 
 
@@ -23,8 +25,10 @@ NONE = Rods(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0))
 def test_ribs_and_mounts_weigh_what_is_drawn(name):
     drawn = casing_masses(sized(name), scene(sized(name), detail="coarse"))
     assert {"housing ribs", "housing mounts"} <= drawn.keys()
+    short = short_of(sized(name), scene(sized(name), detail="coarse"))
+    assert list(short) == (["housing ribs"] if name in SHORT else [])
     for part, (solid, weighed) in drawn.items():
-        assert solid == pytest.approx(weighed, rel=5e-4), part
+        assert solid < weighed if part in short else solid == pytest.approx(weighed, rel=5e-4), part
 
 
 @pytest.mark.parametrize("name", FEW)

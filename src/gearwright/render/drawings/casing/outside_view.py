@@ -82,7 +82,7 @@ def mounts_of(scene: Scene) -> list[Standing]:
 def _named(scene: Scene, word: str) -> Iterator[tuple[Node, Solid]]:
     for node in scene.nodes:
         solid = scene.solids.get(node.surface)
-        if node.name.startswith(f"housing, {word} ") and isinstance(solid, Solid):
+        if f"housing, {word} " in node.name and isinstance(solid, Solid):
             yield node, solid
 
 

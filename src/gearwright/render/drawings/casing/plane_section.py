@@ -40,7 +40,7 @@ LINED = 1e-9
 COVERED = 1e-5
 """By how much what stands before an edge is taken as wider, so that equal edges are drawn once [-]."""
 UNCUT = tuple(f"housing, {word} " for word in (RIB, MOUNT))
-"""How names of bodies begin that stand outside of walls, and are not cut."""
+"""In names of bodies that stand outside of walls, and are not cut."""
 SHOWN = 1e-4
 """Edges that are shorter are left out [m]."""
 
@@ -146,7 +146,7 @@ def _section(scene: Scene, flanges: Flanges, foot: Floats, up: Floats) -> Casing
     webs = {node.name for node in web_nodes(scene)}
     for node in (node for node in scene.nodes if node.look == "housing" and node.name not in webs):
         solid, at = scene.solids[node.surface], float(node.axes.origin[0])
-        if isinstance(solid, Fastener) or node.name.startswith(UNCUT):
+        if isinstance(solid, Fastener) or any(word in node.name for word in UNCUT):
             continue
         found = cut_chamber(solid, [leg]) if isinstance(solid, Chamber) else _cut_boss(node, solid, foot, up)
         if found is None:
