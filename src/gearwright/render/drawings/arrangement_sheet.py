@@ -22,6 +22,7 @@ from gearwright.render.drawings.casing.true_section import (
     true_items,
     true_section,
 )
+from gearwright.render.drawings.gears.set_notes import set_notes
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
 from gearwright.render.drawings.sheet.dimensions import arrow, drawn, extent
@@ -29,7 +30,13 @@ from gearwright.render.drawings.sheet.entities import SMALL, Arc, Box, Distance,
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.numbers import balloons
 from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
+from gearwright.render.drawings.views.arrangement_parts import (
+    Item,
+    axis_of,
+    planetary_parts,
+    shaft_parts,
+    standing_ring,
+)
 from gearwright.render.drawings.views.end_view import Outside, end_view, is_square, is_turned
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -39,8 +46,7 @@ from gearwright.render.style.labels import overlap
 from gearwright.shape import scene as scene_of
 from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import ring_seats
-from gearwright.sizing.places import CLAUSE, bells
+from gearwright.sizing.places import CLAUSE
 from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 from gearwright.spec import GROUND
 
@@ -134,9 +140,7 @@ def _notes(shown: _Shown) -> Iterator[str]:
         )
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
-    yield from _standing(shown)
-    if any(True for _ in bells(sizing)):
-        yield "Bells of rings: thickness by torque; what joins them to ring and shaft is not sized, and not drawn."
+    yield from set_notes(sizing, cut=shown.casing is not None)
     yield from _crowded(sizing)
     if shown.apart is not None:
         yield "B-B: by the plane through the first axis with most axes, the housing in section; other axes unfolded."
@@ -146,16 +150,6 @@ def _notes(shown: _Shown) -> Iterator[str]:
     yield f"Mass: the complete mass; {made_of(sizing).total - listed:.3g} kg of it are in no part of the list."
     yield "Gears in section by ISO 2203. Lubrication is not drawn."
     yield from _seals(sizing)
-
-
-def _standing(shown: _Shown) -> Iterator[str]:
-    """Yield how rings that do not turn are held."""
-    rings = [gear.name for gear in shown.sizing.gears if gear.rim and GROUND in gear.shafts]
-    if rings and not list(ring_seats(shown.sizing)):
-        yield "What holds rings that stand is not sized, and not drawn."
-    elif rings:
-        lands = "in lands of the housing" if shown.casing is not None else "in the housing"
-        yield f"Rings that stand have splines (as DIN 5480-1, cut at half of their height) {lands}; keepers by screws."
 
 
 def _seals(sizing: Sizing) -> Iterator[str]:
@@ -240,6 +234,10 @@ def _parts(shown: _Shown, scale: float) -> tuple[list[Entity], list[Item]]:
     for stage in sizing.design.planetaries:
         drawn, listed = planetary_parts(sizing, stage, plane, scale, lean=3.0 * math.pi / 4.0)
         entities, items = entities + drawn, items + listed
+    for ring in (gear for gear in sizing.gears if gear.rim and gear.stage in sizing.design.sets):
+        if GROUND in ring.shafts:
+            drawn, listed = standing_ring(sizing, ring, plane, scale, lean=math.pi / 4.0)
+            entities, items = entities + drawn, items + listed
     if shown.casing is not None:
         entities += casing_entities(shown.casing, scale)
         items += casing_items(sizing, shown.casing, scale)

@@ -248,15 +248,29 @@ def planetary_parts(
     plate = middle + side * (half + PLATE_GAP + MM * carrier.plate_thickness / 2.0)
     whole, mass = _made(cage), made_of(sizing).weights[str(carrier.part)]
     items.append(Item(f"Carrier {stage}", whole, 1, mass, axis.at(plate, 0.6 * MM * carrier.radius)))
-    if planetary.ring == GROUND:
-        ring = gears[Role.RING]
-        entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
-        items.append(gear_item(sizing, ring, axis, shaft=GROUND, middle=middle))
-        seat = next((seat for seat in ring_seats(sizing) if seat.ring is ring), None)
-        if seat is not None:
-            entities += seat_section(axis, seat, middle, lean=math.pi - lean)
-            entities += keeper_section(axis, seat, middle, lean=lean)
-            items[-1:] = _seated(sizing, items[-1], seat, axis, middle)
+    return entities, items
+
+
+def standing_ring(
+    sizing: Sizing, ring: GearSizing, plane: Positions, scale: float, *, lean: float
+) -> tuple[list[Entity], list[Item]]:
+    """Return a ring that stands in the housing, with the splines on its outside and its keeper.
+
+    Args:
+        sizing: What was sized.
+        ring: Of a set.
+        plane: Where everything lies.
+        scale: mm of paper per mm [-].
+        lean: Of the hatching [rad].
+    """
+    shaft = next(name for name in sizing.design.sets[ring.stage].members if name != GROUND)
+    axis, middle = axis_of(plane.shafts[shaft], scale), plane.places[shaft][ring.name]
+    entities = gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=lean)
+    items = [gear_item(sizing, ring, axis, shaft=GROUND, middle=middle)]
+    for seat in (seat for seat in ring_seats(sizing) if seat.ring is ring):
+        entities += seat_section(axis, seat, middle, lean=lean)
+        entities += keeper_section(axis, seat, middle, lean=math.pi - lean)
+        items = list(_seated(sizing, items[0], seat, axis, middle))
     return entities, items
 
 
