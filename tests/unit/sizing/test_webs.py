@@ -16,6 +16,7 @@ from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shape.stands import Axes
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import Web, carried_bosses, housed, shell_around, webs
+from gearwright.sizing.casing.around import Around
 from gearwright.sizing.casing.shell import Stretch
 from gearwright.sizing.making.bosses import boss_checks, web_checks
 from gearwright.sizing.mass import complete_mass, wall_of
@@ -67,7 +68,7 @@ def test_webs_on_one_line_hold_one_way_only(ways: list[np.ndarray]) -> None:
 def test_the_way_to_a_wall_goes_through_rooms_up_to_their_plates() -> None:
     wide, narrow = np.full(48, 0.1), np.full(48, 0.05)
     rooms = [Stretch(0.0, 0.2, wide, wide, 0.0, 0.0), Stretch(0.2, 0.3, narrow, narrow, 0.0, 0.0)]
-    place = webs._Place(rooms, (), np.empty((0, 4)), 0.01, None)  # type: ignore[arg-type]
+    place = Around(rooms, (), np.empty((0, 4)), 0.01, None)  # type: ignore[arg-type]
     assert place.reach(np.array([0.1, 0.0, 0.0]), Y) == pytest.approx(0.101)
     assert place.reach(np.array([0.1, 0.02, 0.0]), -Y) == pytest.approx(0.121)
     assert place.reach(np.array([0.1, 0.0, 0.0]), X) == pytest.approx(0.201), "through the narrow room to its end"
@@ -110,7 +111,7 @@ def test_the_review_names_bosses_to_which_nothing_finds_a_way(monkeypatch: pytes
     sizing = gw.size(gw.read("ec120b"))
     (check,) = web_checks(sizing)
     assert not check.fails and check.value == 10.0
-    monkeypatch.setattr(webs._Place, "is_free", lambda *_: False)
+    monkeypatch.setattr(Around, "is_free", lambda *_: False)
     (check,) = web_checks(gw.size(sizing.design))
     assert check.fails and "intermediate-nose" in check.why and "mast-upper" not in check.why
 

@@ -3,6 +3,7 @@
 What it weighs is for `sizing.mass`, its solids for `shape`.
 """
 
+from gearwright.sizing.casing.around import ball_around
 from gearwright.sizing.casing.flanges import (
     HEAD,
     HOLE,
@@ -18,7 +19,7 @@ from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_
 from gearwright.sizing.casing.ring_seats import Land, LandPiece, RingSeat, lands_of, ring_frame, ring_seats
 from gearwright.sizing.casing.rooms import rooms_around
 from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, section_across, shell_around, stretches_around
-from gearwright.sizing.casing.webs import Carried, Collar, Web, ball_around, carried_bosses
+from gearwright.sizing.casing.webs import Carried, Collar, Web, carried_bosses
 from gearwright.sizing.sealing import Leaving, leaving_of
 
 __all__ = [

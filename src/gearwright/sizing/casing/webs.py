@@ -8,27 +8,22 @@ is built in at both ends; together they hold the radial force, whichever way it 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.catalogue import HousingMaterial, housing_materials
+from gearwright.catalogue import housing_materials
 from gearwright.sizing.arranged import Body, Frame
+from gearwright.sizing.casing.around import CLEAR, SUNK, Around, ball_around
 from gearwright.sizing.casing.housed import bosses_of, housed
-from gearwright.sizing.casing.loops import NEAR, ways_of
 from gearwright.sizing.casing.rooms import rooms_around
-from gearwright.sizing.casing.shell import Stretch
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import Holder, holders_of
 
-CLEAR = 2e-3
-"""Between a web and what turns or holds bearings, at least [m], an assumption."""
-SUNK = 1e-3
-"""How far webs and collars go on into walls, so that they are one piece with them [m]."""
 STEP = 4e-3
 """Between places along a way at which it is looked at [m]."""
 AROUND = 12
@@ -112,65 +107,6 @@ class _Boss(NamedTuple):
     high: float
 
 
-class _Place(NamedTuple):
-    """What stands around bosses."""
-
-    rooms: Sequence[Stretch]
-    bodies: Sequence[Body]
-    balls: Floats
-    """Middle and radius of a ball around each body [m], shape (n, 4)."""
-    wall: float
-    material: HousingMaterial
-
-    def is_free(self, points: Floats, ignored: Callable[[Body], bool] = lambda _: False) -> bool:
-        """Tell whether points are clear of bodies.
-
-        Args:
-            points: [m], shape (n, 3).
-            ignored: Which bodies do not count.
-        """
-        middle = points.mean(axis=0)
-        radius = float(np.max(np.linalg.norm(points - middle, axis=1))) + CLEAR
-        near = np.linalg.norm(self.balls[:, :3] - middle, axis=1) < self.balls[:, 3] + radius
-        for k in np.flatnonzero(near).tolist():
-            body = self.bodies[k]
-            if ignored(body):
-                continue
-            off, axis = points - np.asarray(body.origin), np.asarray(body.direction)
-            place = off @ axis
-            beside = np.linalg.norm(off - place[:, None] * axis, axis=1)
-            places, radii = zip(*body.stations, strict=True)
-            within = (place > -CLEAR) & (place < body.length + CLEAR) & (beside > body.bore - CLEAR)
-            if np.any(within & (beside < np.interp(place, places, radii) + CLEAR)):
-                return False
-        return True
-
-    def reach(self, start: Floats, way: Floats) -> float:
-        """Return how far it is from a point into the wall [m]; 0 outside of all rooms.
-
-        Args:
-            start: [m], shape (3,).
-            way: Unit vector, shape (3,).
-        """
-        ways, far = ways_of(len(self.rooms[0].reach)), 0.0
-        across, order = ways @ way[1:], list(self.rooms if way[0] >= 0.0 else self.rooms[::-1])
-        for room in order:
-            here = start + far * way
-            ahead = (room.end if way[0] >= 0.0 else room.start) - here[0]
-            if (ahead < NEAR) if way[0] >= 0.0 else (ahead > -NEAR):
-                continue
-            left = room.reach - ways @ here[1:]
-            if left.min() < -NEAR or not room.start - NEAR < here[0] < room.end + NEAR:
-                return far + SUNK if far else 0.0
-            out = across > NEAR
-            side = float(np.min(left[out] / across[out], initial=math.inf))
-            plane = ahead / float(way[0]) if abs(way[0]) > NEAR else math.inf
-            if side <= plane:
-                return far + side + SUNK
-            far += plane
-        return far + SUNK if far else 0.0
-
-
 def carried_bosses(sizing: Sizing, wall: float) -> tuple[Carried, ...]:
     """Return how the housing carries the bosses of bearings on built shafts; nothing where it is none of its own.
 
@@ -190,19 +126,10 @@ def carried_bosses(sizing: Sizing, wall: float) -> tuple[Carried, ...]:
     rooms = rooms_around(bodies, wall)
     obstacles = [*sizing.arrangement.bodies, *(body for body in bodies if body not in sizing.arrangement.bodies)]
     material = housing_materials()[sizing.design.housing.material]
-    place = _Place(rooms, obstacles, np.array([ball_around(body) for body in obstacles]), wall, material)
+    balls = np.array([ball_around(body) for body in obstacles])
+    place = Around(rooms, obstacles, balls, wall, material)
     outsides = bosses_of(sizing, holders)
     return tuple(_carried(sizing, group, holders, place) for group in _groups(sizing, outsides))
-
-
-def ball_around(body: Body) -> list[float]:
-    """Return middle and radius of a ball around a body [m].
-
-    Args:
-        body: The body.
-    """
-    middle = np.asarray(body.origin) + body.length / 2.0 * np.asarray(body.direction)
-    return [*middle.tolist(), math.hypot(body.length / 2.0, body.radius)]
 
 
 def _groups(sizing: Sizing, outsides: dict[str, float]) -> Iterator[list[_Boss]]:
@@ -221,7 +148,7 @@ def _groups(sizing: Sizing, outsides: dict[str, float]) -> Iterator[list[_Boss]]
             yield group
 
 
-def _carried(sizing: Sizing, group: Sequence[_Boss], holders: Sequence[Holder], place: _Place) -> Carried:
+def _carried(sizing: Sizing, group: Sequence[_Boss], holders: Sequence[Holder], place: Around) -> Carried:
     """Return the lightest way in which walls carry some bosses."""
     names = tuple(boss.bearing.name for boss in group)
     frame = sizing.arrangement.frames[group[0].bearing.shaft]
@@ -241,12 +168,12 @@ def _carried(sizing: Sizing, group: Sequence[_Boss], holders: Sequence[Holder], 
     return min(ways, key=lambda way: way.volume, default=joined)
 
 
-def _bears(place: _Place) -> float:
+def _bears(place: Around) -> float:
     """Return the stress that webs and collars bear: twice the working shear stress of the housing, by Tresca [Pa]."""
     return 2.0 * place.material.shear_strength
 
 
-def _between(group: Sequence[_Boss], holders: Sequence[Holder], place: _Place) -> Iterator[Collar]:
+def _between(group: Sequence[_Boss], holders: Sequence[Holder], place: Around) -> Iterator[Collar]:
     """Yield what joins bosses beside each other on one shaft."""
     for one, other in pairwise(group):
         low, high = one.high, other.low
@@ -265,7 +192,7 @@ def _inner(bearing: BearingSizing, span: tuple[float, float], holders: Sequence[
 
 
 def _collar(
-    frame: Frame, boss: _Boss, way: int, forces: tuple[float, float], holders: Sequence[Holder], place: _Place
+    frame: Frame, boss: _Boss, way: int, forces: tuple[float, float], holders: Sequence[Holder], place: Around
 ) -> Collar | None:
     """Return the collar between the face of a boss and the wall before it; None where that is far or not free."""
     face = boss.low if way < 0 else boss.high
@@ -303,7 +230,7 @@ def _is_beside(body: Body, boss: _Boss, frame: Frame) -> bool:
 
 
 def _cross(
-    sizing: Sizing, frame: Frame, boss: _Boss, forces: tuple[float, float], place: _Place
+    sizing: Sizing, frame: Frame, boss: _Boss, forces: tuple[float, float], place: Around
 ) -> tuple[Web, ...] | None:
     """Return the first cross of webs from a boss that finds a way and bears; None where none does.
 
@@ -336,7 +263,7 @@ def _plane(sizing: Sizing, shaft: str) -> Floats:
     return np.asarray(nearest / np.linalg.norm(nearest))
 
 
-def _webs(frame: Frame, boss: _Boss, ways: Floats, forces: tuple[float, float], place: _Place) -> list[Web] | None:
+def _webs(frame: Frame, boss: _Boss, ways: Floats, forces: tuple[float, float], place: Around) -> list[Web] | None:
     """Return webs along those of some ways that are free, as thick as forces ask; None where they do not bear."""
     axis = np.asarray(frame.along)
     middle = np.asarray(frame.origin) + 0.5 * (boss.low + boss.high) * axis
@@ -358,7 +285,7 @@ def _webs(frame: Frame, boss: _Boss, ways: Floats, forces: tuple[float, float], 
     return None
 
 
-def _is_free(web: Web, place: _Place) -> bool:
+def _is_free(web: Web, place: Around) -> bool:
     """Tell whether nothing stands in the way of a web."""
     across = web.across
     places = np.arange(CLEAR, web.length, STEP)

@@ -53,8 +53,8 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
     else:
         wall = wall_of(sizing, shell_around(housed(sizing)))
         yield (
-            f"Housing: the shell of the complete mass, a wall of {millimetres(MM * wall.thickness)} mm where it is "
-            f"measured, as {wall.why} asks, with flanges, bosses, ribs and mounts."
+            f"Housing: a wall of {millimetres(MM * section.wall)} mm, the shell of the complete mass (thin, "
+            f"{millimetres(MM * wall.thickness)} mm as {wall.why} asks), with flanges, bosses, ribs and mounts."
         )
         bare = [name for one in carried_in_walls(sizing) if not one.found for name in one.bearings]
         if sizing.bearings:

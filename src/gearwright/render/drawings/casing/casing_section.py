@@ -57,6 +57,8 @@ class CasingSection:
     thread: float = 0.0
     """Diameter of the screws that are drawn [mm]; 0 where their holes are alone."""
 
+    wall: float = 0.0
+    """Thickness of the wall as it is drawn [m]."""
     crossed: tuple[str, ...] = ()
     """Shafts whose bodies it also cuts where the sheet does not show them."""
 
@@ -115,8 +117,14 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     ribs, short = rib_outlines(scene, ways, screws, MM * flanges.thread), short_of(sizing, scene)
     return CasingSection(
         cuts, steps, flat, tuple(leaning), tuple(webs_along(scene, ways, rectangles)), screws, holes, ribs, short,
-        MM * flanges.thread, tuple(crossed(sizing, plane, ways)),
+        MM * flanges.thread, _wall_of(scene), tuple(crossed(sizing, plane, ways)),
     )  # fmt: skip
+
+
+def _wall_of(scene: Scene) -> float:
+    """Return the thickness of a housing's wall, which is that of its plates [m]."""
+    chambers = [solid for node in scene.nodes if isinstance(solid := scene.solids.get(node.surface), Chamber)]
+    return next(end.thickness for chamber in chambers for end in chamber.ends if end)
 
 
 def _cut(node: Node, chamber: Chamber, ways: tuple[Lane, ...]) -> list[Rectangle] | None:
