@@ -43,11 +43,11 @@ from gearwright.sizing.casing import (
     lands_of,
     leaving_of,
     rooms_around,
-    shell_around,
+    shell_of,
 )
 from gearwright.sizing.casing.loops import NEAR, SAME, fits, inside_of, loop_around
 from gearwright.sizing.casing.rooms import LEAST
-from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, reaction_torque, wall_of
+from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, reaction_torque, wall_of, weighed_flanges
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
@@ -130,7 +130,7 @@ def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
 
 
 def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
-    shell = shell_around(housed(sizing))
+    shell = shell_of(sizing)
     wall = wall_of(sizing, shell).thickness
     stretches = rooms_around(bodies, wall)
     metal = shell.area * wall if sizing.design.housing.wall is None else None
@@ -193,7 +193,7 @@ def _standing(
     skin: float,
 ) -> Iterator[Piece]:  # fmt: skip
     """Yield mounts and ribs on the outside, as heavy as they are weighed for a shell of so much metal [m³]."""
-    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     joints = [Joint(int(key) - 1, place, half) for place, key, half in halves[1::2]]
     wall = float(np.max(chambers[0].outer[:, 0]) - np.max(chambers[0].inner[:, 0]))
     rods = rods_of(sizing, drawn)

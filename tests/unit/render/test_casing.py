@@ -21,8 +21,8 @@ from gearwright.render.drawings.views.positions import positions
 from gearwright.shape import screw_places
 from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.casing import flanges_of, housed, screw_volume, shell_around
-from gearwright.sizing.mass import complete_mass, reaction_torque
+from gearwright.sizing.casing import screw_volume
+from gearwright.sizing.mass import complete_mass, weighed_flanges
 from shipped_work import sized
 
 MM = 1e3
@@ -132,7 +132,7 @@ def test_the_list_of_parts_has_the_housing_with_its_mass():
         mass = sum(item.total for item in complete_mass(sizing).parts
                    if item.group == "housing" and item.part != "housing bolts")  # fmt: skip
         assert said[said.index("Housing") + 2] == f"{mass:.3g}"
-        flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+        flanges = weighed_flanges(sizing)
         row = said.index("Screw of flange")
         assert said[row - 1] == f"{flanges.number * flanges.screws}"
         assert said[row + 1 : row + 3] == ["M6 x 24, 10.9, nut, washers", f"{7850 * screw_volume(6e-3):.3g}"]
@@ -225,7 +225,7 @@ def test_the_sheet_of_the_housing_cuts_the_metal_that_is_there(name):
 def test_screws_stand_in_the_faces_of_flanges_as_far_apart_as_a_spanner_asks(name):
     sizing = sized(name)
     casing = casing_of(sizing, gw.scene(sizing))
-    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     for _, half in casing.halves:
         places = screw_places(half, flanges.screws)
         for shift in (0.0, 0.55 * flanges.thread, -0.55 * flanges.thread):

@@ -12,7 +12,15 @@ from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.casing import housed, section_across, shell_around
-from gearwright.sizing.mass import CALIBRATED, complete_mass, gear_blanks, held_torques, reaction_torque, wall_of
+from gearwright.sizing.mass import (
+    CALIBRATED,
+    complete_mass,
+    gear_blanks,
+    held_torques,
+    reaction_torque,
+    wall_of,
+    weighed_wall,
+)
 from gearwright.spec import edited
 
 STEEL = 7850.0
@@ -181,7 +189,7 @@ def test_walls_are_by_each_torque_in_the_section_across_its_own_axis():
     assert large == abs(sizing.reference.machine_torques["main-rotor"]) > 10.0 * small
     shear = CALIBRATED.stress_share * 25e6
     asked = large / (2.0 * section_across(housed(sizing), up) * shear)
-    assert wall_of(sizing, shell_around(housed(sizing))) == (pytest.approx(asked), "its torque")
+    assert weighed_wall(sizing) == (pytest.approx(asked), "its torque")
     one = gw.size(gw.read("off-set"))
     (only,) = held_torques(one)
     assert only[1] == reaction_torque(one), "parallel axes"

@@ -9,7 +9,7 @@ import gearwright as gw
 from gearwright.catalogue import bearings
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.gears import blank_volume
-from gearwright.sizing.casing import flanges_of, housed, screw_volume, shell_around
+from gearwright.sizing.casing import flanges_of, screw_volume, shell_of
 from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
 from gearwright.sizing.mass.beside import requirement_of
 from gearwright.sizing.mass.calibration import Calibration
@@ -129,7 +129,7 @@ def test_a_lightened_wheel_has_a_web_for_the_share_of_its_disc(share):
 def test_screws_of_a_flange_grip_its_torque():
     """n π/4 d² σ μ r ≥ T, n ≥ U/(5 d), r = U/(2 π), σ = 700 N/mm², μ = 0.15: a thread of ISO 261, M6 at least."""
     sizing = sized("in-line-h2")
-    shell = shell_around(housed(sizing))._replace(girth=0.9)
+    shell = shell_of(sizing)._replace(girth=0.9)
     for torque, thread in ((100.0, 6e-3), (10e3, 6e-3), (40e3, 20e-3), (1.3 * 40e3, 30e-3)):
         flanges = flanges_of(sizing, shell, torque)
         section = flanges.screws * math.pi / 4.0 * flanges.thread**2

@@ -9,9 +9,9 @@ import gearwright as gw
 from gearwright.catalogue import housing_materials
 from gearwright.shape import scene
 from gearwright.shape.record import triangles_of
-from gearwright.sizing.casing import housed, lands_of, ring_seats, shell_around
+from gearwright.sizing.casing import lands_of, ring_seats
 from gearwright.sizing.making import ring_seat_checks
-from gearwright.sizing.mass import complete_mass, wall_of
+from gearwright.sizing.mass import complete_mass, weighed_wall
 from gearwright.spec import edited
 
 near = pytest.approx
@@ -23,7 +23,7 @@ def sized(name, changes=()):
 
 
 def wall(sizing):
-    return wall_of(sizing, shell_around(housed(sizing))).thickness
+    return weighed_wall(sizing).thickness
 
 
 def inward(loop, point):

@@ -15,11 +15,11 @@ from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import Chamber, depth_in
 from gearwright.shape.stands import Axes
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import Web, carried_bosses, housed, shell_around, webs
+from gearwright.sizing.casing import Web, carried_bosses, webs
 from gearwright.sizing.casing.around import Around
 from gearwright.sizing.casing.shell import Stretch
 from gearwright.sizing.making.bosses import boss_checks, web_checks
-from gearwright.sizing.mass import complete_mass, wall_of
+from gearwright.sizing.mass import complete_mass, weighed_wall
 
 BUILT = ("ec120b", "ec120b-as-reported")
 X, Y, Z = np.eye(3)
@@ -31,7 +31,7 @@ def built(request: pytest.FixtureRequest) -> Sizing:
 
 
 def wall(sizing: Sizing) -> float:
-    return wall_of(sizing, shell_around(housed(sizing))).thickness
+    return weighed_wall(sizing).thickness
 
 
 def web(way: np.ndarray, length: float, width: float = 0.03) -> Web:

@@ -48,8 +48,8 @@ from gearwright.shape import scene as scene_of
 from gearwright.shape.solids import spans_in
 from gearwright.shape.teeth import kind_of, sized_mesh
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
-from gearwright.sizing.mass import carried_in_walls, reaction_torque
+from gearwright.sizing.casing import HOLE, Flanges
+from gearwright.sizing.mass import carried_in_walls, weighed_flanges
 
 NAME = "housing"
 CENTRE_FIT = "js7"
@@ -71,7 +71,7 @@ def casing_content(sizing: Sizing) -> Content | None:
     casing = casing_of(sizing, scene_of(sizing, detail="coarse")) if sizing.design.housing.own else None
     if casing is None:
         return None
-    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     mass = sum(each for name, each in made_of(sizing).casing.items() if name != SCREWS)
     material = sizing.design.housing.material
     title = Title(sizing.design.name, "Housing", NAME, "Component drawing", material, f"{mass:.1f}")

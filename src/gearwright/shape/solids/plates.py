@@ -23,7 +23,7 @@ TURNED = math.radians(105.0)
 """Of an eye that corners lie on, to both sides of its outermost point [rad]."""
 SHARP = 30.0
 """Exponent by which an outline goes from one arm over to the next without a corner: they meet 2.3 % further out [-]."""
-_HALVINGS = 40
+_HALVINGS = 30
 
 
 class Arm(NamedTuple):

@@ -144,8 +144,9 @@ def wall(sections: Sequence[Section], edges: Bools, *, inside: bool = False) -> 
     points = np.empty((levels, width, 3))
     points[:, before], points[:, after] = places, places
     # Along the outline and along the axis, both by differences; their product stands square to the surface.
-    along = np.roll(places, -1, axis=1) - places
-    axial = np.gradient(places, axis=0) if levels > 1 else np.zeros_like(places)
+    seen = places[:1] if levels == 2 and np.array_equal(places[0, :, :2], places[1, :, :2]) else places
+    along = np.roll(seen, -1, axis=1) - seen
+    axial = np.gradient(places, axis=0)[: len(seen)] if levels > 1 else np.zeros_like(places)
     onward = np.cross(along, 0.5 * (axial + np.roll(axial, -1, axis=1)))
     onward /= np.linalg.norm(onward, axis=2, keepdims=True)
     backward = np.roll(onward, 1, axis=1)

@@ -15,7 +15,7 @@ from gearwright.sizing.casing.flanges import (
     flanges_of,
     screw_volume,
 )
-from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed
+from gearwright.sizing.casing.housed import BOSS, boss_bodies, bosses_of, cover_at, cover_bodies, housed, shell_of
 from gearwright.sizing.casing.ring_seats import Land, LandPiece, RingSeat, lands_of, ring_frame, ring_seats
 from gearwright.sizing.casing.rooms import rooms_around
 from gearwright.sizing.casing.shell import Shell, Stretch, outline_of, section_across, shell_around, stretches_around
@@ -57,5 +57,6 @@ __all__ = [
     "screw_volume",
     "section_across",
     "shell_around",
+    "shell_of",
     "stretches_around",
 ]

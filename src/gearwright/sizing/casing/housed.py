@@ -8,7 +8,9 @@ import numpy as np
 
 from gearwright.catalogue import housing_materials
 from gearwright.identity import HOUSING, Kind
+from gearwright.latest import of_latest
 from gearwright.sizing.arranged import Body, Point, Station
+from gearwright.sizing.casing.shell import Shell, shell_around
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.sealing import NEAR, Leaving, leaving_of
 from gearwright.sizing.shafts import Holder, holders_of
@@ -17,6 +19,7 @@ BOSS = 0.12
 """Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 
 
+@of_latest
 def housed(sizing: Sizing) -> tuple[Body, ...]:
     """Return the bodies around which a housing stands: all but the ends of built shafts that leave it.
 
@@ -29,6 +32,16 @@ def housed(sizing: Sizing) -> tuple[Body, ...]:
     ends = tuple(leaving_of(sizing))
     inside = [body for body in sizing.arrangement.bodies if not any(_is_in(sizing, body, end) for end in ends)]
     return (*inside, *_still(sizing, ends))
+
+
+@of_latest
+def shell_of(sizing: Sizing) -> Shell:
+    """Return the shell of a housing around all that stands in it.
+
+    Args:
+        sizing: As sized.
+    """
+    return shell_around(housed(sizing))
 
 
 def bosses_of(sizing: Sizing, holders: Sequence[Holder]) -> dict[str, float]:

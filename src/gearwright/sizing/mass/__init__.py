@@ -19,7 +19,17 @@ from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.dishes import refuse_dishes
 from gearwright.sizing.mass.gears import bell_name, seat_names
-from gearwright.sizing.mass.housing import MOUNTS, RIBS, Wall, carried_in_walls, held_torques, reaction_torque, wall_of
+from gearwright.sizing.mass.housing import (
+    MOUNTS,
+    RIBS,
+    Wall,
+    carried_in_walls,
+    held_torques,
+    reaction_torque,
+    wall_of,
+    weighed_flanges,
+    weighed_wall,
+)
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
@@ -62,4 +72,6 @@ __all__ = [
     "summed",
     "tooth_of",
     "wall_of",
+    "weighed_flanges",
+    "weighed_wall",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearwright.sizing.casing import housed, shell_around
+from gearwright.sizing.casing import shell_of
 from gearwright.sizing.mass.bearings import bearing_items
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.details import detail_items
@@ -49,7 +49,7 @@ def summed(sizing: Sizing, fitted: Calibration) -> CompleteMass:
     bores = planet_bores(sizing, duties)
     bearings = tuple(bearing_items(sizing, duties, bores))
     parts = [*gear_items(sizing, bores), *shaft_items(sizing), *carrier_items(sizing), *bearings]
-    shell = shell_around(housed(sizing))
+    shell = shell_of(sizing)
     parts += housing_items(sizing, shell, bearings, fitted)
     parts += oil_items(sizing, shell.volume)
     parts += detail_items(sizing, parts, fitted)

@@ -14,6 +14,7 @@ from gearwright.sizing.arranged import Direction
 from gearwright.sizing.casing import (
     BOSS,
     Carried,
+    Flanges,
     Shell,
     bosses_of,
     carried_bosses,
@@ -22,7 +23,7 @@ from gearwright.sizing.casing import (
     lands_of,
     screw_volume,
     section_across,
-    shell_around,
+    shell_of,
 )
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.record import MassItem
@@ -141,13 +142,33 @@ def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> W
 
 
 @of_latest
+def weighed_wall(sizing: Sizing) -> Wall:
+    """Return the wall of a housing around all that stands in it.
+
+    Args:
+        sizing: As sized.
+    """
+    return wall_of(sizing, shell_of(sizing))
+
+
+@of_latest
+def weighed_flanges(sizing: Sizing) -> Flanges:
+    """Return the flanges of a housing around all that stands in it.
+
+    Args:
+        sizing: As sized.
+    """
+    return flanges_of(sizing, shell_of(sizing), reaction_torque(sizing))
+
+
+@of_latest
 def carried_in_walls(sizing: Sizing) -> tuple[Carried, ...]:
     """Return how the housing, in its wall as it is weighed, carries the bosses of bearings.
 
     Args:
         sizing: As sized.
     """
-    return carried_bosses(sizing, wall_of(sizing, shell_around(housed(sizing))).thickness)
+    return carried_bosses(sizing, weighed_wall(sizing).thickness)
 
 
 def held_torques(sizing: Sizing) -> tuple[tuple[Direction, float], ...]:

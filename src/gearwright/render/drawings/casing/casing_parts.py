@@ -10,8 +10,8 @@ from gearwright.render.drawings.views.arrangement_parts import Item
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.weights import made_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import LENGTH, flanges_of, housed, shell_around
-from gearwright.sizing.mass import carried_in_walls, reaction_torque, wall_of
+from gearwright.sizing.casing import LENGTH
+from gearwright.sizing.mass import carried_in_walls, weighed_flanges, weighed_wall
 
 SHOWN = tuple(
     f"housing {part}".strip() for part in ("", "shell", "flanges", "bosses", "webs", "lands of rings", "ribs", "mounts")
@@ -33,7 +33,7 @@ def casing_items(sizing: Sizing, section: CasingSection, scale: float) -> Iterat
     mass = sum(each for name, each in masses.items() if name != SCREWS)
     yield Item("Housing", sizing.design.housing.material, 1, mass, scale * section.anchor)
     if SCREWS in masses:
-        flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+        flanges = weighed_flanges(sizing)
         count, size = flanges.number * flanges.screws, f"M{trimmed(MM * flanges.thread, 1)}"
         remark = f"{size} x {trimmed(MM * LENGTH * flanges.thread, 1)}, 10.9, nut, washers"
         yield Item("Screw of flange", remark, count, masses[SCREWS] / count, scale * section.screw)
@@ -51,7 +51,7 @@ def casing_notes(sizing: Sizing, section: CasingSection | None) -> Iterator[str]
     elif section is None:
         yield "The housing is not drawn: the section has axes beside each other that are not in one plane in space."
     else:
-        wall = wall_of(sizing, shell_around(housed(sizing)))
+        wall = weighed_wall(sizing)
         yield (
             f"Housing: a wall of {millimetres(MM * section.wall)} mm, the shell of the complete mass (thin, "
             f"{millimetres(MM * wall.thickness)} mm as {wall.why} asks), with flanges, bosses, ribs and mounts."

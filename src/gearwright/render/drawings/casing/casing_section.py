@@ -20,8 +20,8 @@ from gearwright.shape import FLANGES, Node, Scene, short_of
 from gearwright.shape import scene as scene_of
 from gearwright.shape.solids import Chamber, Cut, Rectangle, Solid, bored, cut_chamber, spans_in, united, without
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import HOLE, Flanges, flanges_of, housed, shell_around
-from gearwright.sizing.mass import carried_in_walls, reaction_torque
+from gearwright.sizing.casing import HOLE, Flanges
+from gearwright.sizing.mass import carried_in_walls, weighed_flanges
 
 LEAN, SPACING = math.pi / 4.0, 4.0
 """Of the hatching of the housing [rad] and [mm]: wider than that of gears; parts beside a joint lean the other way."""
@@ -110,7 +110,7 @@ def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
     steps = tuple(lane.end for lane in ways[:-1])
     legs = [leg for lane in ways for leg in lane.legs]
     flat = all(abs(float(leg.along @ legs[0].along)) > 1.0 - SQUARE for leg in legs)
-    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     screws = tuple(screw_lines(scene, ways))
     holes = screw_holes(screws, flanges)
     cuts = tuple(united(bored(rectangles, holes), joints_of(scene)))

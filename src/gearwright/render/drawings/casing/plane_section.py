@@ -32,8 +32,8 @@ from gearwright.shape.solids import (
     without,
 )
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import Flanges, flanges_of, housed, shell_around
-from gearwright.sizing.mass import reaction_torque
+from gearwright.sizing.casing import Flanges
+from gearwright.sizing.mass import weighed_flanges
 
 LINED = 1e-9
 """How far axes may turn from along the plane, or from square to it [-]."""
@@ -132,7 +132,7 @@ def casing_of(sizing: Sizing, scene: Scene) -> Casing | None:
             ways.append(off / np.linalg.norm(off))
     held = [sum(abs(float((np.array(frame.origin[1:]) - foot) @ [-way[1], way[0]])) < SHOWN for frame in frames)
             for way in ways]  # fmt: skip
-    flanges = flanges_of(sizing, shell_around(housed(sizing)), reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     for k in sorted(range(len(ways)), key=lambda k: -held[k]):
         section = _section(scene, flanges, foot, ways[k])
         if section is not None:
