@@ -15,6 +15,26 @@ def sized(name="in-line-h2"):
     return size(read(shipped_design(name)))
 
 
+def ball_bearings_of_the_tail(front="", rear='locates = "both"\n'):
+    """Return the text of EC120B with its tail on two ball bearings near its gear, each with more keys.
+
+    Covers of the tail and of the input stand in each other then; shafts and bearings are what tests look at.
+    """
+    text = shipped_design("ec120b").read_text(encoding="utf-8")
+    for long, short in (
+        ("length_mm = 190", "length_mm = 160"),
+        ("rotor-brake.position_mm = 150", "rotor-brake.position_mm = 120"),
+        ("tail-drive.position_mm = 175", "tail-drive.position_mm = 145"),
+    ):
+        assert text.count(long) == 1
+        text = text.replace(long, short)
+    head, tail = text.split("[bearings.tail-front]")
+    joints = tail[tail.index("\n[joints]") :]
+    kind = 'shaft = "tail"\nkind = "deep-groove"\n'
+    seats = f"{kind}position_mm = 30\n{front}\n[bearings.tail-rear]\n{kind}position_mm = 95\n{rear}"
+    return f"{head}[bearings.tail-front]\n{seats}{joints}"
+
+
 @cache
 def flown(design="in-line-h2", mission="thesis"):
     """Return the flight of a shipped mission by a shipped design."""

@@ -234,9 +234,9 @@ def test_a_spline_that_does_not_pass_over_the_seats_outside_it_is_refused_with_o
 
 
 def test_splines_are_cut_on_to_the_end_of_their_seat_from_which_the_hub_comes():
-    """12 mm of the tail drive's hub of 30 mm bear, about 145 mm; its teeth go on to the end of the shaft at 160 mm."""
+    """12 mm of the tail drive's hub of 30 mm bear, about 175 mm; its teeth go on to the end of the shaft at 190 mm."""
     sizing = sized("ec120b")
     (teeth,) = shaft_body(sizing, "tail").splines
-    assert (teeth.start, teeth.end) == pytest.approx((139.0, 160.0))
+    assert (teeth.start, teeth.end) == pytest.approx((169.0, 190.0))
     (wheel,) = shaft_body(sizing, "intermediate").splines
     assert wheel.start == pytest.approx(73.5) and wheel.end == pytest.approx(92.0 + 37.0 / 2.0)

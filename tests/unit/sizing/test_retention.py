@@ -14,7 +14,7 @@ from gearwright.sizing.mounted import ShaftStep
 from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
 from gearwright.sizing.shafts.holding.retention import Seated, _retention, _seated
 from gearwright.spec.design import LOCATES
-from shipped_work import sized
+from shipped_work import ball_bearings_of_the_tail, sized
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
 
@@ -48,12 +48,7 @@ def test_an_end_plate_holds_a_bearing_that_has_no_room_for_a_groove():
     assert check.limit == pytest.approx(33550.0, rel=1e-3)
 
 
-UNHELD = TEXT.replace(
-    'position_mm = 30\nkind = "deep-groove"\n', 'position_mm = 30\nkind = "deep-groove"\nlocates = "both"\n'
-)
-UNHELD = UNHELD.replace(
-    'position_mm = 95\nkind = "deep-groove"\nlocates = "both"', 'position_mm = 95\nkind = "deep-groove"'
-)
+UNHELD = ball_bearings_of_the_tail('locates = "both"\n', "")
 """The EC120B gearbox whose tail shaft is located by its front bearing, beside which it is thinner at once."""
 
 

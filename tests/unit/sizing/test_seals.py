@@ -12,7 +12,7 @@ from gearwright.sizing.making import built_checks
 from gearwright.sizing.sealing import exits_of
 from gearwright.sizing.shafts import holders_of, seal_checks, sealed_exits, unsealed_exits
 from gearwright.spec import edited
-from shipped_work import sized
+from shipped_work import ball_bearings_of_the_tail, sized
 
 RELIEF, LEAST_WALL = 2e-3, 4e-3
 """Depth of a cover over inner ring and cage, and the thinnest aluminium casting [m]."""
@@ -74,7 +74,7 @@ def test_screws_of_a_cover_have_room_beside_its_boss():
 
 
 def test_a_bearing_that_slides_keeps_its_air_beside_a_cover_that_only_seals():
-    sizing = sized("ec120b")
+    sizing = gw.size(gw.parse(ball_bearings_of_the_tail()))
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == "tail-front")
     cover = next(holder for holder in holders_of(sizing) if holder.beside == "tail-front" and holder.kind == "cover")
     assert bearing.position - bearing.width / 2.0 - cover.end == pytest.approx(1e-3)

@@ -140,9 +140,9 @@ def test_fits_that_nothing_reads_are_told():
     assert "give allowance, too" in problem(SPUR + '[pairs.stage.gears]\ncentre_allowance = "js7"\n').message
 
 
-def test_a_centre_distance_beyond_the_table_is_refused_with_its_stage():
+def test_a_centre_distance_beyond_the_table_is_refused_where_its_fit_is_written():
     huge = SPUR.replace("module_mm = 2", "module_mm = 100") + '[gears]\nallowance = "a25"\ncentre_allowance = "js7"\n'
-    with pytest.raises(DesignError, match=r"pairs.stage.gears.centre_allowance.*up to 3150 mm"):
+    with pytest.raises(DesignError, match=r"  gears.centre_allowance.*up to 3150 mm"):
         size(parse(huge))
 
 

@@ -26,6 +26,8 @@ def inside_of(own: Stretch, wall: float) -> Floats:
         wall: Thickness [m].
     """
     corners = loop_around(own.reach - wall / 2.0)
+    if not len(corners):  # a wall thicker than the room is wide
+        return np.asarray(own.least + GAP)
     return np.asarray(np.maximum(np.max(corners @ ways_of(len(own.reach)).T, axis=0), own.least + GAP))
 
 
@@ -66,6 +68,8 @@ def loop_size(reach: Floats) -> tuple[float, float]:
 def loop_around(reach: Floats) -> Floats:
     """Return the corners of the polygon n·p ≤ h, also where some of its sides lie outside of others [m], shape (n, 2).
 
+    None where nothing lies within all sides.
+
     Args:
         reach: h in every direction [m].
     """
@@ -76,6 +80,8 @@ def loop_around(reach: Floats) -> Floats:
     corners = [complex(wide, -wide), complex(wide, wide), complex(-wide, wide), complex(-wide, -wide)]
     for way, limit in zip((ways[:, 0] - 1j * ways[:, 1]).tolist(), reach.tolist(), strict=True):
         far = [(corner * way).real - limit for corner in corners]
+        if not far:
+            return np.empty((0, 2))
         if max(far) <= 0.0:
             continue
         kept: list[complex] = []
