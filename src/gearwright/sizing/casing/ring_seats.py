@@ -16,7 +16,7 @@ from gearwright.arrays import Floats, following
 from gearwright.catalogue import housing_materials
 from gearwright.parts.joints import Spline, spline, spline_length, spline_pressure
 from gearwright.parts.joints.spline import MODULES
-from gearwright.sizing.arranged import Frame
+from gearwright.sizing.arranged import Body, Frame
 from gearwright.sizing.blanks import ring_radii
 from gearwright.sizing.casing.housed import housed
 from gearwright.sizing.casing.loops import inside_of, ways_of
@@ -106,11 +106,8 @@ class LandPiece(NamedTuple):
     """Outline across it, y and z [m], shape (n, 2)."""
     inner: Floats
     """The bore, corner by corner, as large as its circle [m], shape (n, 2)."""
-
-    @property
-    def volume(self) -> float:
-        """[m³]"""
-        return (_area(self.outer) - _area(self.inner)) * (self.span[1] - self.span[0])
+    volume: float
+    """[m³]"""
 
 
 def ring_seats(sizing: Sizing) -> Iterator[RingSeat]:
@@ -137,8 +134,7 @@ def ring_seats(sizing: Sizing) -> Iterator[RingSeat]:
 
 def _seat(sizing: Sizing, ring: GearSizing, permissible: float) -> RingSeat:
     outside, torque = 2.0 * ring_radii(sizing.design, ring)[1], ring_torque(sizing, ring)
-    most = min(MODULE * outside, ring.face_width / (SHORTEST + 2.0 * SIDE[0]))
-    module = max((size for size in MODULES if size <= most), default=MODULES[0])
+    module = _module(min(MODULE * outside, ring.face_width / (SHORTEST + 2.0 * SIDE[0])))
     teeth, side = spline(outside + 2.2 * module, module), max(SIDE[0] * module, SIDE[1])
     room = max(ring.face_width - 2.0 * side, SHORTEST * module)
     length = min(max(spline_length(torque, teeth, allowable=permissible), SHORTEST * module), room)
@@ -147,6 +143,11 @@ def _seat(sizing: Sizing, ring: GearSizing, permissible: float) -> RingSeat:
     return RingSeat(
         ring, torque, teeth, pressure, permissible, (-half, half), (half, half + side), (-half - side, half)
     )
+
+
+def _module(most: float) -> float:
+    """Return the largest module of the standard that is no larger than a length [m]; the smallest one if none is."""
+    return max((size for size in MODULES if size <= most), default=MODULES[0])
 
 
 def ring_frame(sizing: Sizing, ring: GearSizing) -> tuple[Frame, float]:
@@ -185,31 +186,54 @@ def lands_of(sizing: Sizing, wall: float) -> tuple[Land, ...]:
         wall: Thickness of the housing's wall [m].
     """
     seats = tuple(ring_seats(sizing))
-    rooms = _rooms(sizing, wall) if seats else []
-    return tuple(Land(seat, _pieces(sizing, seat, rooms, wall)) for seat in seats)
+    if not seats:
+        return ()
+    rings = tuple(
+        _Held(*ring_frame(sizing, seat.ring), seat.span, seat.spline, seat.clear, seat.middle) for seat in seats
+    )
+    pieces = _pieces(_in_housing(sizing), rings, wall)
+    return tuple(Land(seat, own) for seat, own in zip(seats, pieces, strict=True))
 
 
-def _pieces(sizing: Sizing, seat: RingSeat, rooms: Sequence[Stretch], wall: float) -> tuple[LandPiece, ...]:
-    frame, place = ring_frame(sizing, seat.ring)
+class _Held(NamedTuple):
+    """What a land's pieces follow from."""
+
+    frame: Frame
+    place: float
+    span: Span
+    spline: Span
+    clear: float
+    middle: float
+
+
+def _pieces(bodies: tuple[Body, ...], rings: tuple[_Held, ...], wall: float) -> tuple[tuple[LandPiece, ...], ...]:
+    """Return the pieces of the land of every ring, in a wall around bodies."""
+    rooms = rooms_around(bodies, wall)
+    return tuple(_pieces_of(ring, rooms, wall) for ring in rings)
+
+
+def _pieces_of(ring: _Held, rooms: Sequence[Stretch], wall: float) -> tuple[LandPiece, ...]:
+    frame = ring.frame
     if abs(frame.along.x) < 1.0 - PARALLEL:
         return ()
     way, middle = math.copysign(1.0, frame.along.x), np.array([frame.origin.y, frame.origin.z])
-    centre = frame.origin.x + way * place
-    low, high = sorted(centre + way * end for end in seat.span)
+    centre = frame.origin.x + way * ring.place
+    low, high = sorted(centre + way * end for end in ring.span)
     around = [inside_of(room, wall) for room in rooms if room.start < high and room.end > low]
     outer = _around(np.min(around, axis=0) + max(SUNK[0] * wall, SUNK[1]), middle)
-    bores = (((seat.span[0], seat.spline[0]), seat.clear), (seat.spline, seat.middle))
+    bores = (((ring.span[0], ring.spline[0]), ring.clear), (ring.spline, ring.middle))
     ends = [sorted(centre + way * end for end in span) for span, _ in bores]
-    return tuple(
-        LandPiece((start, end), outer, middle + _circle(bore))
-        for (start, end), (_, bore) in zip(ends, bores, strict=True)
-    )
+    pieces: list[LandPiece] = []
+    for (start, end), (_, bore) in zip(ends, bores, strict=True):
+        inner = middle + _circle(bore)
+        pieces.append(LandPiece((start, end), outer, inner, (_area(outer) - _area(inner)) * (end - start)))
+    return tuple(pieces)
 
 
-def _rooms(sizing: Sizing, wall: float) -> list[Stretch]:
-    """Return the rooms of the housing around all bodies that stand in it."""
+def _in_housing(sizing: Sizing) -> tuple[Body, ...]:
+    """Return all bodies that stand in the housing, with both plates of carriers."""
     plates = [plate for stage in sizing.design.sets for plate in plates_of(sizing, stage)]
-    return rooms_around([*housed(sizing), *plates], wall)
+    return (*housed(sizing), *plates)
 
 
 def _around(reach: Floats, middle: Floats) -> Floats:

@@ -317,5 +317,6 @@ CHANGES.update({
     "gearwright.parts.bearings.modified_life": lives,
     "gearwright.sizing.mass.record": _unordered,
     "gearwright.sizing.casing.shell": _in_each_lane("_around"),
+    "gearwright.sizing.casing.ring_seats": _in_each_lane("_module", "spline", "_pieces"),
     "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
 })  # fmt: skip
