@@ -38,7 +38,6 @@ from gearwright.sizing.casing import (
     Stretch,
     bosses_of,
     cover_at,
-    flanges_of,
     housed,
     lands_of,
     leaving_of,
@@ -47,7 +46,7 @@ from gearwright.sizing.casing import (
 )
 from gearwright.sizing.casing.loops import NEAR, SAME, fits, inside_of, loop_around
 from gearwright.sizing.casing.rooms import LEAST
-from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, reaction_torque, wall_of, weighed_flanges
+from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, weighed_flanges, weighed_wall
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 
@@ -131,7 +130,7 @@ def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
 
 def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
     shell = shell_of(sizing)
-    wall = wall_of(sizing, shell).thickness
+    weighed = wall = weighed_wall(sizing).thickness
     stretches = rooms_around(bodies, wall)
     metal = shell.area * wall if sizing.design.housing.wall is None else None
     through = [*_leaving(sizing, drawn), *_leaving_built(sizing)], list(_across(sizing))
@@ -140,7 +139,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
     for k, chamber in enumerate(chambers):
         name = f"housing, {CHAMBER} {k + 1}"
         yield Piece(name, name, chamber, axes)
-    flanges = flanges_of(sizing, shell, reaction_torque(sizing))
+    flanges = weighed_flanges(sizing)
     taken = [list(_outside(stretch, through, wall)) for stretch in stretches]
     halves = list(flange_halves(flanges, stretches, wall, taken))
     for k, (place, key, half) in enumerate(halves):
@@ -156,7 +155,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
     yield from _carrying(sizing)
-    for land in lands_of(sizing, wall_of(sizing, shell).thickness):
+    for land in lands_of(sizing, weighed):
         for k, piece in enumerate(land.pieces, start=1):
             name, width = f"housing, land {k}, {land.seat.ring.name}", piece.span[1] - piece.span[0]
             moved = Axes(np.array([piece.span[0], 0.0, 0.0]), axes.turned)
