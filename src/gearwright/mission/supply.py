@@ -23,6 +23,7 @@ from gearwright.machines import (
     fuel_flow,
     motor_loss,
     power_limits,
+    temperature_lapse,
 )
 from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
 from gearwright.mission.gearbox import Gearbox, Point
@@ -210,9 +211,29 @@ class Supply:
         found = power_limits(engine, *ratios, speed)
         if self.deck is None:
             return found
+        day = _day(moment)
+        lapse = temperature_lapse(engine, day.theta) / temperature_lapse(engine, day.theta / day.warmer)
         with _decked():
-            core = deck_limit(self.deck, _day(moment), engine.temperature_exponent)
+            core = deck_limit(self.deck, day, lapse)
         return found._replace(core=rating * core)
+
+    def limited(self, name: str, moment: Moment, *, power: float, speed: float, rating: float) -> PowerLimits:
+        """Return what bounds the power of a turbine that gives some in an interval [W].
+
+        Args:
+            name: Of the turbine.
+            moment: Where it is flown.
+            power: At its shaft [W].
+            speed: Of its shaft [rad/s].
+            rating: Over the usual one [-].
+
+        Raises:
+            DesignError: It cannot give that power.
+        """
+        limits = self.limits(name, moment, speed, rating)
+        if power > min(limits) * (1.0 + _SLACK):
+            raise DesignError([Problem(name, self._too_weak(moment, power, limits))])
+        return limits
 
     def fuel(self, name: str, moment: Moment, power: float) -> float:
         """Return what a turbine that runs burns at a power, at any rating [kg/s].
@@ -233,10 +254,8 @@ class Supply:
         exhausts = list[Exhaust]()
         ratios = stagnation_ratios(moment.air, moment.mach)
         for name in self.engines:
-            limits = self.limits(name, moment, speeds[name], rating)
+            limits = self.limited(name, moment, power=powers[name], speed=speeds[name], rating=rating)
             available += min(limits)
-            if powers[name] > min(limits) * (1.0 + _SLACK):
-                raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
             if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
             burnt = self.fuel(name, moment, powers[name]) if powers[name] > 0.0 else 0.0
