@@ -19,7 +19,7 @@ from gearwright.catalogue import (
 )
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.duties import SeatDuty, seat_duties
+from gearwright.mission.lives.duties import SeatDuty, seat_duties, thrust_notes
 from gearwright.parts.bearings import (
     BearingKind,
     life_exponent,
@@ -102,6 +102,8 @@ class BearingLives:
     """Seats without a bearing, and why."""
     unrated: tuple[str, ...] = ()
     """Seats that bear a load and have no bearing."""
+    loose: tuple[str, ...] = ()
+    """Thrusts that go to no bearing, and what is missing."""
 
     @property
     def mass(self) -> Mass:
@@ -131,6 +133,9 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
             idle.append(seat.name)
         elif seat.runs_on is not None and seat.runs_on.journal is not None:
             films.append(seat.name)
+        elif duty.missing:
+            notes.append(f"{seat.name}: {duty.missing}")
+            failed.append(seat.name)
         elif named is None and flight.mission.bearings is None:
             opened.append(seat.name)
         else:
@@ -141,6 +146,8 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
                 notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
                 failed.append(seat.name)
     refuse(problems)
+    thrusts = tuple(thrust_notes(flight))
+    notes += [thrust.words for thrust in thrusts]
     notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
     notes += [f"{', '.join(films)}: a film bears, which sizing judges; it has no rating life"] if films else []
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
@@ -151,7 +158,8 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
         for row in rows
         if row.falls_short
     ]
-    return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed))
+    loose = tuple(thrust.words for thrust in thrusts if not thrust.taken)
+    return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed), loose)
 
 
 def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, taken: Bearing | None) -> BearingDamage:

@@ -124,6 +124,8 @@ def _open(lives: Durability) -> Iterator[Check]:
     """Yield what of gears and bearings a flight does not rate."""
     for note in lives.notes[: len(lives.notes) - len(lives.bearings.notes)]:
         yield not_assessed(GEARBOX, "gear lives", "Miner, ISO 6336-6", note)
+    for note in lives.bearings.loose:
+        yield not_assessed(GEARBOX, "thrust on bearings", "equilibrium", note)
     for seat in lives.bearings.unrated:
         why = "no bearing is named that can be rated, and none could be chosen: [bearings] of the design or the mission"
         yield not_assessed(PartId(Kind.BEARING, seat), "bearing life", "ISO 281:2007", why)
