@@ -9,7 +9,7 @@ altitude and days off the standard one; below, the same with the exponent -0.5 o
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.catalogue import DesignPoint
 from gearwright.catalogue.turboshafts.made import highest_state, inlet_at, turboshaft_engine
-from gearwright.machines import Engine, temperature_lapse
+from gearwright.machines import Engine, power_limits
 from gearwright.machines.power import steady_state
 from gearwright.spec import EngineRules
 from gearwright.units import KWH
@@ -42,7 +42,7 @@ def table(mach, laws):
                 for day in DAYS:
                     theta, delta = stagnation_ratios(air_at(altitude, day), mach)
                     top = highest_state(engine, inlet_at(altitude, mach, day), hottest)[1].power / design.power
-                    errors.append(100.0 * (delta * temperature_lapse(engine_law, theta) / top - 1.0))
+                    errors.append(100.0 * (power_limits(engine_law, theta, delta, 1.0).core / top - 1.0))
                 print(f"{label:>36s} {altitude:6g} m", *(f"{error:6.1f}" for error in errors))
 
 

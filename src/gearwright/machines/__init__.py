@@ -18,7 +18,6 @@ from gearwright.machines.gas_turbine import (
     PowerLimits,
     fuel_flow,
     power_limits,
-    temperature_lapse,
 )
 from gearwright.machines.governor import (
     Governor,
@@ -112,7 +111,6 @@ __all__ = [
     "shared_losses",
     "short_circuit_torque",
     "stored_energy",
-    "temperature_lapse",
     "turbine_diameter",
     "turbine_inertia",
 ]

@@ -56,27 +56,14 @@ def power_limits(engine: Engine, theta: float, delta: float, speed: float) -> Po
         delta: Stagnation pressure, likewise δ_t [-].
         speed: Of its output shaft [rad/s].
 
-    Source: P = P_0 δ_t L(θ_t) with L of `temperature_lapse`; at most the flat rating and the torque limit.
-
-    Valid for: as `temperature_lapse`.
-    """
-    core = engine.thermal_power * delta * temperature_lapse(engine, theta)
-    return PowerLimits(core, engine.rated_power, engine.rated_torque * speed)
-
-
-def temperature_lapse(engine: Engine, theta: float) -> float:
-    """Return what the air's temperature leaves of the power of a core at one pressure [-].
-
-    Args:
-        engine: The engine.
-        theta: Stagnation temperature over that of the standard sea level θ_t [-].
-
-    Source: L = min(θ_t, 1)^n max(θ_t, 1)^n_hot, fitted to engines by their components, which N1 of the design point
-        limits below 15 °C and T_45 of it above (`catalogue.turboshafts`, `benchmarks/temperature_lapse.py`).
+    Source: P = P_0 δ_t min(θ_t, 1)^n max(θ_t, 1)^n_hot, fitted to engines by their components, which N1 of the design
+        point limits below 15 °C and T_45 of it above (`benchmarks/temperature_lapse.py`); at most the flat rating and
+        the torque limit.
 
     Valid for: -20 to 40 K off the standard day up to 6 km, within some per cent; docs/theory/power.md.
     """
-    return float(min(theta, 1.0) ** engine.temperature_exponent * max(theta, 1.0) ** engine.hot_exponent)
+    lapse = min(theta, 1.0) ** engine.temperature_exponent * max(theta, 1.0) ** engine.hot_exponent
+    return PowerLimits(engine.thermal_power * delta * lapse, engine.rated_power, engine.rated_torque * speed)
 
 
 def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float:

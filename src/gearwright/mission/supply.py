@@ -23,7 +23,6 @@ from gearwright.machines import (
     fuel_flow,
     motor_loss,
     power_limits,
-    temperature_lapse,
 )
 from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
 from gearwright.mission.gearbox import Gearbox, Point
@@ -212,9 +211,9 @@ class Supply:
         if self.deck is None:
             return found
         day = _day(moment)
-        lapse = temperature_lapse(engine, day.theta) / temperature_lapse(engine, day.theta / day.warmer)
+        standard = power_limits(engine, day.theta / day.warmer, day.delta, speed)
         with _decked():
-            core = deck_limit(self.deck, day, lapse)
+            core = deck_limit(self.deck, day, found.core / standard.core)
         return found._replace(core=rating * core)
 
     def limited(self, name: str, moment: Moment, *, power: float, speed: float, rating: float) -> PowerLimits:

@@ -14,6 +14,7 @@ from gearwright.catalogue import (
     BearingDuty,
     BearingSpectrum,
     ModifiedLife,
+    bore_around,
     check_bearing,
     fitting_bearings,
 )
@@ -26,6 +27,7 @@ from gearwright.parts.bearings import (
     mean_load,
     pair_factor,
     reliability_factor,
+    speed_factor,
 )
 from gearwright.ranking import largest_first
 from gearwright.sizing.bearings import Fitted, Seat, fitted_in, oiled_life
@@ -34,6 +36,8 @@ from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
 from gearwright.verbs import verb
 
+THICKER = "what helps: a thicker shaft or pin there, another kind of bearing, or more side by side"
+"""Where no bearing around a shaft does."""
 FATIGUE = "rolling fatigue"
 """How bearings fail here."""
 USUAL_RELIABILITY = 0.9
@@ -70,6 +74,8 @@ class BearingDamage:
     """Static safety for which it was chosen; None where the design names it [-]."""
     life_factor: Ratio | None = None
     """a_1 a_ISO over the flight, where the design asks for the modified life [-]."""
+    speed_factor: float = 0.0
+    """n d_m at the highest speed [mm/min]."""
 
     @property
     def falls_short(self) -> bool:
@@ -153,8 +159,8 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [
-        f"{row.seat}: no bearing that fits reaches the asked life and static safety; {row.bearing.designation} comes"
-        " nearest"
+        f"{row.seat}: no bearing around its shaft reaches the asked life and static safety; {row.bearing.designation},"
+        f" {1e3 * row.bearing.bore:g} mm, comes nearest; {THICKER}"
         for row in rows
         if row.falls_short
     ]
@@ -181,7 +187,7 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, tak
 
 
 def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads."""
+    """Take the lightest bearing around its shaft that bears the spectrum, or what comes nearest under their mean."""
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = pair_factor(kind, rules.side_by_side)
     radial, axial, speed = _steady(duty, kind)
@@ -193,7 +199,8 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
         static_safety=rules.static_safety,
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
-    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
+    bore = bore_around(kind, seat.bore)
+    sizes = fitting_bearings(kind, asked, bore=bore, largest_bore=bore, largest_outer=seat.room)
     near = (size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR)
     able = (
         row
@@ -241,6 +248,7 @@ def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliab
         hours=flown / 3600.0,
         asked=None,
         life_factor=oiled.factor if oiled else None,
+        speed_factor=speed_factor(float(duty.speed.max()), taken.bore, taken.outer_diameter),
     )
 
 

@@ -56,7 +56,7 @@ BASIS = (
         "Turbine",
         "P ∝ δ_t θ_t^n and a Willans line, or the deck that [engine] names, whose power is of a standard day and"
         " otherwise goes with θ_t^n; n of engines by their components; flat rating, torque limit",
-        "machines/gas_turbine: temperature_lapse; the deck's file",
+        "benchmarks/temperature_lapse.py; the deck's file",
     ),
     ("Motor", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
     ("Battery", "V_oc(s) − R I, with limits of charge and C-rate", "first-order circuit"),
