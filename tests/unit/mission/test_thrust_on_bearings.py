@@ -2,10 +2,12 @@
 
 import pytest
 
+from gearwright.catalogue import bearings
 from gearwright.mission import durability, fly
 from gearwright.mission.lives import seat_duties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
+from gearwright.sizing.bearings import bearing_seats
 from gearwright.spec import parse, parse_mission
 
 THRUST, DIAMETER = 20e3, "diameter_m = 3.93"
@@ -63,6 +65,20 @@ def test_a_thrust_that_no_bearing_is_there_for_is_told_and_rated_nowhere():
     assert "where it goes is not assessed" in loose
     assert '[bearings.NAME] with shaft = "output", one of them with locates = "both"' in loose
     assert [row.seat for row in found.bearings.rows] == ["second.planet"]
+
+
+def test_a_chosen_bearing_has_the_bore_of_its_shaft_whatever_it_then_lives():
+    """The next bore of the catalogue from the shaft's diameter on: no larger one, and no shaft that is not there."""
+    flight = flown(SET, more="hub_moment_nm = 2000\n", asks=CHOSEN)
+    seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
+    found = durability(flight)
+    chosen = [row for row in found.bearings.rows if row.asked is not None]
+    assert {"output.first", "output.second", "first.planet"} == {row.seat for row in chosen}
+    for row in chosen:
+        bores = [size.bore for size in bearings().values() if size.kind is row.bearing.kind]
+        assert row.bearing.bore == min(bore for bore in bores if bore >= seats[row.seat].bore)
+    short = {row.seat for row in chosen if row.falls_short}
+    assert short == {note.split(":")[0] for note in found.notes if "no bearing around its shaft reaches" in note}
 
 
 def test_a_design_whose_bearings_locate_has_nothing_to_be_told():
