@@ -76,9 +76,7 @@ def test_a_slam_asks_for_no_more_than_n1_and_t45_leave_in_its_air():
     """On the standard day the design's power; 30 K warmer 570 kW of 835 kW, which the deck's law leaves, too."""
     engine = ENGINES[0]
     assert components(engine, 0.0, 30.0) == pytest.approx(570e3, rel=2e-3)
-    with pytest.raises(
-        DesignError, match=r"slam: from 400 to 655 kW .*: N1 and T_45 of the design point leave 570"
-    ):
+    with pytest.raises(DesignError, match=r"slam: from 400 to 655 kW .*: N1 and T_45 of the design point leave 570"):
         engine_slam(engine, Slam(400e3, 655e3, isa_offset=30.0))
     assert engine_slam(engine, Slam(400e3, 565e3, isa_offset=30.0)).settled is not None
     assert engine_slam(engine, Slam(400e3, 655e3)).settled is not None

@@ -15,8 +15,8 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts import (
     Built,
-    refuse_beyond_roots,
     refuse_bores,
+    refuse_bores_beyond_roots,
     refuse_idle_shafts,
     size_carriers,
     size_shafts,
@@ -78,7 +78,7 @@ def settle(context: Context, gears: tuple[GearSizing, ...], *, still: bool = Fal
 def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn, ...]) -> Settled:
     bare = arrange_meshing(context, gears, {turn.shaft: turn.after for turn in turns})
     shafts, built = size_shafts(context, gears, bare)
-    refuse_beyond_roots(context, gears, shafts)
+    refuse_bores_beyond_roots(context, gears, shafts)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
     carriers = size_carriers(context, gears, shafts, bare.two_sided)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Sequence
 
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
@@ -20,6 +20,8 @@ MOST_HOLLOW = 0.95
 """Largest bore over diameter, as for bore_ratio [-]."""
 LEAST_RIM = 0.5 * 2.25
 """Wall under the teeth over the module that a bore must leave [-]: half the tooth height (ISO 6336-3:2019, Y_B)."""
+ROOTED = (Role.PINION, Role.WHEEL, Role.SUN)
+"""Gears that a shaft goes through."""
 
 
 def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
@@ -67,8 +69,8 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
     refuse(problems)
 
 
-def refuse_beyond_roots(context: Context, gears: Iterable[GearSizing], shafts: Iterable[ShaftSizing]) -> None:
-    """Raise where a given bore or diameter of a shaft goes beyond the roots of a gear on it.
+def refuse_bores_beyond_roots(context: Context, gears: Sequence[GearSizing], shafts: Iterable[ShaftSizing]) -> None:
+    """Raise where a given bore of a shaft reaches the roots of a gear on it.
 
     Args:
         context: What sizing reads.
@@ -76,31 +78,18 @@ def refuse_beyond_roots(context: Context, gears: Iterable[GearSizing], shafts: I
         shafts: As sized.
 
     Raises:
-        DesignError: With what is given, the root circle and what is allowed, of every such shaft.
+        DesignError: With the bore, the root circle and what is allowed, of every such gear.
     """
-    rooted = [gear for gear in gears if gear.role in (Role.PINION, Role.WHEEL, Role.SUN)]
     refuse(
-        problem
-        for shaft in shafts
-        for gear in rooted
-        if shaft.name in gear.shafts and gear.name not in context.train.internal
-        for problem in _beyond(context, gear, shaft)
-    )
-
-
-def _beyond(context: Context, gear: GearSizing, shaft: ShaftSizing) -> Iterator[Problem]:
-    layout, root = context.design.layout.get(shaft.name, NOTHING_GIVEN), root_diameter(context, gear)
-    allowed = root - 2.0 * LEAST_RIM * gear.module
-    circle = f"{gear.name} on it has a root circle of {text(root, 'length')}"
-    if layout.bore is not None and layout.bore > allowed:
-        yield Problem(
+        Problem(
             f"layout.{shaft.name}.bore",
-            f"{text(layout.bore, 'length')}, and {circle}; allowed: up to {text(allowed, 'length')}, which leaves half"
-            " a tooth's height under the teeth; give a smaller bore, or the gear more teeth or a larger module",
+            f"{text(bore, 'length')}, and {gear.name} on it has a root circle of {text(root, 'length')}; allowed: up to"
+            f" {text(root - 2.0 * LEAST_RIM * gear.module, 'length')}, which leaves half a tooth's height under the"
+            " teeth; give a smaller bore, or the gear more teeth or a larger module",
         )
-    elif layout.diameter is not None and not layout.as_given and layout.diameter > root:
-        yield Problem(
-            f"layout.{shaft.name}.diameter",
-            f"{text(layout.diameter, 'length')}, and {circle}; allowed: up to that; give a thinner shaft, or the gear"
-            " more teeth or a larger module",
-        )
+        for shaft in shafts
+        if (bore := context.design.layout.get(shaft.name, NOTHING_GIVEN).bore) is not None
+        for gear in gears
+        if shaft.name in gear.shafts and gear.role in ROOTED and gear.name not in context.train.internal
+        if bore > (root := root_diameter(context, gear)) - 2.0 * LEAST_RIM * gear.module
+    )
