@@ -30,7 +30,7 @@ from gearwright.parts.bearings import (
     speed_factor,
 )
 from gearwright.ranking import largest_first
-from gearwright.sizing.bearings import Fitted, Seat, fitted_in, oiled_life
+from gearwright.sizing.bearings import Fitted, Seat, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
@@ -187,7 +187,10 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, tak
 
 
 def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing around its shaft that bears the spectrum, or what comes nearest under their mean."""
+    """Take the lightest bearing around its shaft that bears the spectrum, or what comes nearest under its mean.
+
+    One that does not turn too fast comes before all that do.
+    """
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = pair_factor(kind, rules.side_by_side)
     radial, axial, speed = _steady(duty, kind)
@@ -201,7 +204,12 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
     )
     bore = bore_around(kind, seat.bore)
     sizes = fitting_bearings(kind, asked, bore=bore, largest_bore=bore, largest_outer=seat.room)
-    near = (size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR)
+    most = highest_speed_factor(kind, flight.sizing.design)
+
+    def too_fast(size: Bearing) -> bool:
+        return speed_factor(float(duty.speed.max()), size.bore, size.outer_diameter) > most
+
+    near = sorted((size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR), key=too_fast)
     able = (
         row
         for fitted in near
