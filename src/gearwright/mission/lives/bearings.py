@@ -36,7 +36,7 @@ from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
 from gearwright.verbs import verb
 
-THICKER = "what helps: a thicker shaft or pin there, another kind of bearing, or more side by side"
+THICKER = "its bore is the shaft's; what helps: a thicker shaft there, another kind of bearing, or more side by side"
 """Where no bearing around a shaft does."""
 FATIGUE = "rolling fatigue"
 """How bearings fail here."""
@@ -76,6 +76,8 @@ class BearingDamage:
     """a_1 a_ISO over the flight, where the design asks for the modified life [-]."""
     speed_factor: float = 0.0
     """n d_m at the highest speed [mm/min]."""
+    holds_shaft: bool = True
+    """Whether it holds its shaft in the housing, or sits inside a planet."""
 
     @property
     def falls_short(self) -> bool:
@@ -159,8 +161,8 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [
-        f"{row.seat}: no bearing around its shaft reaches the asked life and static safety; {row.bearing.designation},"
-        f" {1e3 * row.bearing.bore:g} mm, comes nearest; {THICKER}"
+        f"{row.seat}: no bearing that fits reaches the asked life and static safety; {row.bearing.designation} comes"
+        f" nearest{f'; {THICKER}' if row.holds_shaft else ''}"
         for row in rows
         if row.falls_short
     ]
@@ -187,9 +189,10 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, tak
 
 
 def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing around its shaft that bears the spectrum, or what comes nearest under its mean.
+    """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads.
 
-    One that does not turn too fast comes before all that do.
+    Its bore is that of its shaft; a pin is made as thick as a bearing that has room in its planet. One that does not
+    turn too fast comes before all that do.
     """
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = pair_factor(kind, rules.side_by_side)
@@ -202,8 +205,8 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
         static_safety=rules.static_safety,
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
-    bore = bore_around(kind, seat.bore)
-    sizes = fitting_bearings(kind, asked, bore=bore, largest_bore=bore, largest_outer=seat.room)
+    largest = bore_around(kind, seat.bore) if seat.holds_shaft else math.inf
+    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_bore=largest, largest_outer=seat.room)
     most = highest_speed_factor(kind, flight.sizing.design)
 
     def too_fast(size: Bearing) -> bool:
@@ -257,6 +260,7 @@ def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliab
         asked=None,
         life_factor=oiled.factor if oiled else None,
         speed_factor=speed_factor(float(duty.speed.max()), taken.bore, taken.outer_diameter),
+        holds_shaft=seat.holds_shaft,
     )
 
 

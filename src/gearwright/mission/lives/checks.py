@@ -107,7 +107,7 @@ def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:
     yield Check(
         part, "bearing life", "ISO 281:2007, Miner", row.life * HOUR, life, "life",
         exponent=None if oiled else life_exponent(row.bearing.kind), symbol="L_nmh" if oiled else "L_10h", place=place,
-        why=THICKER if row.falls_short else "",
+        why=THICKER if row.falls_short and row.holds_shaft else "",
     )  # fmt: skip
     yield Check(part, "bearing static safety", "ISO 76:2006", row.static_safety, static, symbol="s_0", place=place)
     if row.asked is not None:  # sizing has judged those with a name
