@@ -3,7 +3,7 @@
 The catalogue is `catalogue`'s.
 """
 
-from gearwright.sizing.bearings.bearing_seats import bearing_seats
+from gearwright.sizing.bearings.bearing_seats import ENDS, bearing_seats
 from gearwright.sizing.bearings.borne import PlanetLoad, borne_by, planet_duty
 from gearwright.sizing.bearings.choice import Checked, Seating, bearing_sizings, seating
 from gearwright.sizing.bearings.fitted import Fitted, fitted_in
@@ -17,6 +17,7 @@ from gearwright.sizing.bearings.seat import Seat, seat_forces, seat_forces_along
 from gearwright.sizing.bearings.unit_loads import unit_loads
 
 __all__ = [
+    "ENDS",
     "Carrying",
     "Checked",
     "Fitted",
