@@ -155,7 +155,7 @@ def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float
 
 
 def _shafts(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
-    """Return how thick open shafts of one diameter must be for bearings that live, inside the roots of their gears [m]."""
+    """Return how thick open shafts of one diameter must be for bearings that live, below the roots of gears [m]."""
     sizing, layout, thicker = state.sizing, state.task.design.layout, dict[str, float]()
     built = {shaft.name for shaft in sizing.built_shafts}
     usual = {f"{shaft.name}.{end}": shaft.name for shaft in sizing.shafts if shaft.name not in built for end in ENDS}
