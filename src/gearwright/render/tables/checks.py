@@ -41,7 +41,7 @@ class Judged:
     status: str
     """passes, fails, waived or not assessed."""
     why: str
-    """Why it is waived or not assessed."""
+    """Why it is waived or not assessed, or what else to know, such as what would help."""
 
 
 def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
@@ -68,7 +68,7 @@ def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
 
 
 def review_tables(checks: Iterable[Check]) -> tuple[Table, ...]:
-    """Return what is assessed, the worst first, what is waived, and what is not assessed, each as a table.
+    """Return what is assessed, the worst first, remarks on it, what is waived or not assessed, each as a table.
 
     Args:
         checks: Of one gearbox, in the order of `worst_first`.
@@ -76,8 +76,10 @@ def review_tables(checks: Iterable[Check]) -> tuple[Table, ...]:
     rows = judged(checks)
     assessed = [row for row in rows if row.margin is not None]
     waived = [row for row in rows if row.status == "waived"]
+    told = [row for row in assessed if row.why and row.status != "waived"]
     return (
         table("Checks, worst first", assessed, ("status", *COLUMNS), note=JUST_ENOUGH),
+        table("Remarks", told, ("part", "check", "why")),
         table("Waived by the design", waived, ("part", "check", "why")),
         table("Not assessed", [row for row in rows if row.margin is None], ("part", "check", "why")),
     )

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from gearwright.catalogue import Bearing, ModifiedLife
 from gearwright.checks import Check
 from gearwright.identity import PartId
-from gearwright.parts.bearings import BearingKind, life_exponent, speed_limit
+from gearwright.parts.bearings import BearingKind, Lubrication, life_exponent, speed_limit
 from gearwright.sizing.mounted import Running
 from gearwright.spec import Design
 from gearwright.units import Life
+
+_LIGHT = "its rolling elements may skid; a lighter series, a ball bearing in its place or a preload would help"
+_WARM = (
+    "warmer than 70 °C in an oil bath; oil jets that carry off what it loses, a lighter series or a smaller"
+    " bore would help"
+)
+_BETTER: Mapping[Lubrication, Lubrication | None] = {"grease": "jet", "jet": "under-race", "under-race": None}
+_HOW = {"grease": "with grease", "jet": "with oil jets", "under-race": "with oil under its races"}
 
 
 def life_check(
@@ -72,22 +80,11 @@ def highest_speed_factor(kind: BearingKind, design: Design) -> float:
     return design.bearing_rules.speed_factor or speed_limit(kind, design.bearing_rules.lubrication).careful
 
 
-_LIGHT = "its rolling elements may skid; a lighter series, a ball bearing in its place or a preload would help"
-_WARM = (
-    "warmer than 70 °C in an oil bath; oil jets that carry off what it loses, a lighter series or a smaller"
-    " bore would help"
-)
-_HOW = {"grease": "with grease", "jet": "with oil jets", "under-race": "with oil under its races"}
-
-
 def _cure(kind: BearingKind, design: Design) -> str:
     """Return which arrangement would let a bearing turn so fast."""
     rules, cures = design.bearing_rules, ["a smaller bore or a lighter series", "two rows that share the load"]
-    if rules.speed_factor is None:
-        better = {"grease": "jet", "jet": "under-race"}.get(rules.lubrication)
-        if better == "jet" or better == "under-race":
-            highest = speed_limit(kind, better).careful
-            cures.append(f'bearing_rules.lubrication = "{better}" (to {highest:.2g})')
+    if rules.speed_factor is None and (better := _BETTER[rules.lubrication]) is not None:
+        cures.append(f'bearing_rules.lubrication = "{better}" (to {speed_limit(kind, better).careful:.2g})')
     if kind is BearingKind.TAPER:
         cures.append("an angular contact ball pair beside a cylindrical roller bearing in place of taper rollers")
     return f"what helps: {', or '.join(cures)}"
