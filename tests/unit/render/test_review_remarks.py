@@ -11,4 +11,6 @@ def test_what_would_help_a_check_that_fails_is_shown_beside_the_list():
     slow = Check(part, "static safety", "ISO 76:2006", 3.0, 1.5)
     waived = Check(part, "life", "ISO 281:2007", 1.0, 2.0, "life", why="a larger one", waiver="as tested")
     remarks = next(table for table in review_tables([fast, slow, waived]) if table.title == "Remarks")
-    assert [tuple(cell.text for cell in row) for row in remarks.rows] == [("input-front", "speed factor", "a smaller bore")]
+    assert [tuple(cell.text for cell in row) for row in remarks.rows] == [
+        ("input-front", "speed factor", "a smaller bore")
+    ]

@@ -12,7 +12,9 @@ from gearwright.catalogue.turboshafts.made import highest_state, inlet_at, turbo
 from gearwright.errors import DesignError
 from gearwright.machines import Engine, power_limits
 from gearwright.machines.power import steady_state
-from gearwright.mission import fly
+from gearwright.mission import durability, fly
+from gearwright.render.words.flights.flight import flight_text
+from gearwright.reviews import review_of
 from gearwright.spec import EngineRules, parse_mission
 from gearwright.units import KWH, RPM
 from shipped_work import sized
@@ -88,3 +90,13 @@ def test_the_made_engine_tells_the_exponent_of_hot_air():
     hot = [math.log(components(ENGINES[0], 0.0, day) / 835e3) / math.log(1.0 + day / 288.15) for day in (10.0, 40.0)]
     assert min(hot) < keys.hot_exponent < max(hot)
     assert keys.hot_exponent < keys.temperature_exponent - 1.0
+
+
+def test_a_flight_on_another_day_says_by_what_law_its_turbines_have_their_power(tmp_path):
+    for offset, told in ((30, True), (0, False)):
+        found = parse_mission(MISSION.format(altitude=0, offset=offset, engine="thermal_power_kw = 2500"))
+        flight = fly(sized("in-line"), found)
+        parts = durability(flight)
+        words = flight_text(flight, parts, review_of(flight.sizing, flight, parts))
+        note = "Note: on ISA+30 K the turbines' power follows θ_t^n, n = -2.5 up to 15 °C at the inlet and -3.9 beyond"
+        assert (note in words) == told
