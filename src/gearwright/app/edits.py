@@ -9,9 +9,7 @@ from typing import Any
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import key_lines, parse, standing_at
-
-DEEPEST = 8
-"""Tables in tables [-]."""
+from gearwright.spec.read import DEEPEST, toml_tables
 
 
 def with_entry(text: str, path: Sequence[str], value: Any) -> str:
@@ -29,6 +27,7 @@ def with_entry(text: str, path: Sequence[str], value: Any) -> str:
     from tomlkit.exceptions import TOMLKitError
 
     _refuse_odd(path, value)
+    toml_tables(text, "")  # names the line of what is no TOML, and how much of it is too much
     try:
         document = tomlkit.parse(text)
         table: MutableMapping[str, Any] = document
