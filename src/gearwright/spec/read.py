@@ -33,6 +33,7 @@ _TEXT = re.compile(
 )
 """Texts in quotes and comments, in which points are only points."""
 _DEEP = re.compile(rf"(?<![\w-])(?:[\w-]++[ \t]*+\.[ \t]*+){{{DEEPEST}}}")
+_DOTTED = re.compile(r"(?<![\w-])((?:[\w-]++[ \t]*+\.[ \t]*+)++)[\w-]++[ \t]*+=")
 _PLACE = re.compile(r"at line (\d+)")
 
 
@@ -91,7 +92,7 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
     Raises:
         DesignError: If it is not TOML, or too much of it.
     """
-    if deep := _DEEP.search(_TEXT.sub(lambda found: "_" + "\n" * found[0].count("\n"), text)):
+    if deep := _DEEP.search(_keys(text)):
         line = deep.string.count("\n", 0, deep.start()) + 1
         message = (
             f"a key or heading has more than {DEEPEST} names with points between them; put shorter keys below headings"
@@ -112,6 +113,23 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
         message = f"the file has {count:,} tables and entries; {MOST_ENTRIES:,} are allowed: divide it"
         raise DesignError([Problem("", message)], source)
     return tables
+
+
+def dotted_names(text: str) -> int:
+    """Return how many names the dotted keys of a TOML text have before their last ones.
+
+    Args:
+        text: The file's content, with keys of no more than `DEEPEST` names.
+
+    >>> dotted_names("x.y = 1.5  # a.b\\n[p.q]\\nz = {a.b.c = 1}")
+    3
+    """
+    return sum(found.count(".") for found in _DOTTED.findall(_keys(text)))
+
+
+def _keys(text: str) -> str:
+    """Return a TOML text line by line, with a mark in the place of every text in quotes and comment."""
+    return _TEXT.sub(lambda found: "_" + "\n" * found[0].count("\n"), text)
 
 
 def _entries(value: object) -> int:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gearwright.errors import SolveError
-from gearwright.study.running import computed
+from gearwright.processes import computed
 
 
 def squared(folder: Path, number: int, *, always: bool = False) -> int:
