@@ -37,6 +37,17 @@ FILLED = {
     "Compare": ("", "body[data-twinnow][data-twinpinned]"),
 }
 """View -> what is clicked to fill it, and what shows that it is filled."""
+FILLING = """() => {
+  const {view} = window.gearbox, seen = {wide: 0, high: 0};
+  view.camera.updateMatrixWorld();
+  for (const point of view.gearbox.outline()) {
+    const at = point.clone().project(view.camera);
+    seen.wide = Math.max(seen.wide, Math.abs(at.x));
+    seen.high = Math.max(seen.high, Math.abs(at.y));
+  }
+  return {...seen, camera: view.camera.position.toArray()};
+}"""
+"""How far the outline of what is shown reaches to the edges of the picture, which lie at 1, and where the camera is."""
 OFFERED = """async ([then, now]) => {
   const {offered} = await import('/static/files.js'), {state} = await import('/static/state.js');
   offered(state.text.replace(then, now), now);
@@ -67,6 +78,26 @@ def test_the_gearbox_is_drawn_and_turns_as_its_train_does(opened, name):
     for shaft in sized(name).shafts:  # angles of 1e-3 rad in double precision, kept in numbers of 1e-16
         spin = seen["found"][f"shaft {shaft.name}"]
         assert math.isclose(abs(spin), abs(flow.speeds[shaft.name]), rel_tol=1e-6, abs_tol=1e-9 * fastest)
+    assert told == []
+
+
+def test_the_camera_stays_with_a_design_and_takes_in_another_one(opened):
+    """Designs of 0.3 to 3 m, one of them upright."""
+    page, told = opened()
+    page.click("nav a >> text=Gearbox")
+    page.wait_for_selector("body[data-model='1']")
+    page.focus("#picture")
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("+")
+    before = page.evaluate(FILLING)
+    page.evaluate(OFFERED, ["planets = 5", "planets = 4"])
+    page.wait_for_selector("body[data-model='2']")
+    assert page.evaluate(FILLING)["camera"] == pytest.approx(before["camera"], rel=1e-9)
+    for count, name in enumerate(("wind-turbine-5mw", "single-planetary", "ec120b", "in-line-h2"), start=3):
+        page.select_option("#design", f"shipped:{name}")
+        page.wait_for_selector(f"body[data-model='{count}']")
+        seen = page.evaluate(FILLING)
+        assert max(seen["wide"], seen["high"]) == pytest.approx(0.94, abs=0.06), name
     assert told == []
 
 
@@ -114,6 +145,16 @@ def test_a_pin_of_ones_own_stays_when_a_computation_opens_another_text(opened):
         page.evaluate(OFFERED, [then, now])
         page.wait_for_selector(f"{MASS} .change:has-text('{change}')")
     assert told == []
+
+
+def test_what_is_no_toml_is_marked_at_its_line(opened):
+    page, _ = opened()
+    page.locator(".cm-line", has_text="speed_rpm = 20000").click()
+    page.keyboard.press("End")
+    page.keyboard.type(" =")
+    page.wait_for_selector("#problems button:has-text('line 11: ')")
+    page.click("#problems button")
+    assert "speed_rpm = 20000 =" in page.inner_text(".cm-activeLine")
 
 
 def test_a_wrong_key_marks_its_line_and_the_last_valid_result_stays_greyed(opened):

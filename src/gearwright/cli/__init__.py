@@ -42,7 +42,16 @@ from gearwright.cli.commands.studies.journals import cluster, merge, resume, sta
 from gearwright.cli.commands.studies.optimise import optimise
 from gearwright.cli.commands.studies.study import compare, study
 from gearwright.cli.commands.weights import engines, mass
-from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well, interrupted_code, is_interrupted, listening
+from gearwright.cli.ends import (
+    BROKEN_PIPE,
+    CTRL_C,
+    FAILED,
+    WRONG,
+    ended_well,
+    interrupted_code,
+    is_interrupted,
+    listening,
+)
 from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.terminal.sections import Sections
 from gearwright.cli.terminal.streams import flushed, steady_streams
@@ -101,7 +110,7 @@ def _code() -> int | str | None:
     try:
         _asked(sys.argv[1:])()
     except SystemExit as end:
-        return interrupted_code() if end.code == FAILED and is_interrupted() else end.code
+        return interrupted_code() if is_interrupted() and end.code in (FAILED, CTRL_C) else end.code
     except KeyboardInterrupt:
         tell("interrupted")
         return interrupted_code()
