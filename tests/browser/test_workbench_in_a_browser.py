@@ -54,6 +54,16 @@ OFFERED = """async ([then, now]) => {
 }"""
 
 
+@pytest.fixture(scope="module")
+def blank(chromium, address):
+    """A window of the workbench in which nothing is changed."""
+    context = chromium.new_context()
+    page = context.new_page()
+    page.goto(address)
+    yield page
+    context.close()
+
+
 def test_every_shipped_design_opens_with_its_numbers_and_asks_nobody_else(opened):
     page, told = opened()
     for name in gw.shipped_designs():
@@ -171,6 +181,40 @@ def test_a_wrong_key_marks_its_line_and_the_last_valid_result_stays_greyed(opene
     page.keyboard.press("Backspace")
     page.wait_for_selector("body:not(.stale)")
     assert page.locator("#problems li").count() == 0
+
+
+@pytest.mark.parametrize(
+    ("margin", "words"),
+    [
+        (0.7196, "0.720"), (0.9951, "0.995"), (0.9996, "0.9996"), (0.9999996, "0.9999996"), (1.0, "1.00"),
+        (1.0004, "1.00"), (1.0 - 1e-12, "1.00"), (12.345, "12.3"), (999.7, "1000"), (1234.4, "1234"), (0.0, "0"),
+        (0.00012345, "1.23e-04"), (-0.5, "−0.500"), (None, "–"),
+    ],
+)  # fmt: skip
+def test_a_margin_is_written_to_the_nearest_and_below_one_never_as_one(blank, margin, words):
+    assert blank.evaluate("async value => (await import('/static/made.js')).ratio(value)", margin) == words
+
+
+def test_margins_of_sizing_are_called_so_and_only_a_review_is_green(opened):
+    """The sizing of in-line-h2 passes and its review fails, at 0.7196 of what is asked."""
+    page, told = opened()
+    title, tile = page.locator("#keys dt", has_text="Worst"), page.locator("#keys dd[data-key=worst_margin] b")
+    assert title.all_inner_texts() == ["Worst margin of sizing"] and tile.inner_text() == "1.00"
+    assert page.get_attribute("#verdict", "class").strip() == "verdict"
+    assert page.inner_text("#margins-title") == "Margins of sizing, worst first"
+    page.click("#review")
+    page.wait_for_selector("#reviewed:has-text('pass')")
+    worst = gw.review(gw.read("in-line-h2")).worst
+    assert page.locator("#keys dd[data-key=review] b").inner_text() == "0.720"
+    assert title.all_inner_texts() == ["Worst margin of sizing", "Worst of the full review"]
+    assert f"{worst.margin:.4f}" == "0.7196" and "margin 0.720" in page.inner_text("#verdict")
+    assert page.get_attribute("#verdict", "class") == "verdict fails"
+    assert page.locator("#keys dd[data-key=review] b.bad").count() == 1
+    assert page.inner_text("#margins-title") == "Checks of the full review, worst first"
+    assert page.locator("#margins .value").first.inner_text() == "0.720"
+    shown = [float(words) for words in page.locator("#margins .fails .value").all_inner_texts()]
+    assert shown and max(shown) < 1.0
+    assert told == []
 
 
 def test_a_number_is_told_with_its_source_and_a_part_is_selected_everywhere(opened):

@@ -30,7 +30,7 @@ function show(found) {
     button.addEventListener("click", () => { offered(text, words); at("unmet").replaceChildren(); });
     return button;
   });
-  const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
+  const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve ?? one.check.ratio)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
   const tried = found.tried.map(one => made("li", {className: "hint", textContent: `${one.what} does not meet ${one.why}`}));
   at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), ...buttons, made("ul", {}, ...unmet, ...tried));
   at("unmet").scrollTop = 0;

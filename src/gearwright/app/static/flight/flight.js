@@ -2,7 +2,7 @@
 import {Dropped, Problems, sent} from "/static/api.js";
 import {draft, keep, last, opened} from "/static/drafts.js";
 import {Task, begin, unpacked} from "/static/jobs.js";
-import {at, made, number} from "/static/made.js";
+import {at, made, number, ratio} from "/static/made.js";
 import {library} from "/static/plots.js";
 import {on, set, state} from "/static/state.js";
 import {Text} from "/static/texts.js";
@@ -87,7 +87,7 @@ const task = new Task(at("fly-line"), "Fly", told => {
 
 const KEYS = [
   ["fuel", head => `${number(head.fuel_kg)} kg`], ["flown", head => `${number(head.duration_s / 60)} min`], ["from the battery", head => `${number(head.balance.battery_kj / 3600)} kWh`],
-  ["hottest oil", head => `${number(head.oil_hottest_k - 273.15, 3)} °C`], ["oil", head => `${number(head.oil_flow_l_min, 3)} l/min`], ["worst margin", head => number(head.margin, 3)],
+  ["hottest oil", head => `${number(head.oil_hottest_k - 273.15, 3)} °C`], ["oil", head => `${number(head.oil_flow_l_min, 3)} l/min`], ["worst margin of the flight", head => ratio(head.margin)],
 ];
 
 function show({head}) {
