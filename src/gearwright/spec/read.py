@@ -93,11 +93,10 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
         DesignError: If it is not TOML, or too much of it.
     """
     if deep := _DEEP.search(_keys(text)):
-        line = deep.string.count("\n", 0, deep.start()) + 1
         message = (
             f"a key or heading has more than {DEEPEST} names with points between them; put shorter keys below headings"
         )
-        raise DesignError([Problem("", message, line)], source)
+        raise DesignError([Problem("", message, deep.string.count("\n", 0, deep.start()) + 1)], source)
     try:
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
