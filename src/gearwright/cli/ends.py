@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, ParamSpec
+from types import FrameType
+from typing import TYPE_CHECKING, NoReturn, ParamSpec
 
 import typer
 
@@ -16,12 +19,46 @@ if TYPE_CHECKING:
     from gearwright.sizing import Sizing
 
 FAILED, WRONG = 1, 2
-INTERRUPTED = 130
-"""After Ctrl-C: 128 and the number of SIGINT, as shells have it."""
+ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+"""Signals that end a command, all in the way of Ctrl-C, as far as the system has them and nobody has them ignored."""
+CTRL_C = 128 + signal.SIGINT
 BROKEN_PIPE = 141
 """Nobody reads what is printed: 128 and the number of SIGPIPE."""
 
 P = ParamSpec("P")
+_heard = list[int]()
+"""Signals that have asked the command to end."""
+
+
+@contextmanager
+def listening() -> Iterator[None]:
+    """Let every signal that asks a command to end interrupt it, as Ctrl-C does."""
+    numbers = [getattr(signal, name) for name in ENDING if hasattr(signal, name)]
+    usual = (signal.SIG_DFL, signal.default_int_handler)
+    before = {number: handler for number in numbers if (handler := signal.getsignal(number)) in usual}
+    _heard.clear()
+    for number in before:
+        signal.signal(number, _interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _interrupt(number: int, _: FrameType | None) -> NoReturn:
+    _heard.append(number)
+    raise KeyboardInterrupt
+
+
+def is_interrupted() -> bool:
+    """Tell whether a signal has asked the command to end: what goes wrong from then on follows from that."""
+    return bool(_heard)
+
+
+def interrupted_code() -> int:
+    """Return the exit code of an interruption: 128 and the number of the signal, as shells have it; 130 for Ctrl-C."""
+    return 128 + (_heard[0] if _heard else signal.SIGINT)
 
 
 def ended_well(command: Callable[P, None]) -> Callable[P, None]:
@@ -31,11 +68,13 @@ def ended_well(command: Callable[P, None]) -> Callable[P, None]:
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
         try:
             command(*args, **kwargs)
-        except KeyboardInterrupt:
-            tell("interrupted")
-            raise typer.Exit(INTERRUPTED) from None
         except BrokenPipeError:
             raise typer.Exit(BROKEN_PIPE) from None
+        except (KeyboardInterrupt, Exception) as reason:  # libraries that are interrupted as they load raise others
+            if isinstance(reason, typer.Exit) or not (is_interrupted() or isinstance(reason, KeyboardInterrupt)):
+                raise
+            tell("interrupted")
+            raise typer.Exit(interrupted_code()) from None
 
     return run
 
@@ -63,7 +102,7 @@ def end_interrupted(trace: Trace, kept: Path | None) -> None:
     if trace.interrupted:
         words = f"its first {trace.duration:.4g} s are in {kept}" if kept else "nothing is kept; --output keeps it"
         tell(f"interrupted: {words}")
-        raise typer.Exit(INTERRUPTED)
+        raise typer.Exit(interrupted_code())
 
 
 def named_after(design: str, what: str) -> Path:

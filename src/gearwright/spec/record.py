@@ -84,7 +84,7 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     """
     keys = keys_of(model)
     result: dict[str, object] = {}
-    prefix = written.keys.get(at, "")
+    prefix, before = written.keys.get(at, ""), len(written.problems)
     for key, value in raw.items():
         path = f"{prefix}.{key}" if prefix else key or '""'
         if key not in keys and FORMER.get(key) in keys:
@@ -110,13 +110,13 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
             result[name] = _number(value, meant, written, location)
         else:
             result[name] = _nested(value, _field(model, name).annotation, written, location)
-    _require(model, keys, result, written, prefix)
+    _require(model, keys, result, written, prefix, before)
     return result
 
 
 def _require(model: type[Record], keys: Keys, result: dict[str, object],
-             written: Written, prefix: str) -> None:  # fmt: skip
-    """Note every required field that the table lacks."""
+             written: Written, prefix: str, before: int) -> None:  # fmt: skip
+    """Note every required field that the table lacks; ``before`` problems are of other tables."""
     for name, info in model.model_fields.items():
         if info.is_required() and (info.alias or name) not in result:
             options = [key for key, meant in keys.items() if meant.field in (name, info.alias)]
@@ -128,7 +128,7 @@ def _require(model: type[Record], keys: Keys, result: dict[str, object],
             if not any(
                 problem.path.lower().startswith(start.lower())
                 or (problem.path.startswith(prefix) and problem.message.endswith(misspelt))
-                for problem in written.problems
+                for problem in written.problems[before:]
             ):
                 example = _EXAMPLES.get(str(info.annotation), "")
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}{example}"))

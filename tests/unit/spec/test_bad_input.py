@@ -1,5 +1,7 @@
 """Everything that can be wrong with a design file is told with its path, line, value, what is allowed and the fix."""
 
+import tomllib
+
 import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
@@ -143,6 +145,58 @@ def test_what_is_not_toml_is_told_with_its_reason(text):
     assert found.message.endswith("a line reads  key = value  or  [table]")
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("name = 1\n\n[a\n", 3),
+        ('name = 1\ntitle = "unclosed\n', 2),
+        ("name = 1\nschema = 1\nschema = = 2\n", 3),
+        ('name = """never\nclosed', 2),
+    ],
+)
+@pytest.mark.parametrize("reader", [parse, parse_mission, parse_study])
+def test_what_is_not_toml_is_told_with_its_line(reader, text, line):
+    with pytest.raises(DesignError) as caught:
+        reader(text)
+    assert [found.line for found in caught.value.problems] == [line]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x = 1\n" + "a." * 20_000 + "b = 1",
+        "x = 1\n[" + "a." * 20_000 + "b]",
+        'x = 1\ny = {"a".' + "'b' . " * 20_000 + "c = 1}",
+        "x = 1\n" + "".join("a." * 8 + f"b{k} = 1\n" for k in range(2_000)),
+    ],
+)
+@pytest.mark.parametrize("reader", [parse, parse_mission, parse_study])
+def test_a_key_of_more_names_than_any_has_is_refused_before_it_is_read(monkeypatch, reader, text):
+    """TOML's reader takes time with the square of the names of a key."""
+    monkeypatch.setattr(tomllib, "loads", lambda _: pytest.fail("it is read"))
+    with pytest.raises(DesignError, match="has more than 8 names") as caught:
+        reader(text)
+    assert [found.line for found in caught.value.problems] == [2]
+
+
+@pytest.mark.parametrize("entry", ["k{k} = 1\n", "[motors.m{k}]\n", "[[rows]]\na = 1\n", "[a.b{k}]\n", "a.b{k} = 1\n"])
+def test_more_entries_than_any_file_has_are_refused_by_their_number(entry):
+    found = problem("".join(entry.format(k=k) for k in range(6_000)))
+    assert "tables and entries; 5,000 are allowed" in found.message
+
+
+def test_points_in_texts_and_comments_are_no_names():
+    words = ".".join("abcdefghijklmnopqrstuvwxyz")
+    text = f'# {words}\nname = "{words}"\ndescription = """\n{words} \\" {words}\n"""\nx = \'{words}\'\n'
+    assert not [found for found in problems(text) if "names with points" in found.message]
+
+
+def test_what_many_tables_lack_is_named_for_each():
+    text = "".join(f"[motors.m{k}]\n" for k in range(1, 12))
+    lacking = {found.path for found in problems(text) if found.path.startswith("motors.")}
+    assert lacking >= {f"motors.m{k}.power_kw" for k in range(1, 12)}
+
+
 @pytest.mark.parametrize("reader", [parse_mission, parse_study])
 @pytest.mark.parametrize("text", ["[a", "a = " + "[" * 5000, "a = " + "9" * 5000])
 def test_missions_and_studies_are_told_alike(reader, text):
@@ -150,7 +204,7 @@ def test_missions_and_studies_are_told_alike(reader, text):
         reader(text)
 
 
-@pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 2000 + "b = 1", "overrides." + "a." * 2000 + "b = 1"])
+@pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 7 + "b = 1", "overrides." + "a." * 6 + "b = 1"])
 def test_odd_but_legal_toml_is_refused_by_name(text):
     """These need a name and shafts at the least."""
     assert {"name", "shafts"} <= {each.path for each in problems(text)}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from gearwright.errors import SolveError
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.solids import made_of
 from gearwright.exchange.step.wires import MM
@@ -15,15 +16,14 @@ from gearwright.shape import COLOURS, Node, Scene
 from gearwright.version import __version__
 
 
-def write_assembly(scene: Scene, path: Path) -> None:
-    """Write a scene as STEP AP214.
+def assembly(scene: Scene) -> bytes:
+    """Return a scene as STEP AP214.
 
     Args:
         scene: Its solids.
-        path: The file.
 
     Raises:
-        OSError: If Open CASCADE does not write it.
+        SolveError: If Open CASCADE does not write it.
     """
     _silence()
     document = occ.TDocStd_Document(occ.TCollection_ExtendedString("XmlOcaf"))
@@ -42,7 +42,7 @@ def write_assembly(scene: Scene, path: Path) -> None:
             colours.SetColor(label, colour, occ.XCAFDoc_ColorType.XCAFDoc_ColorGen)
         _name(shapes.AddComponent(whole, labels[node.surface], occ.TopLoc_Location(_placed(node))), node.name)
     shapes.UpdateAssemblies()
-    _write(document, path)
+    return _written(document)
 
 
 def _silence() -> None:
@@ -63,7 +63,7 @@ def _placed(node: Node) -> Any:
     return placed
 
 
-def _write(document: Any, path: Path) -> None:
+def _written(document: Any) -> bytes:
     writer = occ.STEPCAFControl_Writer()
     occ.Interface_Static.SetCVal_s("write.step.schema", "AP214IS")
     occ.Interface_Static.SetCVal_s("write.step.unit", "MM")
@@ -72,5 +72,7 @@ def _write(document: Any, path: Path) -> None:
     writer.Transfer(document)
     header = occ.APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
     header.SetOriginatingSystem(occ.TCollection_HAsciiString(f"gearwright {__version__}"))
-    if writer.Write(str(path)).name != "IFSelect_RetDone":
-        raise OSError(f"Open CASCADE did not write {path}")
+    stream = io.BytesIO()
+    if (status := writer.WriteStream(stream).name) != "IFSelect_RetDone":
+        raise SolveError(f"Open CASCADE did not write the assembly ({status}); glb needs nothing but gearwright")
+    return stream.getvalue()
