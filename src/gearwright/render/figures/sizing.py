@@ -59,7 +59,7 @@ def mass_figure(sizing: Sizing) -> Figure:
     axes.invert_yaxis()
     axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(sizing)}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
-    axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
+    axes.set_title(f"Train as sized {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     axes.only_grid("x")
     return figure
 

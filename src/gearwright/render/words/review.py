@@ -94,10 +94,11 @@ def variants_text(found: Variants) -> RenderableType:
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
-    made = closed.sizing.level == PRELIMINARY
-    yield "with gears as made" if made else "of solid wheels", text(closed.mass, "mass")
+    made = "" if closed.sizing.level == PRELIMINARY else " of solid wheels"
+    yield f"train as sized{made}", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
+    yield "its train", text(closed.whole.train, "mass")
     for row in closed.lives:
         hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
         yield f"life of {row.stage}", f"{hours}, by {row.governs}"

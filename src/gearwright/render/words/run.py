@@ -59,7 +59,7 @@ def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
     flow, box = sizing.reference, envelope(sizing)
     if complete:
         yield "complete mass", complete
-    yield "mass of the train" if complete else "mass", train_mass(sizing)
+    yield "train as sized" if complete else "mass", train_mass(sizing)
     yield "power", f"{text(sizing.rated_power, 'power')}, {text(sizing.power_density, 'specific_power')}"
     speeds = [f"{machine.name} {abs(shown(flow.speeds[machine.shaft], 'speed')):.0f}" for machine in sizing.machines]
     yield "speeds", f"{', '.join(speeds)} rpm"

@@ -11,10 +11,10 @@ from gearwright.render.grid.table import written
 from gearwright.study import Row, Table
 from gearwright.study.answers import kind_of, quantiles
 
-_WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
+_WORDS = {"mass": "train as sized", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "complete_mass": "complete", "complete_mass.low": "68 % from",
           "complete_mass.high": "to",
-          "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
+          "total_mass": "train as sized + motors", "total_power_density": "power density with motors",
           "envelope.volume": "envelope",
           "worst_margin": "worst margin of sizing", "review.margin": "worst margin", "review.worst": "worst check",
           "review.verdict": "verdict", "review.failing": "failing checks",
