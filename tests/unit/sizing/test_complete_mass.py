@@ -7,7 +7,6 @@ import re
 from functools import cache
 
 import pytest
-from mounted_designs import SPLIT_PATH
 
 import gearwright as gw
 from gearwright.identity import Kind, PartId
@@ -30,6 +29,7 @@ from gearwright.sizing.mass import (
     weighed_wall,
 )
 from gearwright.spec import edited, parse
+from mounted_designs import SPLIT_PATH
 
 STEEL = 7850.0
 

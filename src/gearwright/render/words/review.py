@@ -10,14 +10,13 @@ from rich.text import Text
 from gearwright.closure import Closed, Contradiction, Round, Variants
 from gearwright.closure.life import LONGEST
 from gearwright.render.grid.grid import Grid
-from gearwright.render.grid.table import written
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
 from gearwright.spec.design import PRELIMINARY
-from gearwright.units import shown, text
+from gearwright.units import shown, text, written
 
 
 def review_text(review: Review) -> RenderableType:

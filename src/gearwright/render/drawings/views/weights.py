@@ -12,7 +12,6 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.mass import TRAIN, complete_mass, gear_blanks
 
 
-
 class Made(NamedTuple):
     """Parts as they are made."""
 

@@ -15,7 +15,7 @@ from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
-from gearwright.units import Origin, text
+from gearwright.units import Origin, margin_text, text
 
 TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
@@ -71,7 +71,7 @@ def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) 
     if trace is not None:
         sentences += [
             f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
-            f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
+            f" {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)} (contact)."
             for load in dynamic_loads(sizing, trace)
             if min(load.bending_margin, load.contact_margin) < 1.0
         ]
