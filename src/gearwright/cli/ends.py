@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
+from gearwright.cli.idle import refuse_idle
 from gearwright.cli.terminal.output import tell
 
 if TYPE_CHECKING:
@@ -25,10 +26,14 @@ P = ParamSpec("P")
 
 
 def ended_well(command: Callable[P, None]) -> Callable[P, None]:
-    """Return a command that ends without a word about itself when it is interrupted or nobody reads it."""
+    """Return a command that ends without a word about itself when it is interrupted or nobody reads it.
+
+    What is given to it and would do nothing is refused first.
+    """
 
     @wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        refuse_idle(command, kwargs)
         try:
             command(*args, **kwargs)
         except KeyboardInterrupt:
