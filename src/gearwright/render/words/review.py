@@ -15,7 +15,6 @@ from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
-from gearwright.spec.design import PRELIMINARY
 from gearwright.units import shown, text, written
 
 
@@ -93,8 +92,7 @@ def variants_text(found: Variants) -> RenderableType:
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
-    made = "" if closed.sizing.level == PRELIMINARY else " of solid wheels"
-    yield f"train as sized{made}", text(closed.mass, "mass")
+    yield "train as sized", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
     yield "its train", text(closed.whole.train, "mass")
