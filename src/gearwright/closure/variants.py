@@ -101,7 +101,7 @@ def nearest_variant(design: Design, closed: Closed, *, tell: Callable[[str], Non
         tried.append(
             Tried(
                 change.what,
-                "; ".join(f"{row.check.name} {margin_text(row.check.margin or 0.0)}" for row in found.unmet),
+                "; ".join(f"{row.check.name} {margin_text(row.check.margin or 0.0, 4)}" for row in found.unmet),
             )
         )
     return Variants(None, tuple(tried))

@@ -134,7 +134,7 @@ def _bars(axes: Axes, checks: Sequence[Check]) -> None:
     for place, (check, margin, length) in enumerate(zip(checks, margins, shown, strict=True)):
         colour = theme.ORANGE if check.fails else theme.INK
         told = "  too small" if check.fails else "  waived" if check.waiver else ""
-        number = margin_text(margin) if math.isfinite(margin) else "no load"
+        number = margin_text(margin, 4) if math.isfinite(margin) else "no load"
         axes.annotate(f"{number}{told}", (length, place), (3, 0), fontsize=7.5,
                        va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}{_case(check)}" for check in checks])

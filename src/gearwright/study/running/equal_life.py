@@ -136,7 +136,7 @@ def _shortest(closed: Closed, judged: Review) -> tuple[float | None, str]:
 
 
 def _words(check: Check) -> str:
-    return f"{check.name} {margin_text(check.margin or 0.0)}"
+    return f"{check.name} {margin_text(check.margin or 0.0, 4)}"
 
 
 def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:

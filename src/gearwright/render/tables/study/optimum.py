@@ -84,7 +84,7 @@ def binding_table(optimum: Optimum) -> Table:
 
 
 def _bound(kind: str, name: str, margin: float) -> str:
-    return f"end of {name}" if kind == "end of a range" else f"{name} {margin_text(margin)}"
+    return f"end of {name}" if kind == "end of a range" else f"{name} {margin_text(margin, 4)}"
 
 
 def price_table(optimum: Optimum) -> Table:
