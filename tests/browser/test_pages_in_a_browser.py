@@ -307,7 +307,7 @@ def test_zooming_into_a_front_leaves_the_rows_of_its_table_that_are_inside(opene
     figure.locator(".u-over").wait_for()
     table = page.locator("table", has=page.locator("caption", has_text=re.compile("^Pareto front$")))
     heads = [head.split("\n")[0] for head in table.locator("thead th").all_inner_texts()]
-    column = next(k for k, head in enumerate(heads) if head.startswith("gearbox") and "+" not in head)
+    column = next(k for k, head in enumerate(heads) if head.startswith("train as sized") and "+" not in head)
     masses = [float(text) for text in table.locator(f"tbody td:nth-child({column + 1})").all_inner_texts()]
     least = sorted(masses)[len(masses) // 2]
     page.evaluate(
@@ -364,11 +364,11 @@ def scale(page, figure):
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_the_head_has_the_numbers_of_the_json(name, opened):
-    """The mass of the train, and complete mass and worst margin of the review, as their commands print them."""
+    """The train as sized, and complete mass and worst margin of the review, as their commands print them."""
     page, _ = opened(PAGES[f"report of {name}"]())
     named = dict(page.evaluate(KEY_NUMBERS))
     sizing, judged = plain(size_answer(sized(name))), plain(review_answer(reviewed(name)))
-    mass = next(value for key, value in named.items() if key == "mass of the train")
+    mass = next(value for key, value in named.items() if key == "train as sized")
     assert float(mass) == pytest.approx(sizing["mass_kg"], rel=1e-6)
     margin = next(value for key, value in named.items() if key.startswith("worst margin"))
     assert float(margin) == pytest.approx(judged["margin"], rel=1e-6)

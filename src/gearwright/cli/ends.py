@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NoReturn, ParamSpec
 
 import typer
 
+from gearwright.cli.idle import refuse_idle
 from gearwright.cli.terminal.output import tell
 
 if TYPE_CHECKING:
@@ -62,10 +63,14 @@ def interrupted_code() -> int:
 
 
 def ended_well(command: Callable[P, None]) -> Callable[P, None]:
-    """Return a command that ends without a word about itself when it is interrupted or nobody reads it."""
+    """Return a command that ends without a word about itself when it is interrupted or nobody reads it.
+
+    What is given to it and would do nothing is refused first.
+    """
 
     @wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        refuse_idle(command, kwargs)
         try:
             command(*args, **kwargs)
         except BrokenPipeError:

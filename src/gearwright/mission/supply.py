@@ -39,6 +39,7 @@ from gearwright.mission.plant import (
     warmed_motor,
 )
 from gearwright.spec import Phase, WindingRules
+from gearwright.units import apart
 
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
@@ -275,8 +276,8 @@ class Supply:
         fix = "climb slower, fly slower" if moment.power is None else "ask for less power"
         if self.motors:
             fix += ", or give the motors a larger electric_share"
-        offer = f"gives {available / 1e3:.4g} kW (by its {bound})"
-        return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {offer}; {fix}"
+        asked, given = apart(power, available, "power")
+        return f"needs {asked} at {moment.altitude:.0f} m, and gives {given} (by its {bound}); {fix}"
 
     def _warmer(
         self, motors: Mapping[str, MotorLosses], warmths: Warmths, points: Mapping[str, MotorPoint], moment: Moment
@@ -296,9 +297,12 @@ class Supply:
         power, speed = point
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
+            asked, limits = zip(
+                apart(power, motor.peak_power, "power"), apart(torque, motor.peak_torque, "torque"), strict=True
+            )
             message = (
-                f"needs {power / 1e3:.0f} kW and {torque:.0f} N m; its limits are {motor.peak_power / 1e3:.0f} kW and"
-                f" {motor.peak_torque:.0f} N m; {less(mode)}, {self._more(name, motor)}"
+                f"needs {' and '.join(asked)}; its limits are {' and '.join(limits)};"
+                f" {less(mode)}, {self._more(name, motor)}"
             )
             raise DesignError([Problem(name, message)])
         return motor_loss(motor, torque, speed)

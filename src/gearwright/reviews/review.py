@@ -133,9 +133,10 @@ def review_of(
 
 
 def _masses(complete: CompleteMass) -> dict[str, Named]:
-    """Return the sum of all parts and the limits of its band of 68 %, by name."""
+    """Return the sum of all parts, the limits of its band of 68 % and what the train is of it, by name."""
     low, high = complete.band
     sums = {"complete_mass": complete.total, "complete_mass.low": low, "complete_mass.high": high}
+    sums["complete_mass.train"] = complete.train
     return {name: Named(mass, "mass") for name, mass in sums.items()}
 
 

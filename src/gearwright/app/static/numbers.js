@@ -4,7 +4,7 @@ import {at, change, made, named, number, percent, ratio} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 
 const KEYS = [
-  ["mass_kg", "Gears, shafts, carriers", false], ["complete_total_kg", "Complete gearbox", false], ["worst_margin", "Worst margin of sizing", true],
+  ["mass_kg", "Train as sized", false], ["complete_total_kg", "Complete gearbox", false], ["worst_margin", "Worst margin of sizing", true],
   ["power_density_kw_kg", "Power density", true], ["envelope.length_mm", "Length", false], ["envelope.width_mm", "Width", false],
 ];
 const read = (result, key) => key.split(".").reduce((part, name) => part?.[name], result);

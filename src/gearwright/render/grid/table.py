@@ -6,14 +6,13 @@ no unit and no formula is written twice.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Literal
 
 from gearwright.identity import PartId
-from gearwright.units import Origin, marks_at, origin_of, shown, unit
+from gearwright.units import Origin, marks_at, number_text, origin_of, shown, unit
 
 Mark = Literal["", "given", "estimated"]
 """Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
@@ -42,14 +41,6 @@ _HEADERS = {
     "name": "", "power_coefficient": "C_P", "thrust_coefficient": "C_T",
     "windmilling_angle": "idle angle", "windmilling_thrust": "idle C_T",
 }  # fmt: skip
-NOISE = 1e-9
-"""Magnitude, in the unit that is shown, below which a number is rounding."""
-EXACT = 12
-"""Digits of a number that no rounding touches [-]: a half is decided by these."""
-SMALLEST_PLAIN = 1e-3
-"""Magnitude below which a number is written with a power of ten."""
-LARGEST_PLAIN = 1e12
-"""Magnitude from which on it is so, too: a life without end, say."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +174,7 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
     """
     if isinstance(value, float):
         number = shown(value, column.dimension) if column.dimension else value
-        return Cell(number, written(number), mark)
+        return Cell(number, number_text(value, column.dimension), mark)
     if value is None:
         return Cell(None, "–", mark)
     if isinstance(value, PartId):
@@ -192,29 +183,3 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
         parts = [cell(part, column) for part in value]
         return Cell([part.value for part in parts], ", ".join(part.text for part in parts), mark)
     return Cell(value, str(value), mark)
-
-
-def written(number: float, digits: int = 4) -> str:
-    """Return a number with so many significant digits, trailing zeros kept; what differs by rounding alone reads alike.
-
-    Args:
-        number: In the unit that is shown.
-        digits: Significant digits [-].
-
-    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30), written(196.25), written(196.25 + 1e-12)
-    ('1.000', '−16035', '0', '0', '196.2', '196.2')
-    """
-    if abs(number) < NOISE:
-        return "0"
-    if number < 0.0:
-        return f"−{written(-number, digits)}"
-    if math.isinf(number):
-        return "∞"
-    number = float(f"{number:.{EXACT}g}")
-    if abs(number) >= LARGEST_PLAIN:
-        return f"{number:.{digits - 1}e}"
-    if abs(number) >= 10 ** (digits - 1):
-        return f"{number:.0f}"
-    if abs(number) < SMALLEST_PLAIN:
-        return f"{number:.{digits - 1}e}"
-    return f"{number:#.{digits}g}".rstrip(".")

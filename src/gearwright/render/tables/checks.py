@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.checks import Check
-from gearwright.render.grid.table import Table, table, written
-from gearwright.units import Quantity, shown, unit
+from gearwright.checks import Check, Status
+from gearwright.render.grid.table import Table, table
+from gearwright.units import Quantity, digits_apart, margin_text, shown, unit, written
 
 JUST_ENOUGH = (
     "Margin: the factor by which loads may grow; 1 is just enough. Of a safety value over limit, of a stress limit over"
@@ -96,8 +96,9 @@ def check_sentence(check: Check) -> str:
         check: One that is assessed.
     """
     (row,) = judged([check])
-    value, limit = (f"{written(number)} {row.unit}".rstrip() for number in (row.value, row.limit) if number is not None)
+    pair = row.value or 0.0, row.limit or 0.0
+    digits = digits_apart(*pair) if check.status is Status.FAILS else 4
+    value, limit = (f"{written(number, digits)} {row.unit}".rstrip() for number in pair)
     case = f", case {row.case}" if row.case else ""
-    return (
-        f"{row.part}: {row.check} {value}, limit {limit} ({row.source}){case}: margin {written(row.margin or 0.0, 3)}"
-    )
+    margin = margin_text(row.margin or 0.0)
+    return f"{row.part}: {row.check} {value}, limit {limit} ({row.source}){case}: margin {margin}"

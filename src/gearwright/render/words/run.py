@@ -10,13 +10,12 @@ from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
-from gearwright.render.grid.table import written
 from gearwright.render.words.headline import energy_text, headline, sizing_headline
 from gearwright.render.words.masses import complete_words, train_mass
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement.envelope import envelope
-from gearwright.units import shown, text
+from gearwright.units import shown, text, written
 
 LABEL = 20
 """Width of the names of numbers [characters]."""
@@ -59,7 +58,7 @@ def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
     flow, box = sizing.reference, envelope(sizing)
     if complete:
         yield "complete mass", complete
-    yield "mass of the train" if complete else "mass", train_mass(sizing)
+    yield "train as sized" if complete else "mass", train_mass(sizing)
     yield "power", f"{text(sizing.rated_power, 'power')}, {text(sizing.power_density, 'specific_power')}"
     speeds = [f"{machine.name} {abs(shown(flow.speeds[machine.shaft], 'speed')):.0f}" for machine in sizing.machines]
     yield "speeds", f"{', '.join(speeds)} rpm"

@@ -34,6 +34,7 @@ from gearwright.sizing.rating import Context
 from gearwright.spec import Design
 from gearwright.spec.checks import APART, KINDS
 from gearwright.spec.design import BearingSeat
+from gearwright.units import apart
 
 TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 """e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
@@ -228,11 +229,13 @@ def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], c
     best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
+    asked, lives = apart(duty.life, best.life, "life")
+    wanted, has = apart(duty.static_safety, best.static_safety, "ratio", 3)
     return (
-        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {duty.life / 3600.0:.4g} h with s_0 ="
-        f" {duty.static_safety:g} under {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
-        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {best.life / 3600.0:.4g} h and s_0 ="
-        f" {best.static_safety:.3g}; take another kind, give more room, move the bearings apart, or ask for less life"
+        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {asked} with s_0 = {wanted} under"
+        f" {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
+        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {lives} and s_0 = {has}; take another"
+        " kind, give more room, move the bearings apart, or ask for less life"
     )
 
 

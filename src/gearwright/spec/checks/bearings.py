@@ -9,6 +9,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import MEMBERS
 from gearwright.spec.checks.mounting import APART
 from gearwright.spec.design import Design, Epicyclic, PlanetBearing
+from gearwright.units import apart
 
 
 def bearing_problems(design: Design) -> Iterator[Problem]:
@@ -95,9 +96,8 @@ def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
         yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
     yield from _idle_keys(path, asked)
     if asked.oil_temperature is not None and asked.oil_temperature >= asked.largest_temperature:
-        message = (
-            f"oil enters at {asked.oil_temperature:.4g} °C, and may leave at {asked.largest_temperature:.4g} °C at most"
-        )
+        enters, leaves = apart(asked.oil_temperature, asked.largest_temperature, "temperature")
+        message = f"oil enters at {enters}, and may leave at {leaves} at most"
         yield Problem(f"{path}.oil_temperature", f"{message}; give cooler oil, or a higher largest_temperature")
     if asked.designation is None:
         return

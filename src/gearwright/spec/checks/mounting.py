@@ -10,6 +10,7 @@ from gearwright.errors import Problem, near
 from gearwright.parts.joints import MODULES
 from gearwright.parts.shafts import RELIABILITY_DEVIATES
 from gearwright.spec.design import LOCATES, NOTHING_GIVEN, BearingSeat, Design, Given, Joint, given_values
+from gearwright.units import apart
 
 KINDS = {
     "deep-groove": "deep-groove ball",
@@ -49,9 +50,8 @@ def _seat(name: str, seat: BearingSeat, design: Design, given: Mapping[str, Give
         yield Problem(f"{path}.shaft", f"there is no shaft {seat.shaft!r}; {near(seat.shaft, design.shafts)}")
     length = given.get(f"{seat.shaft}.length")
     if length is not None and seat.position > length.value:
-        message = (
-            f"{1e3 * seat.position:.6g} mm is outside the shaft; allowed: 0 to {1e3 * length.value:.6g} mm, its length"
-        )
+        place, end = apart(seat.position, length.value, "length")
+        message = f"{place} is outside the shaft; allowed: 0 to {end}, its length"
         yield Problem(f"{path}.position", message)
     yield from _tasks(path, seat)
     yield from _size(path, seat)

@@ -44,8 +44,11 @@ def run(
     from gearwright.dynamics import modes as find_modes
     from gearwright.dynamics.assembly import assemble, default_case
     from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.errors import DesignError, Problem
     from gearwright.render.words.run import run_text, run_verdict
 
+    if date and json and folder is None:
+        raise DesignError([Problem("--date", "no page is written with --json; give --out, too, or leave it out")])
     sizing = sized(design)
     case = case or default_case(sizing)
     system = assemble(sizing, case, stiffness=stiffness)

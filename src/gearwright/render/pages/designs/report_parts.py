@@ -15,7 +15,7 @@ from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
-from gearwright.units import Origin, text
+from gearwright.units import Origin, margin_text, text
 
 TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
@@ -37,9 +37,10 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, .
         quantity("complete mass", whole.total, "mass", digits=3, band=whole.band, share="68 %"),
         quantity("rated power", sizing.rated_power, "power"),
         quantity("output torque", torque, "torque"),
-        quantity("power density of the train", sizing.power_density, "specific_power"),
+        quantity("power density of the train as sized", sizing.power_density, "specific_power"),
         *reserve(worst(sizing.checks) if review is None else review.worst),
-        quantity("mass of the train", sizing.mass, "mass", origin=gears),
+        *([quantity("its gears, shafts, carriers", whole.train, "mass", digits=3)] if whole.train else []),
+        quantity("train as sized", sizing.mass, "mass", origin=gears),
         *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
         Number("level", sizing.level if "level" not in implied(sizing.design) else f"{sizing.level}, by default"),
     ]
@@ -70,7 +71,7 @@ def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) 
     if trace is not None:
         sentences += [
             f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
-            f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
+            f" {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)} (contact)."
             for load in dynamic_loads(sizing, trace)
             if min(load.bending_margin, load.contact_margin) < 1.0
         ]
@@ -100,8 +101,9 @@ def _yielded(sizing: Sizing) -> list[str]:
 
 
 _COUNTED = (
-    "The mass of the train, by which designs are chosen, counts gears, shafts and carriers; the complete mass counts"
-    " housing, bearings, oil system and small parts, too. Motors are in neither."
+    "The train as sized, by which designs are chosen, counts gears, shafts and carriers before webs and seats are cut"
+    " out of them or added; the complete mass takes them as manufactured, with housing, bearings, oil system and small"
+    " parts. Motors are in neither."
 )
 _MOUNTED = (
     "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"

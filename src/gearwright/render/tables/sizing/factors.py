@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.render.grid.table import Table, table, written
+from gearwright.render.grid.table import Table, table
 from gearwright.sizing import MeshSizing, Sizing, pair_data
 from gearwright.sizing.rating import METHODS, Factor, factor_rows
-from gearwright.units import shown, unit
+from gearwright.units import shown, unit, written
 
 _NOTE = (
     "In the heaviest case over the whole life, application factor included; a single value holds for both gears."

@@ -111,7 +111,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "planet_bearings": planet_table(sizing),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
-        "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
+        "mass": table("Train as sized", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
                       note=not_in_the_mass(sizing)),
     }  # fmt: skip
 
