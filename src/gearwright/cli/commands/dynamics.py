@@ -39,7 +39,7 @@ def campbell(
     ] = None,
     json: JsonOption = False,
 ) -> None:
-    """Show critical speeds with their margins to the operating speed, worst first, and draw the Campbell diagram."""
+    """List critical speeds with their separation margins, worst first, and draw the Campbell diagram."""
     from gearwright.dynamics.assembly import assumptions
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.figures.dynamics import campbell_figure

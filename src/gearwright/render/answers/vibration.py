@@ -29,7 +29,7 @@ class CriticalSpeeds:
 
 @dataclass(frozen=True)
 class CampbellAnswer:
-    """Critical speeds with their margins to the operating speed."""
+    """Critical speeds with their separation margins."""
 
     cases: tuple[CriticalSpeeds, ...]
     assumptions: tuple[Assumption, ...]

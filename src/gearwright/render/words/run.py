@@ -72,10 +72,12 @@ def _moved(modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> Iterato
     lowest = next((float(frequency) for frequency, _ in modes.groups() if frequency > 0.0), None)
     if lowest is not None:
         yield "lowest frequency", f"{text(lowest, 'frequency')}, of {len(modes.frequency) - modes.rigid} modes"
-    excited = [critical for case in campbell for critical in case.critical if critical.excited]
-    if excited:
-        near = min(excited, key=lambda critical: abs(critical.margin))
-        yield "nearest resonance", f"{near.margin:+.1%} of the speed: {near.order} meets mode {near.mode}"
+    judged = [critical for case in campbell for critical in case.nearest]
+    if judged:
+        near = min(judged, key=lambda critical: critical.over_limit)
+        above = "above" if near.separation_margin > 0.0 else "below"
+        apart = f"the gearbox runs {abs(near.separation_margin):.1%} {above} it"
+        yield "nearest resonance", f"{near.order} meets mode {near.mode}; {apart}"
     yield "energy balance", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"
 
 

@@ -50,7 +50,7 @@ def dynamics_sections(
 
 
 def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
-    caption = "Natural frequencies, orders and excited resonances against speed; margins of the nearest ones."
+    caption = "Natural frequencies, orders and excited resonances against speed; separation margins of the nearest."
     figures = [figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
     tables = (*map(critical_table, campbell), *map(machine_table, campbell))
     return Section("Critical speeds", tables=tables, figures=tuple(figures))
@@ -60,7 +60,7 @@ def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Seque
     """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
     if modes is None:
         return Section("Mode shapes")
-    near = [critical.modes[0] for case in campbell for critical in case.critical if critical.excited]
+    near = [critical.modes[0] for case in campbell for critical in case.nearest]
     lowest = list(range(modes.rigid + 1, len(modes.frequency) + 1))
     numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
     caption = "Modes excited nearest to the operating speed, on the train." if near else "Lowest modes, on the train."
