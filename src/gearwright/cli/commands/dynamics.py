@@ -76,11 +76,13 @@ def response(
     from gearwright.dynamics.vibration import answer, first_meshes, peaks
     from gearwright.render.figures.dynamics import response_figure
     from gearwright.render.tables.dynamics import peak_table
+    from gearwright.sizing import governing_case
 
     sizing = sized(design)
+    case = case or governing_case(sizing)
     system = assemble(sizing, case)
     row = mesh or sizing.train.meshes[0].name
-    answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
+    answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3, case=case)
     lines = first_meshes(sizing, system)
     if json:
         from gearwright.render.answers.vibration import ResponseAnswer
@@ -107,20 +109,21 @@ def runup(
     """Run at many speeds and show where each mesh is loudest, and its waterfall with orders."""
     import numpy as np
 
-    from gearwright.dynamics.assembly import assemble, default_case
+    from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.vibration import first_meshes, loudest_speeds, run_up, turning_shaft
     from gearwright.render.figures.maps import waterfall_figure
     from gearwright.render.tables.dynamics import loudest_table
+    from gearwright.sizing import governing_case
 
     sizing = sized(design)
+    case = case or governing_case(sizing)
     system = assemble(sizing, case)
     lines = [*first_meshes(sizing, system), *([line] if line is not None else [])]
     with progress("running") as update:
         factors = [float(factor) for factor in np.linspace(lowest, highest, speeds)]
         swept = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
-    running = case or default_case(sizing)
-    shaft = turning_shaft(sizing, running) or sizing.machines[0].shaft
-    speed = abs(sizing.flows[running].speeds[shaft])
+    shaft = turning_shaft(sizing, case) or sizing.machines[0].shaft
+    speed = abs(sizing.flows[case].speeds[shaft])
     table = loudest_table(swept, speed)
     if json:
         from gearwright.render.answers.vibration import RunUpAnswer

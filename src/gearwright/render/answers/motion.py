@@ -42,8 +42,8 @@ def modes_answer(modes: Modes, case: str) -> ModesAnswer:
 
 
 @dataclass(frozen=True)
-class SimulateAnswer:
-    """A simulated run: statistics of every step, and where its energy went."""
+class SimulatedCase:
+    """A simulated run of a load case: statistics of every step, and where its energy went."""
 
     case: str
     method: str
@@ -68,6 +68,14 @@ class SimulateAnswer:
 
 
 @dataclass(frozen=True)
+class SimulateAnswer(SimulatedCase):
+    """The run of the case that is asked for, or of the governing one."""
+
+    others: tuple[SimulatedCase, ...]
+    """Of the other cases that fail, where none is asked for."""
+
+
+@dataclass(frozen=True)
 class Instant:
     """A line of `--jsonl`: one instant of a run."""
 
@@ -78,14 +86,18 @@ class Instant:
     """Shaft -> its torque."""
 
 
-def simulate_answer(trace: Trace, case: str) -> SimulateAnswer:
+def simulate_answer(traces: Mapping[str, Trace]) -> SimulateAnswer:
     """Return what `gearwright simulate --json` answers.
 
     Args:
-        trace: As simulated.
-        case: Load case.
+        traces: Load case -> run; one at least.
     """
-    return SimulateAnswer(
+    first, *others = (_simulated(case, trace) for case, trace in traces.items())
+    return SimulateAnswer(**vars(first), others=tuple(others))
+
+
+def _simulated(case: str, trace: Trace) -> SimulatedCase:
+    return SimulatedCase(
         case=case,
         method=trace.method,
         duration=trace.duration,
@@ -128,14 +140,14 @@ class RunAnswer:
     simulate: SimulateAnswer
 
 
-def run_answer(sizing: Sizing, modes: Modes, trace: Trace, *, case: str, verdict: tuple[str, ...]) -> RunAnswer:
+def run_answer(sizing: Sizing, modes: Modes, traces: Mapping[str, Trace], *, verdict: tuple[str, ...]) -> RunAnswer:
     """Return what `gearwright run --json` answers.
 
     Args:
         sizing: As sized.
         modes: Of its train.
-        trace: A run of it.
-        case: Load case of both.
+        traces: Load case -> run of it; the modes are those of the first.
         verdict: In sentences.
     """
-    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, case), simulate_answer(trace, case))
+    first = next(iter(traces))
+    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, first), simulate_answer(traces))

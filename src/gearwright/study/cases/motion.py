@@ -26,7 +26,7 @@ def modal_results(sizing: Sizing) -> dict[str, Named]:
         sizing: What was sized.
 
     Returns:
-        ``modes.frequency_1`` … the lowest natural frequencies of the first load case [Hz];
+        ``modes.frequency_1`` … the lowest natural frequencies of the governing load case [Hz];
         ``modes.lowest_critical_speed``, of the first machine's shaft, of all load cases [rad/s];
         ``modes.critical_margin``: least separation margin of all that a review judges, |n/n_crit − 1| [-].
         Infinite where nothing is excited in the range that is looked at.
