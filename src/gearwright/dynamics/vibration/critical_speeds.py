@@ -336,7 +336,7 @@ class Shaker:
     def _modes(self, factor: float) -> DampedModes:
         key = factor if self.changes else 1.0
         if key not in self.modes:
-            self.modes[key] = damped_modes(linear(self.system.arrays, key))
+            self.modes[key] = damped_modes(self.system.arrays, key)
         return self.modes[key]
 
     def _worst(self, amplitude: Floats) -> float:

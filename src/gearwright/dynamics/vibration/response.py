@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
-from gearwright.dynamics.equations import damped_modes, linear
+from gearwright.dynamics.equations import damped_rates, linear
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import UNDAMPED, index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
@@ -94,7 +94,7 @@ def frequency_response(
 def _solved(arrays: Arrays, rates: Floats, error: Complexes, load: Complexes) -> tuple[Complexes, Complexes]:
     """Return coordinates and line forces, shapes (frequencies, …)."""
     matrix, model = line_matrix(arrays), linear(arrays)
-    modes = damped_modes(model).rate
+    modes = damped_rates(arrays, 1.0)
     met = np.abs(1j * rates[:, None] - modes) < UNDAMPED * rates[:, None]
     if np.any(met):
         hertz = rates[np.argmax(np.any(met, axis=1))] / (2.0 * np.pi)
