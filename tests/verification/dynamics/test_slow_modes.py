@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model, campbell, modes
-from gearwright.dynamics.equations import damped_modes
+from gearwright.dynamics.equations import damped_modes, line_forces, redundancy
+from gearwright.errors import DesignError
 
 SOFT, STIFF = 1e4, 1e18
 """Stiffnesses 14 decades apart [N m/rad]."""
@@ -71,3 +72,46 @@ def test_what_turns_holds_a_motion_that_no_line_holds():
     model.rotating_frame("x", "y", speed=100.0)
     found = damped_modes(model.build().arrays).rate.imag
     assert found[:2] == pytest.approx([70.0, 130.0], rel=1e-6)
+
+
+def test_what_follows_makes_a_motion_swing_that_no_line_holds():
+    """m ẍ = −k y, m ÿ = k x: λ² = ± i k/m, so that both motions have |λ| = √(k/m) and Im λ = √(k/2m)."""
+    model = Model()
+    model.rotation("disc", inertia=1.0, speed=0.0)
+    model.rotation("wall", inertia=1.0)
+    model.shaft("stiff", "disc", "wall", stiffness=STIFF)
+    for axis in "xy":
+        model.translation(axis, mass=4.0)
+    model.following({"x": 1.0}, {"y": 1.0}, stiffness=4.0 * 50.0**2, damping=0.0)
+    found = damped_modes(model.build().arrays).rate
+    assert found[:2].imag == pytest.approx([50.0 / math.sqrt(2.0)] * 2, rel=1e-6)
+    assert sorted(found[:2].real) == pytest.approx([-50.0 / math.sqrt(2.0), 50.0 / math.sqrt(2.0)], rel=1e-6)
+
+
+def test_teeth_of_a_soft_pair_part_beside_a_pair_that_is_14_decades_stiffer():
+    """Two meshes in parallel carry 10 N; one has an error of 1 m at 100 N/m: it parts, and the other carries all."""
+    model = Model()
+    for name in "abcd":
+        model.rotation(name, inertia=1.0)
+    for pair, stiffness, load in (("ab", 1e16, 1.0), ("cd", 100.0, 10.0)):
+        for side in ("left", "right"):
+            weights = {pair[0]: 1.0, pair[1]: -1.0}
+            model.mesh(f"{pair} {side}", weights, stiffness=stiffness, backlash=math.inf)
+        model.load(pair[0], constant=load)
+        model.load(pair[1], constant=-load)
+    train = redundancy(model.build())
+    force = line_forces(train, np.array([0.0, 0.0, 1.0, 0.0]))
+    assert force == pytest.approx([0.5, 0.5, 0.0, 10.0], abs=1e-6)
+
+
+def test_a_slow_line_that_would_stretch_is_told_beside_a_fast_one():
+    """A wheel of 1 rad/s given as 1.1 beside a rotor of a million rad/s: one part in ten of its own speed."""
+    model = Model()
+    model.rotation("rotor", inertia=1.0, speed=1e6)
+    model.rotation("turbine", inertia=1.0, speed=1e6)
+    model.shaft("fast", "rotor", "turbine", stiffness=1e6)
+    model.rotation("wheel", inertia=1.0, speed=1.0)
+    model.rotation("hub", inertia=1.0, speed=1.1)
+    model.shaft("slow", "wheel", "hub", stiffness=1e6)
+    with pytest.raises(DesignError, match=r"lines\.slow: it would stretch steadily"):
+        model.build()

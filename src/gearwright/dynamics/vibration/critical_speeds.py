@@ -18,6 +18,7 @@ from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import Excitation, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, Order, campbell
+from gearwright.dynamics.vibration.forced import UNLOADED
 from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
 from gearwright.showing import Shown
@@ -280,7 +281,7 @@ class Shaker:
         self.mean = statics(system, balance="accelerate").force
         arrays, mean = system.arrays, np.abs(self.mean)
         meshes = np.array([kind == "mesh" for kind in system.labels.line_kinds])
-        self.carrying = meshes & (mean > SAME * np.max(mean[meshes], initial=0.0))
+        self.carrying = meshes & (mean > UNLOADED * np.max(mean[meshes], initial=0.0))
         self.load = mean[self.carrying]
         self.pushes: dict[Order, Complexes] = {}
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
