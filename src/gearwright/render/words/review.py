@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.closure import Closed, Contradiction, Round, Variants
-from gearwright.closure.life import LONGEST
+from gearwright.closure.life import LONGEST, SHORTEST
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
 from gearwright.render.tables.checks import check_sentence, review_tables
@@ -100,6 +100,7 @@ def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
     for row in closed.lives:
         hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
+        hours = hours if row.life > SHORTEST else "less than 0.1 h"
         yield f"life of {row.stage}", f"{hours}, by {row.governs}"
     if closed.lives:
         yield "life asked", text(closed.design.service.life, "life")
