@@ -18,6 +18,9 @@ from gearwright.showing import Shown
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
 
+NOISE = 1e-9
+"""Force over the largest one of a response below which it is the rounding of none [-]."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Response(Shown):
@@ -118,13 +121,16 @@ def _amplitudes(stated: Mapping[str, complex], names: tuple[str, ...], what: str
 def peaks(response: Response, lines: Sequence[str]) -> list[Peak]:
     """Return the maxima of the forces of some lines against frequency, the highest first.
 
+    A line that what excites does not reach, as meshes behind a cancelled phase, has none: its force is rounding.
+
     Args:
         response: Of the train.
         lines: Whose forces count.
     """
-    maxima = []
+    maxima, noise = [], NOISE * float(np.max(np.abs(response.line_force), initial=0.0))
     for line in lines:
         amplitude = np.abs(response.force(line))
-        inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
+        highest = (amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:]) & (amplitude[1:-1] > noise)
+        inner = np.flatnonzero(highest) + 1
         maxima += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
     return largest_first(maxima, lambda peak: peak.force)

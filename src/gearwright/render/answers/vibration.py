@@ -51,6 +51,7 @@ def campbell_answer(cases: Iterable[SpeedCase], assumptions: Sequence[Assumption
 class ResponseAnswer:
     """How mesh forces answer to a transmission error of one mesh row."""
 
+    case: str
     mesh: str
     """Row whose teeth err."""
     error: Annotated[float, Quantity("length")]
@@ -63,6 +64,7 @@ class ResponseAnswer:
 class RunUpAnswer:
     """Where each mesh is loudest."""
 
+    case: str
     shaft: str
     """Whose speed is given: the first machine's."""
     speed: Speed

@@ -150,27 +150,49 @@ def assumption_table(listed: Sequence[Assumption]) -> Table:
     return table("Assumptions of the dynamic model", listed, ("subject", "value", "origin", "path"))
 
 
-def peak_table(response: Response, lines: Sequence[str], *, maximum: int = 12) -> Table:
+def peak_table(response: Response, lines: Sequence[str], *, excited: str, maximum: int = 12) -> Table:
     """Return the highest peaks of a frequency response.
 
     Args:
         response: Of the train.
         lines: Whose forces count.
+        excited: What excites, in which case.
         maximum: Rows at most.
     """
-    return table("Peaks", peaks(response, lines)[:maximum], ("line", "frequency", "force"))
+    rows = peaks(response, lines)
+    note = f"Amplitudes along the line of action, the highest first.{_left_out(len(rows), maximum)}"
+    return table(f"Peaks: {excited}", rows[:maximum], ("line", "frequency", "force"), note=note)
 
 
-def loudest_table(run_up: RunUp, speed: float) -> Table:
+def excited_by(row: str, error: float, case: str) -> str:
+    """Return what excites a response: ``transmission error of 1 µm in first.sun-planet, case rated``.
+
+    Args:
+        row: Mesh row whose teeth err.
+        error: Amplitude [m].
+        case: Load case.
+    """
+    return f"transmission error of {error * 1e6:g} µm in {row}, case {case}"
+
+
+def loudest_table(run_up: RunUp, speed: float, *, case: str) -> Table:
     """Return for each line the speed at which its force swings most, and the order that does it.
 
     Args:
         run_up: Speeds and spectra.
         speed: Operating speed of the first machine's shaft [rad/s].
+        case: Load case.
     """
     worst = Error(float(np.max(run_up.error)), float(np.max(run_up.rms_error)))
-    note = f"Steady running at each speed with the torques of the case; {worst.words()}, at the worst speed."
+    note = (
+        "Swing: root mean square of the force about its mean F_m over the window of steady running T,"
+        " √(1/T ∫ (F − F_m)² dt); order: what has the largest amplitude there. Steady running at each speed with the"
+        f" torques of the case; {worst.words()}, at the worst speed."
+    )
     note = " ".join([note, *(f"{less[0].upper()}{less[1:]}." for less in run_up.notes)])
     return table(
-        "Loudest speeds", loudest_speeds(run_up, speed), ("line", "speed", "swing", "mean", "order"), note=note
+        f"Loudest speeds, case {case}",
+        loudest_speeds(run_up, speed),
+        ("line", "speed", "swing", "mean", "order"),
+        note=note,
     )
