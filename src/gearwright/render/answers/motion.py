@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.render.answers.design import SizeAnswer, size_answer
@@ -42,7 +42,7 @@ def modes_answer(modes: Modes, case: str) -> ModesAnswer:
 
 
 @dataclass(frozen=True)
-class SimulatedCase:
+class SimulateAnswer:
     """A simulated run of a load case: statistics of every step, and where its energy went."""
 
     case: str
@@ -65,14 +65,8 @@ class SimulatedCase:
     torques: tuple[LineTorque, ...]
     """Of shafts."""
     energy: EnergyBook
-
-
-@dataclass(frozen=True)
-class SimulateAnswer(SimulatedCase):
-    """The run of the case that is asked for, or of the governing one."""
-
-    others: tuple[SimulatedCase, ...]
-    """Of the other cases that fail, where none is asked for."""
+    others: tuple[SimulateAnswer, ...] = ()
+    """Runs of the other cases that fail, where no case is asked for."""
 
 
 @dataclass(frozen=True)
@@ -93,11 +87,11 @@ def simulate_answer(traces: Mapping[str, Trace]) -> SimulateAnswer:
         traces: Load case -> run; one at least.
     """
     first, *others = (_simulated(case, trace) for case, trace in traces.items())
-    return SimulateAnswer(**vars(first), others=tuple(others))
+    return replace(first, others=tuple(others))
 
 
-def _simulated(case: str, trace: Trace) -> SimulatedCase:
-    return SimulatedCase(
+def _simulated(case: str, trace: Trace) -> SimulateAnswer:
+    return SimulateAnswer(
         case=case,
         method=trace.method,
         duration=trace.duration,
