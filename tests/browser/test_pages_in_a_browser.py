@@ -10,7 +10,7 @@ from written import COMMANDS, EVERY_DESIGN, written
 
 from gearwright.cli.terminal.printing import print_pdf
 from gearwright.dynamics import modes
-from gearwright.dynamics.assembly import assemble, default_case
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
@@ -26,6 +26,7 @@ from gearwright.replays.colibri.page import colibri_page
 from gearwright.replays.pulvirenti.page import thesis_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
+from gearwright.sizing import governing_case
 from gearwright.spec import read
 from gearwright.study import compare
 from shipped_work import flown, ground_review, sized
@@ -83,7 +84,7 @@ def page_of_the_flight():
 def moving_report():
     """Return the report of a shipped design with its modes and critical speeds."""
     sizing = sized("in-line-h2")
-    system = assemble(sizing, default_case(sizing))
+    system = assemble(sizing, governing_case(sizing))
     return report(sizing, modes=modes(system), system=system, campbell=critical_speeds(sizing), review=ground_review())
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
@@ -100,6 +100,21 @@ def save_run(path: Path, trace: Trace, sizing: Sizing, case: str) -> Path:
     target = interrupted_name(path) if trace.interrupted else path
     save(StoredRun(sizing.design, case, trace), target)
     return target
+
+
+def save_runs(path: Path, traces: Mapping[str, Trace], sizing: Sizing) -> list[Path]:
+    """Write the runs of some load cases, the first under the name itself, others with the case behind it.
+
+    Args:
+        path: Of the first.
+        traces: Load case -> run.
+        sizing: They are of.
+
+    Returns:
+        Where they are.
+    """
+    names = [path, *(path.with_stem(f"{path.stem}-{case}") for case in list(traces)[1:])]
+    return [save_run(name, trace, sizing, case) for name, (case, trace) in zip(names, traces.items(), strict=True)]
 
 
 def end_interrupted(trace: Trace, kept: Path | None) -> None:

@@ -87,4 +87,4 @@ def test_modes_and_runs_are_told_in_words_and_as_answers(modal, run) -> None:
     assert "first.mesh" in on_screen(modes_text(modal))
     assert "peaks of line forces are right to" in on_screen(trace_text(run))
     assert plain(modes_answer(modal, "rated"))["modes"][0]["frequency_hz"] == 0.0
-    assert plain(simulate_answer(run, "rated"))["energy"]["imbalance"] < 1e-6
+    assert plain(simulate_answer({"rated": run}))["energy"]["imbalance"] < 1e-6

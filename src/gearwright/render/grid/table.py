@@ -34,7 +34,7 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "contact_margin": "margin σ_H", "radial": "F_r", "axial": "F_a", "equivalent_load": "P", "dynamic_rating": "C",
     "life": "L_10h", "static_safety": "s_0", "inner_diameter": "d", "outer_diameter": "D", "bending_notch": "K_f",
     "torsion_notch": "K_fs", "fatigue_safety": "n_f", "yield_safety": "n_y", "din743_safety": "S_D", "pressure": "p",
-    "allowed_pressure": "p_perm", "critical_speed": "n_crit",
+    "allowed_pressure": "p_perm", "critical_speed": "n_crit", "separation_margin": "n_op/n − 1",
 })  # fmt: skip
 """Field -> symbol of the trade."""
 _HEADERS = {

@@ -89,7 +89,7 @@ def _numbers(window: DynamicWindow) -> Iterator[Number]:
         load = max(window.meshes, key=lambda mesh: mesh.peak_over_mean)
         yield Number(f"peak over mean: {load.mesh}", written(load.peak_over_mean, 3), "", load.peak_over_mean)
         force = max(window.meshes, key=lambda mesh: mesh.peak_force)
-        yield quantity(f"largest force: {force.mesh}", force.peak_force, "force")
+        yield quantity(f"largest tangential force: {force.mesh}", force.peak_force, "force")
     if window.shafts:
         shaft = max(window.shafts, key=lambda row: row.peak_torque)
         yield quantity(f"largest torque: {shaft.shaft}", shaft.peak_torque, "torque")

@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.closure import Closed, Contradiction, Round, Variants
-from gearwright.closure.life import LONGEST
+from gearwright.closure.life import LONGEST, SHORTEST
 from gearwright.render.grid.grid import Grid
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing.masses import mass_sentence
@@ -98,6 +98,7 @@ def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str
     yield "its train", text(closed.whole.train, "mass")
     for row in closed.lives:
         hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
+        hours = hours if row.life > SHORTEST else "less than 0.1 h"
         yield f"life of {row.stage}", f"{hours}, by {row.governs}"
     if closed.lives:
         yield "life asked", text(closed.design.service.life, "life")

@@ -173,7 +173,8 @@ def _campbell(campbell: Any) -> Iterator[str]:
 def _speed_case(case: Any) -> Iterator[str]:
     yield f"SpeedCase {case.cases}: {len(case.critical)} critical speeds, the worst first"
     for critical in case.critical[:3]:
-        yield f"{critical.order}, mode {critical.mode}: {critical.frequency:.1f} Hz, margin {critical.margin:+.1%}"
+        margin = f"separation margin {critical.separation_margin:+.1%}"
+        yield f"{critical.order}, mode {critical.mode}: {critical.frequency:.1f} Hz, {margin}"
     yield "next: case.critical, case.campbell, gw.simulate(case.system, duration)"
 
 
