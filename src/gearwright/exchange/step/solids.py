@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
-from gearwright.shape.solids import Chamber, Fastener, Layer, Section, Solid, rim_of
+from gearwright.shape.solids import Bores, Chamber, Fastener, Layer, Section, Solid, rim_of
 
 Place = tuple[float, float]
 """z and radius [m]."""
@@ -36,7 +36,7 @@ def made_of(solid: Solid | Chamber | Fastener) -> Any:
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     if solid.bores is not None:
-        return _bored(made_of(solid._replace(bores=None)), solid, solid.bores.middles, solid.bores.radius)
+        return _plate(solid, solid.bores)
     if not any(radius for _, radius in solid.profile):
         return _prism(solid)
     if solid.holes is not None:
@@ -73,6 +73,18 @@ def _bored(body: Any, solid: Solid, middles: Sequence[complex], radius: float) -
         bored = occ.BRepPrimAPI_MakeCylinder(axis, MM * radius, MM * (high - low + 2.0 * PAST)).Shape()
         body = occ.BRepAlgoAPI_Cut(body, bored).Shape()
     return next(_parts(body, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+
+
+def _plate(solid: Solid, bores: Bores) -> Any:
+    """Return the plate of a carrier: straight between its corners, round in its holes."""
+    low, high = (section.points for section in solid.sections)
+    build = occ.BRepBuilderAPI_MakeFace(_polygon(low), True)
+    (height, bore), _ = sorted(solid.profile)
+    for middle, radius in [*((middle, bores.radius) for middle in bores.middles), *([(0j, bore)] if bore else [])]:
+        down = occ.gp_Ax2(occ.gp_Pnt(MM * middle.real, MM * middle.imag, MM * height), _up().Reversed())
+        edge = occ.BRepBuilderAPI_MakeEdge(occ.gp_Circ(down, MM * radius)).Edge()
+        build.Add(occ.BRepBuilderAPI_MakeWire(edge).Wire())
+    return _pulled(build.Face(), high[0] - low[0])
 
 
 def _chamber(chamber: Chamber) -> Any:
@@ -128,11 +140,20 @@ def _block(outline: Floats, low: float, high: float) -> Any:
 
 def _swept(corners: Floats, way: Floats) -> Any:
     """Return what a plane polygon sweeps along a straight way."""
+    return _pulled(occ.BRepBuilderAPI_MakeFace(_polygon(corners), True).Face(), way)
+
+
+def _polygon(corners: Floats) -> Any:
+    """Return a closed wire of straight lines."""
     build = occ.BRepBuilderAPI_MakePolygon()
     for corner in corners:
         build.Add(occ.gp_Pnt(*(MM * float(part) for part in corner)))
     build.Close()
-    face = occ.BRepBuilderAPI_MakeFace(build.Wire(), True).Face()
+    return build.Wire()
+
+
+def _pulled(face: Any, way: Floats) -> Any:
+    """Return what a plane face sweeps along a straight way."""
     return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(*(MM * float(part) for part in way))).Shape()
 
 
