@@ -23,6 +23,16 @@ def test_an_unknown_key_that_resembles_none_lists_all():
     assert "allowed: " in problem(changed(HYBRID, "planets = 3", "xyz = 3")).message
 
 
+@pytest.mark.parametrize("place", ["", "position_mm = 1000", "position_mm = 1250"])
+def test_a_missing_place_is_one_problem_wherever_others_stand(place):
+    """What stands for it while the rest is looked through stands in nobody's way."""
+    front, rear = (f'[bearings.{name}]\nshaft = "fast"\nkind = "deep-groove"\n' for name in ("front", "rear"))
+    found = [each for each in problems(f"{PAIR}{front}{place}\n{rear}") if ".rear." in each.path]
+    assert [(each.path, each.message.partition(";")[0]) for each in found] == [
+        ("bearings.rear.position_mm", "is required")
+    ]
+
+
 def test_a_misnamed_table_is_one_problem_not_many():
     """What refers to the machines of a misnamed table is no mistake of its own."""
     found = problem(changed(HYBRID, "[motors.electric]", "[motor.electric]"))

@@ -139,3 +139,9 @@ def test_errors_and_layout_may_be_varied_where_the_design_states_none(tmp_path: 
     refuse_unknown_paths(study, designs)
     mass = run(study, designs).column("shaft_mass")
     assert mass[0] == mass[2] > mass[1] == mass[3]
+
+
+def test_a_study_gives_the_same_rows_with_workers(tmp_path: Path) -> None:
+    study = study_of(tmp_path, HEAD + '[axes]\n"carriers.fill" = {values = [0.4, 0.5]}\n')
+    alone, helped = run(study), run(study, workers=1)
+    assert helped == alone and len(helped.rows) == 2

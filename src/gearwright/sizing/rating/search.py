@@ -34,7 +34,7 @@ def untabulated(rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
             like = "" if math.isclose(virtual, count) else f", like {virtual:.3g} of a spur gear,"
             table = f"{RATINGS[rating.method].title} reads Lewis form factors, tabulated from {FEWEST_TEETH} teeth on"
             fix = 'give it more, or write rating = "iso6336"'
-            yield Problem("gears.rating", f"{table}, and a gear has {count}{like}: {fix}")
+            yield Problem("gears", f"{table}, and a gear has {count}{like}: {fix}")
 
 
 def module_for(
