@@ -14,6 +14,8 @@ from gearwright.spec.design import GearRules
 BACKUP = 1.2
 """Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
 AGMA 2001-D04, rim thickness factor."""
+TOOTH_HEIGHT = 2.25
+"""Of the standard basic rack, in modules [-]: ISO 53, profile A."""
 PLANET_HUB = 1.1
 """Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
 CORNER = 2e-3
@@ -67,7 +69,7 @@ def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tup
         root: Radius of the root circle [m].
         seat: Diameters of bore and hub [m].
     """
-    height = 2.25 * gear.module
+    height = TOOTH_HEIGHT * gear.module
     stated = rules.rim_ratio if gear.role in RIMMED else None
     rim = root - (BACKUP if stated is None else stated) * height
     bore = min(seat[0] / 2.0, root - WALL * gear.module)

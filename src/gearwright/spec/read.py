@@ -15,7 +15,7 @@ from gearwright.spec.checks import bearing_problems, reference_problems
 from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.record import Location, build
+from gearwright.spec.record import STAND_INS, Location, build
 from gearwright.spec.slips import slip
 from gearwright.verbs import verb
 
@@ -67,12 +67,12 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
         raise DesignError(
             [Problem("", "the file is empty; `gearwright new` writes a complete one to start from")], source
         )
-    record, written = build(Design, toml_tables(text, source))
+    tables = toml_tables(text, source)
+    record, written = build(Design, tables)
     problems = list(written.problems)
     if record is not None:
-        told = {problem.path for problem in problems}  # a stand-in is in its place, of which nothing is to be said
         more = _in_written_keys(reference_problems(cast(Design, record)), written.keys)
-        problems += [problem for problem in more if problem.path not in told]
+        problems += _without_stand_ins(more, problems, tables) if problems else more
     if problems:
         raise DesignError(placed(problems, text), source)
     design, problems = with_curves(cast(Design, record), folder or Path())
@@ -80,6 +80,16 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     if problems:
         raise DesignError(placed(problems, text), source)
     return design
+
+
+def _without_stand_ins(more: list[Problem], told: list[Problem], tables: dict[str, Any]) -> list[Problem]:
+    """Return problems that are none of what stands for faulty and missing quantities: other ones give them, too."""
+    other, written = build(Design, tables, stand_in=STAND_INS[1])
+    if other is None:
+        return []
+    again = _in_written_keys(reference_problems(cast(Design, other)), written.keys)
+    paths = {problem.path for problem in told}
+    return [problem for problem in more if problem in again and problem.path not in paths]
 
 
 def toml_tables(text: str, source: str) -> dict[str, Any]:

@@ -158,3 +158,9 @@ def test_errors_and_layout_may_be_varied_where_the_design_states_none(tmp_path: 
 )  # fmt: skip
 def test_reasons_that_differ_by_their_numbers_alone_are_one_and_names_stay_whole(reasons: list[str], kind: str) -> None:
     assert {kind_of(reason) for reason in reasons} == {kind}
+
+
+def test_a_study_gives_the_same_rows_with_workers(tmp_path: Path) -> None:
+    study = study_of(tmp_path, HEAD + '[axes]\n"carriers.fill" = {values = [0.4, 0.5]}\n')
+    alone, helped = run(study), run(study, workers=1)
+    assert helped == alone and len(helped.rows) == 2

@@ -106,9 +106,28 @@ def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
     return sampled_curve(phase, stated.stiffness_n_m, harmonics=harmonics, source=stated.file or "design")
 
 
+def stiffness_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair) -> str:
+    """Return by which model a mesh is as stiff as it is: strain energy where no model is asked and the usual one ends.
+
+    Args:
+        sizing: What was sized.
+        mesh: The row at its worst case.
+        pair: Its geometry.
+    """
+    rules = sizing.design.dynamics
+    if "mesh_stiffness" in rules.model_fields_set:
+        return rules.mesh_stiffness
+    try:
+        _iso(mesh, pair, _materials(sizing, mesh))
+    except DesignError as error:
+        if any(problem.path in _OF_SHAPE for problem in error.problems):
+            return "energy"
+    return rules.mesh_stiffness
+
+
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
     made = _materials(sizing, mesh)
-    match sizing.design.dynamics.mesh_stiffness:
+    match stiffness_model(sizing, mesh, pair):
         case "energy":
             return mesh_stiffness_energy(pair, materials=made, harmonics=harmonics)
         case "kuang-yang":

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.errors import SolveError
+from gearwright.errors import Problem, SolveError, refuse
 from gearwright.exchange.step.kernel import occ
-from gearwright.exchange.step.solids import made_of
+from gearwright.exchange.step.solids import NotMade, made_of
 from gearwright.exchange.step.wires import MM
 from gearwright.shape import COLOURS, Node, Scene
 from gearwright.version import __version__
@@ -23,6 +23,7 @@ def assembly(scene: Scene) -> bytes:
         scene: Its solids.
 
     Raises:
+        DesignError: If no solid comes of some bodies, with all of them by name; nothing is written.
         SolveError: If Open CASCADE does not write it.
     """
     _silence()
@@ -31,18 +32,30 @@ def assembly(scene: Scene) -> bytes:
     colours = occ.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     whole = shapes.NewShape()
     _name(whole, scene.name)
-    labels: dict[str, Any] = {}
+    labels, made = dict[str, Any](), _bodies(scene)
     for node in scene.nodes:
         if not node.surface:
             continue
         if node.surface not in labels:
-            label = labels[node.surface] = shapes.AddShape(made_of(scene.solids[node.surface]), False)
+            label = labels[node.surface] = shapes.AddShape(made[node.surface], False)
             _name(label, node.surface)
             colour = occ.Quantity_Color(*COLOURS[node.look], occ.Quantity_TypeOfColor.Quantity_TOC_RGB)
             colours.SetColor(label, colour, occ.XCAFDoc_ColorType.XCAFDoc_ColorGen)
         _name(shapes.AddComponent(whole, labels[node.surface], occ.TopLoc_Location(_placed(node))), node.name)
     shapes.UpdateAssemblies()
     return _written(document)
+
+
+def _bodies(scene: Scene) -> dict[str, Any]:
+    """Return name of a solid -> what Open CASCADE makes of it; refuse all at once that it makes nothing of."""
+    made, problems = dict[str, Any](), list[Problem]()
+    for name in dict.fromkeys(node.surface for node in scene.nodes if node.surface):
+        try:
+            made[name] = made_of(scene.solids[name])
+        except NotMade as error:
+            problems.append(Problem("--to", f"step has no solid of {name!r}: {error}; use glb, which has its surface"))
+    refuse(problems)
+    return made
 
 
 def _silence() -> None:

@@ -12,6 +12,7 @@ from gearwright.cli.designs import reviewed, sized, stamped
 from gearwright.cli.ends import end_interrupted, named_after, save_runs
 from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption, LinesOption, PdfOption
 from gearwright.cli.terminal.output import progress, show, tell
+from gearwright.errors import DesignError, Problem
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -31,13 +32,12 @@ DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=
 def check(design: DesignArgument, json: JsonOption = False) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
     from gearwright.checks import unneeded
-    from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.checks import check_sentence
     from gearwright.render.words.headline import implied_text, sizing_headline, unneeded_text
 
     sizing = sized(design)
-    for case in sizing.flows:  # what the dynamic model would refuse is said here
-        assemble(sizing, case)
+    for problem in _not_assembled(sizing):
+        tell(f"not assessed, as the dynamic model ends there: {problem}")
     weak = [check for check in sizing.checks if check.fails]
     if json:
         from gearwright.render.answers.design import check_answer
@@ -59,6 +59,19 @@ def check(design: DesignArgument, json: JsonOption = False) -> None:
     show(sizing_headline(sizing))
     if by_default := implied_text(sizing.design):
         show(by_default)
+
+
+def _not_assembled(sizing: Sizing) -> list[Problem]:
+    """Return what the dynamic model refuses of a design that is sized, over all its cases, once each."""
+    from gearwright.dynamics.assembly import assemble
+
+    problems = dict[Problem, None]()
+    for case in sizing.flows:
+        try:
+            assemble(sizing, case)
+        except DesignError as error:
+            problems |= dict.fromkeys(error.problems)
+    return list(problems)
 
 
 def size(
