@@ -29,7 +29,7 @@ from gearwright.catalogue.gear_strength import (
 )
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
-from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue.load_factors import level_load_factor, load_factor_tables, load_factors
 from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
@@ -193,6 +193,7 @@ __all__ = [
     "key_for_shaft",
     "keyway_tolerance",
     "least_ratings",
+    "level_load_factor",
     "lip_speed",
     "load_factor_tables",
     "load_factors",

@@ -13,9 +13,11 @@ from gearwright.sizing.rating.context import (
     remembering,
     reverse_parts,
     row_ask,
+    worn_torque,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
+from gearwright.sizing.rating.load_sharing import LoadSharing, load_sharing
 from gearwright.sizing.rating.methods import ELEMENTWISE, METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
@@ -29,9 +31,9 @@ from gearwright.sizing.rating.protocol import (
     Method,
     Unloaded,
 )
-from gearwright.sizing.rating.rims import LEAST_RING, RIMMED, rim_below_roots
+from gearwright.sizing.rating.rims import BACKUP, LEAST_RING, RIMMED, body_inside, rim_below_roots
 from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
-from gearwright.sizing.rating.rules import Ask, Rating, rating_of
+from gearwright.sizing.rating.rules import Ask, Made, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
     bevel_pair,
     bevel_push,
@@ -58,6 +60,7 @@ from gearwright.sizing.rating.widths import (
 )
 
 __all__ = [
+    "BACKUP",
     "CORRECTIONS",
     "ELEMENTWISE",
     "JUST",
@@ -77,7 +80,9 @@ __all__ = [
     "Gap",
     "Known",
     "Load",
+    "LoadSharing",
     "LoadedMesh",
+    "Made",
     "Making",
     "MeshRating",
     "MeshSpectrum",
@@ -87,12 +92,14 @@ __all__ = [
     "bevel_pair",
     "bevel_push",
     "bevel_width",
+    "body_inside",
     "cone_ratio",
     "context_of",
     "cylindrical_mesh",
     "demands_of",
     "factor_rows",
     "fewest_virtual_teeth",
+    "load_sharing",
     "mean_module",
     "method_for",
     "modules",
@@ -114,4 +121,5 @@ __all__ = [
     "under_spectrum",
     "width_ratio",
     "working_radii",
+    "worn_torque",
 ]
