@@ -97,7 +97,7 @@ class Epicyclic(Record):
         description='Efficiency of single meshes, by name: "sun-planet" = 0.99; left out: gears.mesh_efficiency',
     )
     load_sharing: SharingLevel | None = Field(None, description=LEVELS)
-    pin_position: Length | None = Field(None, gt=0, le=1e-3, description=PINS)
+    pin_position: Length | None = Field(None, ge=1e-7, le=1e-3, description=PINS)
     pin_diameter: Length | None = Field(None, gt=0, description="Of the planets' pins; left out: sized")
     plate_thickness: Length | None = Field(None, gt=0, description="Of the carrier's plate; left out: sized")
     eye_wall: Length | None = Field(

@@ -282,7 +282,7 @@ class Planetary(Record):
         False, description="Planets stand at the places nearest to equal ones at which their teeth fit"
     )
     load_sharing: SharingLevel | None = Field(None, description=LEVELS)
-    pin_position: Length | None = Field(None, gt=0, le=1e-3, description=PINS)
+    pin_position: Length | None = Field(None, ge=1e-7, le=1e-3, description=PINS)
     sun_bore: Length | None = Field(
         None, gt=0, description="Bore of the sun, or inside of its rim, for K_V; left out: solid, as on its own shaft"
     )
