@@ -84,9 +84,11 @@ def _torque(task: Task, planets: int) -> float:
     return task.torque * task.factors.get(planets, task.rating.load_factor) / task.rating.load_factor
 
 
-def _relieved(ask: Ask, task: Task) -> Ask:
-    """Return what is asked with the load for which tips are relieved, and the greatest speed."""
-    return ask._replace(relieved=task.steady * np.asarray(ask.per_tooth), fastest=task.fastest * np.asarray(ask.speed))
+def _relieved(ask: Ask, task: Task, among: Ints | None = None) -> Ask:
+    """Return what is asked with the load for which tips are relieved and the greatest speed, of all choices or some."""
+    steady, fastest = (values if among is None or not np.ndim(values) else values[among]
+                       for values in (np.asarray(task.steady), np.asarray(task.fastest)))  # fmt: skip
+    return ask._replace(relieved=steady * np.asarray(ask.per_tooth), fastest=fastest * np.asarray(ask.speed))
 
 
 def _cubes(ask: Ask, task: Task) -> Floats:
@@ -137,7 +139,7 @@ def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints, *, planets:
         teeth=(small[first], large[first]),
         width_ratio=np.asarray(ask.width_ratio)[first],
     )
-    return np.asarray(_cubes(_relieved(nominal, task), task)[place])
+    return np.asarray(_cubes(_relieved(nominal, task, first), task)[place])
 
 
 def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int) -> tuple[Floats, Floats]:
