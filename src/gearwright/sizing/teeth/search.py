@@ -296,7 +296,9 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
             meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
             load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
             loads.append((load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])))
-            lasting[case] = loads[-1] if case not in lasting else largest([lasting[case], loads[-1]], lambda row: row[0])
+            lasting[case] = (
+                loads[-1] if case not in lasting else largest([lasting[case], loads[-1]], lambda row: row[0])
+            )
     torque, rolling = heaviest(loads)
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
