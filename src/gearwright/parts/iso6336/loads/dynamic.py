@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Annotated
 
 import numpy as np
@@ -226,21 +227,27 @@ def dynamic_factor(
     pitch = springs.single * deviations.base_pitch / specific_load
     profile = springs.single * deviations.profile / specific_load
     relief = deviations.relief_term
-    found: DynamicFactor | None = None
+    every = list[DynamicFactor]()
     for mass in masses:
         ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
         factor = _by_region(ratio, mesh.total_contact_ratio, specific_load, pitch=pitch, profile=profile, relief=relief)
-        if found is None:
-            found = DynamicFactor(mass, ratio, pitch, profile, relief, factor)
-            continue
-        larger = np.asarray(factor) > np.asarray(found.factor)
-        chosen = (as_value(np.where(larger, new, old)) for new, old in (
-            (mass, found.reduced_mass), (ratio, found.resonance_ratio), (factor, found.factor),
-        ))  # fmt: skip
-        mass, ratio, factor = chosen
-        found = DynamicFactor(mass, ratio, pitch, profile, relief, factor)
-    assert found is not None
-    return found
+        every.append(DynamicFactor(mass, as_value(ratio), pitch, profile, relief, factor))
+    return reduce(_larger, every)
+
+
+def _larger(first: DynamicFactor, second: DynamicFactor) -> DynamicFactor:
+    """Return the vibration of a mesh that gives the larger K_V, of every pair of an array."""
+    larger = np.asarray(second.factor) > np.asarray(first.factor)
+
+    def chosen(own: Value, other: Value) -> Value:
+        return as_value(np.where(larger, other, own))
+
+    return replace(
+        first,
+        reduced_mass=chosen(first.reduced_mass, second.reduced_mass),
+        resonance_ratio=chosen(first.resonance_ratio, second.resonance_ratio),
+        factor=chosen(first.factor, second.factor),
+    )
 
 
 def _by_region(

@@ -102,7 +102,7 @@ class MeshDuty:
 class MeshQuality:
     """How the flanks are made and mounted."""
 
-    grade: int | None = 5
+    grade: Value | None = 5
     """Flank tolerance class of ISO 1328-1 [-]; None: the usual one of the pitch-line velocity."""
     flank_roughness: float | tuple[float, float] = 4e-6
     """R_z of the flanks of both gears, or of each [m]."""
