@@ -204,7 +204,7 @@ def tip_relief(
 
     Source: ISO 6336-1:2019, clause 6.5.5; ISO/TS 6336-20:2017, C_eff.
     """
-    load = specific_load(mesh, duty)
+    load, single = specific_load(mesh, duty), springs.single
     design = load if duty.relief_torque is None else load * np.asarray(duty.relief_torque) / duty.pinion_torque
     if quality.planet is not None:
         springs = in_ring(mesh, springs, quality.planet)
@@ -217,7 +217,8 @@ def tip_relief(
         made = TipRelief(run_in, deflection)
     else:
         made = relief_for(deflection, mesh.module, run_in)
-    return made if tolerance is None else replace(made, tolerance=tolerance)
+    made = replace(made, stiffness=single)
+    return made if tolerance is None else replace(made, tolerance=tolerance, stated=True)
 
 
 def moving_masses(mesh: MeshGeometry, steels: Steels, *, duty: MeshDuty, quality: MeshQuality) -> tuple[Value, ...]:
@@ -282,7 +283,7 @@ def load_distribution(
         )
     else:
         relief = tip_relief(mesh, springs, steels, duty=duty, quality=quality)
-        left = relief_term(relief, springs, specific, grade=grade, toleranced=quality.relief_tolerance is not None)
+        left = relief_term(relief, specific, grade=grade)
         dynamic = dynamic_factor(
             mesh,
             springs,

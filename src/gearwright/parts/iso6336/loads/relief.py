@@ -49,6 +49,10 @@ class TipRelief:
     """Relief that the load for which it is made asks for C_eff [m]."""
     tolerance: Annotated[Value, Quantity("length"), Origin("max(3 µm, 0.15 C_a)", "estimate for ground teeth")] = 0.0
     """By how much C_a may miss [m]; 0 where an amount is stated without one."""
+    stiffness: Annotated[Value, Quantity("number"), Origin("c′", f"{_PART1}, clause 9")] = 0.0
+    """Of one pair of teeth in the mesh that is relieved c′ [N/m²]."""
+    stated: bool = False
+    """Whether the tolerance is stated; then B_k is at least 0.1."""
 
 
 def running_in_relief(steels: tuple[GearSteel, GearSteel]) -> float:
@@ -129,23 +133,19 @@ def relief_for(deflection: Value, module: Value, run_in: float) -> TipRelief:
     return TipRelief(as_value(amount), deflection, as_value(np.maximum(_LEAST_TOLERANCE, _TOLERANCE * amount)))
 
 
-def relief_term(
-    relief: TipRelief, springs: MeshSprings, load: Value, *, grade: Value, toleranced: bool = False
-) -> Value:
+def relief_term(relief: TipRelief, load: Value, *, grade: Value) -> Value:
     """Return what relief leaves of the vibration B_k [-], at the worse end of its tolerance.
 
     Args:
         relief: Of both gears.
-        springs: Stiffness under the load.
         load: F_t K_A K_γ/b [N/m].
         grade: Flank class [-].
-        toleranced: Whether the tolerance is stated; then B_k is at least 0.1.
 
     Source: ISO 6336-1:2006, clause 6.5.5: |1 − c′ C_a b/(F_t K_A K_γ)|, 1 from class 6 on.
     """
-    per = springs.single / load
+    per = relief.stiffness / load
     term = np.abs(1.0 - per * relief.amount) + per * relief.tolerance
-    if toleranced:
+    if relief.stated:
         term = np.maximum(term, _LEAST_TERM)
     return as_value(np.where(np.asarray(grade) >= COARSE_CLASS, 1.0, term))
 
