@@ -30,7 +30,12 @@ from gearwright.catalogue.gear_strength import (
 )
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
-from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue.load_factors import (
+    LEAST_SHARING,
+    level_load_factor,
+    load_factor_tables,
+    load_factors,
+)
 from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
@@ -123,6 +128,7 @@ __all__ = [
     "CENTRE_FITS",
     "ELASTOMERS",
     "LARGEST",
+    "LEAST_SHARING",
     "LENGTHS",
     "MAPS",
     "RATIOS",
@@ -195,6 +201,7 @@ __all__ = [
     "key_for_shaft",
     "keyway_tolerance",
     "least_ratings",
+    "level_load_factor",
     "lip_speed",
     "load_factor_tables",
     "load_factors",

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, outline_area, widest_rounding
-from gearwright.sizing.rating import RIMMED
+from gearwright.sizing.rating import BACKUP, RIMMED
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec import Design
 from gearwright.spec.design import GearRules
 
-BACKUP = 1.2
-"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
-AGMA 2001-D04, rim thickness factor."""
 TOOTH_HEIGHT = 2.25
 """Of the standard basic rack, in modules [-]: ISO 53, profile A."""
 PLANET_HUB = 1.1

@@ -24,6 +24,7 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "teeth": "z", "module": "m_n", "helix_angle": "β", "profile_shift": "x", "tip_alteration": "k",
     "face_width": "b", "pitch_diameter": "d", "mass": "m", "centre_distance": "a_w", "working_pressure_angle": "α_wt",
     "inertia": "I", "speed": "n", "torque": "T", "power": "P", "load_factor": "K_γ", "tangential_force": "F_t",
+    "resonance_ratio": "N", "dynamic_factor": "K_V", "relief_term": "B_k", "tip_relief": "C_a",
     "radial_force": "F_r", "axial_force": "F_a", "pitch_line_velocity": "v", "bending_stress": "σ_F",
     "contact_stress": "σ_H", "stiffness": "k", "bending_moment": "M_b", "diameter": "d", "bore": "d_i",
     "length": "L", "pin_force": "F_p", "centrifugal_force": "F_c",

@@ -10,7 +10,7 @@ from rich.text import Text
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import MARKS, Cell, Column, Table
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.factors import factor_tables, usual_table
 from gearwright.render.tables.sizing.influences import influence_tables
 from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
@@ -30,6 +30,7 @@ _ORDER = (
     "speeds",
     "gears",
     "meshes",
+    "load_factors",
     "rating",
     "shafts",
     "shaft_sizes",
@@ -77,7 +78,8 @@ def factors_text(sizing: Sizing) -> RenderableType:
     Args:
         sizing: As sized.
     """
-    return Group(*map(table_text, factor_tables(sizing).values()))
+    usual = usual_table(sizing)
+    return Group(*map(table_text, ([usual] if usual.rows else []) + [*factor_tables(sizing).values()]))
 
 
 def influences_text(sizing: Sizing, wish: float) -> RenderableType:

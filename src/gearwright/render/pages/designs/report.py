@@ -41,7 +41,7 @@ from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.factors import factor_tables, usual_table
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
 from gearwright.render.words.inputs import entries
@@ -91,7 +91,7 @@ def report(
     ]
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    sections.append(Section("Assumptions", listed=assumptions(sizing)))
+    sections.append(Section("Assumptions", tables=_filled(usual_table(sizing)), listed=assumptions(sizing)))
     given, default = inputs(entries(sizing.design), of="design", lines=stamp.lines)
     given = replace(given, tables=_filled(tables["overrides"]))
     return set_page(
@@ -139,7 +139,9 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     margins = figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
     mass = figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
-    yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))
+    yield _chapter(
+        "Meshes: forces, stresses and margins", tables, "meshes", "load_factors", "rating", figures=(margins,)
+    )
     factors = tuple(factor_tables(sizing).values())
     if factors:
         yield Section("Rating of the gears", tables=factors)

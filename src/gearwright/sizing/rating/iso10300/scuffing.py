@@ -11,6 +11,7 @@ from gearwright.parts.bevel import BevelRating, virtual_mesh
 from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integral_temperature
 from gearwright.sizing.rating.iso6336.scuffing import FlashPeak, flash_peak, oil_of
+from gearwright.sizing.rating.iso10300.inputs import USUAL_CLASS
 from gearwright.sizing.rating.rules import Rating
 
 SCUFFING = ("ISO/TR 13989-2, 6.2", "ISO/TS 6336-20 on the virtual cylindrical gears")
@@ -47,7 +48,7 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         nominal_load=force * float(factors.loads.application),
         speed=factors.speed,
         roughness=rules.flank_roughness / RZ_OVER_RA,
-        grade=rules.tolerance_class,
+        grade=rules.tolerance_class or USUAL_CLASS,
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,
     )

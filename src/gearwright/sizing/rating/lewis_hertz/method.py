@@ -120,6 +120,7 @@ def _by_iso(rating: Rating, steel: GearLifeRules) -> Rating:
         hardness_hv=steel.hardness_hv,
         tolerance_class=steel.flank_class,
         helix_modification="none",
+        tip_relief_for="run-in",
         oil_viscosity=_OIL_VISCOSITY,
     )
     return replace(rating, rules=rating.rules.model_copy(update={"iso6336": rules}))
