@@ -44,10 +44,11 @@ class Criterion(NamedTuple):
         return speed / (1.0 + self.limit), speed / (1.0 - self.limit)
 
 
-RESONANCE = Criterion("ISO 6336-1:2006, clause 6: N < 0.85 or > 1.15", 0.15)
-"""Of the mesh frequency and its multiples: outside it a gear runs in its main resonance range.
+RESONANCE = Criterion("modes of the train: 15 % from meshes", 0.15)
+"""Of the mesh frequency and its multiples, from natural frequencies of the whole train: as far as ISO 6336-1 keeps one
+mesh alone from its own main resonance, whose N the rating of gears judges.
 
-Source: ISO 6336-1:2006, clause 6: N = n/n_E1 from N_S = 0.85, for F_t K_A/b ≥ 100 N/mm, to 1.15.
+Source: ISO 6336-1:2006, clause 6, the width of the main resonance range, 0.85 to 1.15; method A asks for the train.
 """
 SEPARATION = Criterion("API 617: 10 %", 0.1)
 """Of what comes once or several times in a turn of a shaft, and of what it modulates.

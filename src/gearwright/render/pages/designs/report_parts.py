@@ -75,7 +75,8 @@ def warnings(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None 
     for case, trace in traces.items():
         sentences += [
             f"{load.mesh}, case {case}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the"
-            f" margins are {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)} (contact)."
+            f" margins are {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)}"
+            " (contact)."
             for load in dynamic_loads(sizing, trace)
             if min(load.bending_margin, load.contact_margin) < 1.0 and not _said(load, checks)
         ]
