@@ -21,6 +21,7 @@ ALLOWED = {
     "exchange/rexs/files/json_text.py": "lines of JSON texts",
     "exchange/rexs/files/opening.py": "how files of each form begin",
     "exchange/step/kernel.py": "packages in names of Open CASCADE's classes",
+    "study/answers/table.py": "numbers in the reason of a failed case",
     "study/cases/": "paths and names of results that a study asks for",
     "shipped/gallery.py": "heading of a notebook",
     "replays/colibri/report/printed.py": "keys and digits of the report's own table",

@@ -387,10 +387,10 @@ CASES = {
         },
     ),
     "engines": (
-        "--series PW1",
+        "",
         {
             "--series": "--series CT7",
-            "--manufacturer": "--manufacturer Rolls",
+            "--manufacturer": "--manufacturer Pratt",
             "--kind": "--kind turboshaft",
             "--model": "--model PW127",
             "--min-power-kw": "--min-power-kw 1800",

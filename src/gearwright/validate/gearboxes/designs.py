@@ -30,7 +30,7 @@ shaft = "fast"
 power_kw = {power!r}
 speed_rpm = {fast!r}
 [cases.rated]
-blades.power_kw = {power!r}
+blades = {{ power_kw = {power!r}, drives = true }}
 {stages}
 [gears]
 material = "18CrNiMo7-6"
