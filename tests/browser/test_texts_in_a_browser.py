@@ -151,6 +151,28 @@ def test_studies_have_histories_and_drafts_of_their_own(opened):
     assert told == []
 
 
+def test_what_was_found_for_one_design_is_not_written_under_the_name_of_another(opened, desk):
+    """A variant of another design, as of a study, is opened as that design; what was closed goes with its file."""
+    at, _ = desk
+    page, told = opened(at)
+    take(page, "a.toml", 20000)
+    page.click("#close-line button >> nth=0")
+    page.wait_for_selector("body[data-closed] #unmet button")
+    page.select_option("#design", "file:b.toml")
+    page.wait_for_selector(".cm-line:has-text('speed_rpm = 22000')")
+    assert page.locator("#unmet button").count() == 0
+    other = (
+        gw.shipped_design("in-line-h1").read_text(encoding="utf-8").replace("schema = 1", "schema = 1  # variant", 1)
+    )
+    page.evaluate("async text => (await import('/static/files.js')).offered(text, 'a variant', 'in-line-h1')", other)
+    page.wait_for_selector(".cm-line:has-text('# variant')")
+    assert page.input_value("#design") == "shipped:in-line-h1" and page.is_enabled("#undo")
+    page.select_option("#design", "file:b.toml")
+    page.wait_for_selector(".cm-line:has-text('speed_rpm = 22000')")
+    assert "# variant" not in shown(page) and page.is_disabled("#save")
+    assert told == []
+
+
 def test_a_number_that_is_cleared_keeps_its_box_until_it_is_left(opened):
     page, told = opened()
     box = page.locator(SPEED)
