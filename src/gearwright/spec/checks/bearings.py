@@ -54,12 +54,12 @@ def _planet_bearings(design: Design) -> Iterator[Problem]:
 
 
 def _on_pin(path: str, where: str, pin: float | None, asked: PlanetBearing) -> Iterator[Problem]:
-    """Yield a bearing that is given beside a pin of another diameter."""
+    """Yield a bearing that is given and does not go over a pin that is; a thinner pin may carry a sleeve."""
     fitted = bearings().get(asked.designation or "")
-    if pin is not None and fitted is not None and abs(fitted.bore - pin) > APART:
+    if pin is not None and fitted is not None and pin > fitted.bore + APART:
         message = (
             f"{fitted.designation} has a bore of {1e3 * fitted.bore:g} mm, and {path}.pin_diameter_mm is {1e3 * pin:g};"
-            " allowed: the pin's diameter; give a bearing of that bore, or leave the pin's diameter out"
+            f" allowed: a pin of up to {1e3 * fitted.bore:g} mm; give a larger bearing, or leave the pin's diameter out"
         )
         yield Problem(f"{where}.designation", message)
 
