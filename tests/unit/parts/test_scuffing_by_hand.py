@@ -165,6 +165,18 @@ def test_the_flash_temperature_is_that_of_equation_5(pair):
     assert made.margin == near(limit - made.contact)
 
 
+@pytest.mark.parametrize(("mates", "factor"), [(1.0, 1.0), (2.0, 1.5), (3.0, 2.0), (5.0, 3.0)])
+def test_a_sun_is_heated_by_all_its_planets(mates, factor):
+    """X_mp = (1 + n_p)/2 of ISO/TR 13989-1:2000 in the bulk temperature alone; of flashes there are as hot ones."""
+    alone, among = flash_temperature(mesh_of(SPUR), OIL), flash_temperature(mesh_of(SPUR, mates=mates), OIL)
+    assert among.flash == pytest.approx(alone.flash)
+    assert among.bulk - 90.0 == near(factor * (alone.bulk - 90.0))
+    assert among.contact == near(among.bulk + alone.flash.max())
+    one, all_of_them = integral_temperature(mesh_of(SPUR), OIL), integral_temperature(mesh_of(SPUR, mates=mates), OIL)
+    assert all_of_them.flash_mean == near(one.flash_mean)
+    assert all_of_them.integral == near(90.0 + (0.7 * 1.2 * factor + 1.5) * one.flash_mean)
+
+
 def k_b(total):
     """K_Bγ, ISO/TS 6336-21, eq. 5."""
     return 1.0 if total <= 2.0 else 1.3 if total >= 3.5 else 1.0 + 0.2 * math.sqrt((total - 2.0) * (5.0 - total))
