@@ -11,7 +11,7 @@ import pytest
 import gearwright as gw
 from gearwright.exchange.step import to_step, write
 from gearwright.parts.gears import Blank, TransverseTooth, transverse_form
-from gearwright.shape.solids import disc_gear, loop_of, surface_of
+from gearwright.shape.solids import Bores, Section, Solid, disc_gear, loop_of, surface_of
 from shipped_work import sized
 from step_files import volume_of
 
@@ -43,15 +43,15 @@ except ModuleNotFoundError as error:
 
 @pytest.mark.extra("OCP")
 def test_bodies_of_which_no_solid_comes_are_refused_by_name_and_nothing_is_written(tmp_path):
-    """Two gears whose teeth hang beside a web on a rim of no thickness: both are named at once."""
+    """Two plates whose holes reach beyond their outlines: both are named at once."""
     from gearwright.exchange.step.assembly import write_assembly
 
-    tooth = TransverseTooth(12, 3e-3)
-    blank = Blank(tooth.root_radius, tooth.root_radius, 0.008, 0.006, 0.02, 0.006)
-    thin = disc_gear(loop_of(transverse_form(tooth, fillet=3, flank=3), 12), [(-0.01, 0.0), (0.01, 0.0)], blank)
+    angles = np.radians([0.0, 90.0, 180.0, 270.0])
+    low, high = (Section(np.full(4, 0.05), angles, np.full(4, place)) for place in (-0.01, 0.01))
+    open_plate = Solid(((0.01, 0.0), (-0.01, 0.0)), (low, high), np.zeros(4, bool), bores=Bores((0.045 + 0j,), 0.01))
     built, names = gw.scene(sized("single-planetary"), detail="smooth"), ("first.sun", "first.planet")
     nodes = tuple(node for node in built.nodes if node.surface in (*names, "shaft input"))
-    few = replace(built, solids={**built.solids, **dict.fromkeys(names, thin)}, nodes=nodes)
+    few = replace(built, solids={**built.solids, **dict.fromkeys(names, open_plate)}, nodes=nodes)
     with pytest.raises(gw.DesignError) as told:
         write_assembly(few, tmp_path / "spoilt.step")
     assert [problem.path for problem in told.value.problems] == ["--to", "--to"]

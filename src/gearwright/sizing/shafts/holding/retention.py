@@ -232,7 +232,8 @@ def _thrust(sizing: Sizing, gear: GearSizing, mesh: MeshSizing) -> float:
 
 def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *, force: float) -> Retention:
     edge = part.edge(way)
-    seat = next(step.diameter for step in shaft.steps if step.start <= edge - way * _INSIDE <= step.end)
+    inside = min(max(edge - way * _INSIDE, shaft.steps[0].start), shaft.steps[-1].end)  # a part may hang over an end
+    seat = next(step.diameter for step in shaft.steps if step.start <= inside <= step.end)
     beyond = [other.edge(-way) for other in stack if other.is_machine and way * (other.edge(-way) - edge) > -_INSIDE]
     outwards = shaft.steps if way > 0 else shaft.steps[::-1]
     past = [step for step in outwards if way * ((step.end if way > 0 else step.start) - edge) > _INSIDE]
