@@ -10,6 +10,7 @@ from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.ranking import largest, smallest
 from gearwright.render.grid.table import written
 from gearwright.render.words.headline import energy_text, headline, sizing_headline
 from gearwright.render.words.masses import complete_words, train_mass
@@ -74,7 +75,7 @@ def _moved(modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> Iterato
         yield "lowest frequency", f"{text(lowest, 'frequency')}, of {len(modes.frequency) - modes.rigid} modes"
     excited = [critical for case in campbell for critical in case.critical if critical.excited]
     if excited:
-        near = min(excited, key=lambda critical: abs(critical.margin))
+        near = smallest(excited, lambda critical: abs(critical.margin))
         yield "nearest resonance", f"{near.margin:+.1%} of the speed: {near.order} meets mode {near.mode}"
     yield "energy balance", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"
 
@@ -82,5 +83,5 @@ def _moved(modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> Iterato
 def _peaks(sizing: Sizing, trace: Trace) -> Iterator[tuple[str, str]]:
     loads = dynamic_loads(sizing, trace)
     if loads:
-        peak = max(loads, key=lambda load: load.peak_over_mean)
+        peak = largest(loads, lambda load: load.peak_over_mean)
         yield "peak over mean", f"{written(peak.peak_over_mean, 3)} in the teeth of {peak.mesh}"

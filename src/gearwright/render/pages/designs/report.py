@@ -10,6 +10,7 @@ from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.ranking import smallest
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import (
     aged_bearings,
@@ -106,7 +107,7 @@ def _verdict(sizing: Sizing, trace: Trace | None, review: Review | None) -> Verd
     broken = [load for load in loads if min(load.bending_margin, load.contact_margin) < 1.0]
     if not broken:
         return said
-    least = min(broken, key=lambda load: min(load.bending_margin, load.contact_margin))
+    least = smallest(broken, lambda load: min(load.bending_margin, load.contact_margin))
     words = f"Under the simulated peaks {len(broken)} of {len(loads)} meshes break a margin, most of all {least.mesh}."
     return Verdict(Tone.BAD, "Fails", f"{words} {said.said}")
 
