@@ -116,4 +116,4 @@ def test_a_line_that_does_not_come_is_noticed():
     """The comparison itself: order counts, lines between do not."""
     assert shown.missing(["a", "c"], ["a", "b", "c"]) is None
     assert shown.missing(["c", "a"], ["a", "b", "c"]) == "a"
-    assert shown.missing(["a "], ["a"]) == "a "
+    assert shown.missing(["a b"], ["a"]) == "a b"
