@@ -20,7 +20,7 @@ def test_every_minimum_is_the_version_with_which_the_lowest_environment_runs():
     pins = dict(line.lower().split("==") for line in lines if "==" in line)
 
     def numbers(version):
-        return [int(part) for part in (version.split(".") + ["0", "0"])[:3]]
+        return [int(part) for part in [*version.split("."), "0", "0"][:3]]
 
     assert {name: numbers(pins[name.lower()]) for name in minimums()} == {
         name: numbers(version) for name, version in minimums().items()
