@@ -8,6 +8,7 @@ from operator import itemgetter
 from gearwright.closure.closed import StageLife
 from gearwright.closure.requirements import requirement_of
 from gearwright.closure.wishes import HOUR
+from gearwright.ranking import smallest_first
 from gearwright.sizing import Sizing
 from gearwright.sizing.insight import trial_of
 from gearwright.spec import edited
@@ -32,7 +33,7 @@ def stage_lives(sizing: Sizing, left_out: frozenset[str] = frozenset()) -> tuple
     """
     stages = [name for name in sizing.design.simple_stages if RATINGS[sizing.design.rating(name)].fatigue]
     lives = [_life(sizing, stage, left_out) for stage in stages]
-    return tuple(sorted(lives, key=lambda row: row.life))
+    return tuple(smallest_first(lives, lambda row: row.life))
 
 
 def _life(sizing: Sizing, stage: str, left_out: frozenset[str]) -> StageLife:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from gearwright.closure.requirements import STRENGTH, requirement_of
+from gearwright.ranking import smallest
 from gearwright.sizing.insight import Trial
 from gearwright.sizing.rating import STANDARD_MODULES
 
@@ -158,7 +159,7 @@ def lightest(task: StageTask, start: float, *, standard: bool) -> StageSize | No
         standard: Modules of ISO 54 alone.
     """
     sizes = [size for module in _modules(task, start, standard=standard) if (size := sized_at(task, module))]
-    return min(sizes, key=lambda size: size.volume, default=None)
+    return smallest(sizes, lambda size: size.volume) if sizes else None
 
 
 def _modules(task: StageTask, start: float, *, standard: bool) -> Iterator[float]:
@@ -167,7 +168,7 @@ def _modules(task: StageTask, start: float, *, standard: bool) -> Iterator[float
         yield _least_module(task, start)
         return
     series = [value * _MM for value in STANDARD_MODULES]
-    place = min(range(len(series)), key=lambda k: abs(math.log(series[k] / start)))
+    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
     while place > 0 and _does(task, series[place - 1]):
         place -= 1
     while place < len(series) - 1 and not _does(task, series[place]):

@@ -18,6 +18,7 @@ from gearwright.enumeration.requirement import Requirement, requirement_of
 from gearwright.enumeration.trains import Architecture, trains
 from gearwright.errors import Problem, refuse
 from gearwright.processes import computed
+from gearwright.ranking import smallest_first
 from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.sizing.mass import complete_mass
@@ -223,7 +224,8 @@ def _near(rows: Sequence[Candidate]) -> list[Candidate]:
 def _light(rows: Sequence[Candidate], count: int) -> list[Candidate]:
     """Return the lightest of the architectures that were sized against fatigue."""
     known = [row for row in rows if row.rated_mass is not None]
-    return sorted(known, key=lambda row: (row.rated_mass or 0.0, row.architecture.slug))[:count]
+    by_name = sorted(known, key=lambda row: row.architecture.slug)
+    return smallest_first(by_name, lambda row: row.rated_mass or 0.0)[:count]
 
 
 def _weight(row: EqualLife) -> tuple[bool, float]:

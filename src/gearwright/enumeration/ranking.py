@@ -13,6 +13,7 @@ from gearwright.enumeration.stepped import borne
 from gearwright.enumeration.trains import Architecture
 from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.identity import Role, gear_part
+from gearwright.ranking import smallest
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import remembering
@@ -166,7 +167,7 @@ def proportioned(requirement: Requirement, row: Candidate, *, life: float) -> Ca
                 tried = _rated(requirement, best, around, life)
             except GearwrightError:
                 continue
-            best = min(best, tried, key=lambda one: one.promise)
+            best = smallest([best, tried], lambda one: one.promise)
     return best
 
 
@@ -206,7 +207,7 @@ def _lightest(requirement: Requirement, architecture: Architecture) -> tuple[flo
                     problems = problems or [Problem(architecture.name, _words(error))]
         if not tried:
             raise DesignError(problems)
-        best = min(tried, key=lambda point: tried[point][0])
+        best = smallest(tried, lambda point: tried[point][0])
         places = list(best)
     return (*tried[best], best)
 

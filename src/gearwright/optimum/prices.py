@@ -14,6 +14,7 @@ from gearwright.optimum.judging import judged_rows
 from gearwright.optimum.keeping import Fixed, with_teeth
 from gearwright.optimum.optimum import Optimum, Price
 from gearwright.optimum.polishing import Compass, rounds
+from gearwright.ranking import largest_first
 from gearwright.spec import Study, path_problem
 from gearwright.spec.edit import standing_at
 from gearwright.spec.studies import Value
@@ -65,7 +66,7 @@ def prices_of(bench: Bench, answer: Optimum, values: Floats) -> tuple[Price, ...
             prices.append(
                 Price(relaxed.limit, relaxed.kind, dict(zip(answer.objectives, change.tolist(), strict=True)))
             )
-    return tuple(sorted(prices, key=lambda price: -_weight(price, span, answer)))
+    return tuple(largest_first(prices, lambda price: _weight(price, span, answer)))
 
 
 def _weight(price: Price, span: Floats, answer: Optimum) -> float:

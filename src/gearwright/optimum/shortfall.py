@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from gearwright.errors import GearwrightError, Problem
 from gearwright.optimum.course import Archive
 from gearwright.optimum.keeping import sizing_of
+from gearwright.ranking import smallest_first
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 from gearwright.units import margin_text
@@ -54,5 +55,5 @@ def _failing(study: Study, designs: Mapping[str, Design], row: Row) -> Iterator[
         checks = sizing_of(study, designs, row).checks
     except GearwrightError:
         return
-    worst = sorted((check for check in checks if check.fails), key=lambda check: check.margin or 0.0)
+    worst = smallest_first((check for check in checks if check.fails), lambda check: check.margin or 0.0)
     yield from (f"{check.name} ({margin_text(check.margin or 0.0)} of what is asked)" for check in worst[:FEW])

@@ -14,6 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.identity import HOUSING, Kind, Role
+from gearwright.ranking import largest_first
 from gearwright.shape.casings.flanges import FLANGES
 from gearwright.shape.casings.screws import SCREW
 from gearwright.shape.record import Node, Scene
@@ -55,7 +56,7 @@ def overlaps(sizing: Sizing, scene: Scene) -> tuple[Overlap, ...]:
                 found.append(Overlap(one.name, other.name, depth))
     moving = [node for node in nodes if any(node.spins.values()) or node.on or node.look == "holder"]
     found += _into_walls(scene, [*moving, *(node for node in scene.nodes if node.look == SCREW)])
-    return tuple(sorted(found, key=lambda overlap: -overlap.depth))
+    return tuple(largest_first(found, lambda overlap: overlap.depth))
 
 
 def _into_walls(scene: Scene, bodies: list[Node]) -> Iterator[Overlap]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
 from gearwright.catalogue import Bearing, ModifiedLife
+from gearwright.ranking import smallest
 from gearwright.units import Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 
@@ -91,7 +92,7 @@ class BuiltShaft:
     @property
     def weakest(self) -> SectionStrength:
         """The section with the least safety against fatigue."""
-        return min(self.sections, key=lambda section: section.fatigue_safety)
+        return smallest(self.sections, lambda section: section.fatigue_safety)
 
 
 class Running(NamedTuple):

@@ -88,7 +88,7 @@ def test_loads_that_do_not_balance_are_told_by_every_verb():
     model.load(first, constant=10.0)
     model.load(second, constant=3.0)
     system = model.build()
-    told = "the loads on it do not balance: they leave -7 N m"
+    told = "the loads on it do not balance: they leave 7 N m"
     assert any(told in note for note in simulate(system, 0.001).notes)
     assert any(told in note for note in swept(system).forces.notes)
     with pytest.raises(SolveError, match=told):

@@ -385,3 +385,12 @@ def test_a_section_by_one_plane_or_one_that_steps_has_no_way_in_the_view_along_t
     for name in ("ec120b", "in-line-h2"):
         sizing = sized(name)
         assert cutting_way(sizing, positions(sizing), seen_from_second_end(gw.scene(sizing))[1]) == ()
+
+
+def test_ribs_as_far_aside_keep_their_order_whatever_rounding_says():
+    """The rows above and below a section are drawn as they came on every processor."""
+    from gearwright.render.drawings.casing.outside_view import _apart
+
+    low, high = (tuple(complex(x, y) for x, y in ((0, at), (1, at), (1, at + 1), (0, at + 1))) for at in (0, 5))
+    for noise in (1e-18, -1e-18):
+        assert [corners for _, corners in _apart({(-1.0,): (noise, low), (1.0,): (0.0, high)})] == [low, high]

@@ -20,6 +20,7 @@ from gearwright.closure.moves.neighbours import (
 )
 from gearwright.closure.proportion import is_tied, searched
 from gearwright.identity import Role
+from gearwright.ranking import smallest, smallest_first
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design
@@ -88,7 +89,7 @@ def _lighter(best: Candidate) -> Iterator[tuple[Change, Candidate]]:
     rows = ((change, state) for change in _changes(best.settled) for state in screened(best.settled, [change]))
     able = [(mass, change, state) for change, state in rows if (mass := _mass(state)) < (1.0 + NEARLY) * now]
     confirmed = 0
-    for _, change, state in sorted(able, key=lambda row: row[0]):
+    for _, change, state in smallest_first(able, lambda row: row[0]):
         if confirmed == CONFIRMED:
             return
         if judged(state).short > best.short + ROUNDING:
@@ -147,7 +148,7 @@ def _others(state: Settled, stage: str, own: float) -> Iterator[float]:
     if not (state.task.wishes.rounded and state.task.design.rules(stage).iso6336.standard_modules):
         yield from (factor * own for factor in FACTORS)
         return
-    place = min(range(len(STANDARD_MODULES)), key=lambda k: abs(STANDARD_MODULES[k] * MM - own))
+    place = smallest(range(len(STANDARD_MODULES)), lambda k: abs(STANDARD_MODULES[k] * MM - own))
     places = (place + step for step in MODULES)
     yield from (STANDARD_MODULES[other] * MM for other in places if 0 <= other < len(STANDARD_MODULES))
 

@@ -9,6 +9,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import System
 from gearwright.identity import Kind
+from gearwright.ranking import smallest
 from gearwright.shape import Node, Scene
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
@@ -77,5 +78,5 @@ def _sense(node: Node, system: System, own: list[int], base: list[int]) -> float
     spins = [spin for spin in node.spins.values() if spin * relative]
     if not spins:
         return 1.0
-    nearest = min(spins, key=lambda spin: abs(abs(spin) - abs(relative)))
+    nearest = smallest(spins, lambda spin: abs(abs(spin) - abs(relative)))
     return float(np.sign(nearest * relative))

@@ -24,6 +24,7 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
 )
 from gearwright.errors import SolveError
+from gearwright.ranking import place_of_largest
 from gearwright.showing import Shown
 from gearwright.verbs import verb
 
@@ -90,7 +91,7 @@ def unbalanced(system: System, *, time: float = 0.0) -> str:
     for motion in rigid_motions(arrays).T:
         parts = motion * load
         if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
-            left, pushed = np.sum(parts) / motion[np.argmax(np.abs(motion))], _in_words(system, motion)
+            left, pushed = np.sum(parts) / motion[place_of_largest(np.abs(motion))], _in_words(system, motion)
             return f"nothing holds {pushed} and the loads on it do not balance: they leave {left:.4g} N m"
     return ""
 
@@ -127,5 +128,5 @@ def _settle(system: System, time: float, load: Floats) -> Floats:
 
 def _in_words(system: System, motion: Floats) -> str:
     """Return a motion by its coordinates, the largest 1."""
-    shape, names = motion / motion[np.argmax(np.abs(motion))], system.labels.coordinates
+    shape, names = motion / motion[place_of_largest(np.abs(motion))], system.labels.coordinates
     return "the motion (" + ", ".join(f"{names[i]} {shape[i]:.3g}" for i in np.flatnonzero(np.abs(shape) > 1e-9)) + ")"

@@ -10,6 +10,7 @@ from gearwright.dynamics.model import Arrays, System, kept, planned
 from gearwright.dynamics.motion.record import RUNAWAY
 from gearwright.dynamics.motion.steps import damping_bound
 from gearwright.errors import SolveError
+from gearwright.ranking import place_of_largest
 
 UNDAMPED = 1e-9
 """Damping ratio below which a mode has none but that of rounding [-]."""
@@ -25,7 +26,7 @@ def equilibrium(system: System) -> Floats:
         SolveError: If a line would carry more than any gear comes near, with the line and its load.
     """
     found = kept(system.arrays, (statics,), lambda: statics(system, balance="accelerate"))
-    place = int(np.argmax(np.abs(found.force))) if len(found.force) else -1
+    place = place_of_largest(np.abs(found.force)) if len(found.force) else -1
     if place >= 0 and not abs(found.force[place]) < RUNAWAY:
         line, force = system.labels.lines[place], found.force[place]
         raise SolveError(

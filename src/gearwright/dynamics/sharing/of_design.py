@@ -26,6 +26,7 @@ from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_shar
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
 from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.identity import Kind, Row, mesh_part
+from gearwright.ranking import largest
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing, governing_case
 from gearwright.spec import Epicyclic, Pair, Planetary
@@ -97,7 +98,7 @@ def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
 
 def _most_loaded_row(sizing: Sizing, name: str, stage: Epicyclic) -> tuple[str, ...]:
     """Return the lines of the row of a compound set that carries the largest force, one for each set of planets."""
-    row = max((mesh for mesh in sizing.meshes if mesh.stage == name), key=lambda mesh: mesh.tangential_force)
+    row = largest([mesh for mesh in sizing.meshes if mesh.stage == name], lambda mesh: mesh.tangential_force)
     return tuple(str(row.part._replace(number=k + 1)) for k in range(stage.sets))
 
 

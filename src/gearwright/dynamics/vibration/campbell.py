@@ -13,6 +13,7 @@ from gearwright.dynamics.equations import DampedModes, damped_modes
 from gearwright.dynamics.model import Excitation, System, Tone, entry_matrix, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
+from gearwright.ranking import place_of_smallest, smallest_first
 from gearwright.showing import Shown, frame
 from gearwright.verbs import verb
 
@@ -83,9 +84,9 @@ class Campbell(Shown):
             frequency = float(np.interp(factor, self.factor, column))
             distances = [order.frequency * factor / frequency - 1.0 for order in self.orders]
             if distances:
-                nearest = int(np.argmin(np.abs(distances)))
+                nearest = place_of_smallest(np.abs(distances))
                 margins.append((float(distances[nearest]), self.orders[nearest], mode))
-        return sorted(margins, key=lambda margin: abs(margin[0]))
+        return smallest_first(margins, lambda margin: abs(margin[0]))
 
 
 @verb
@@ -115,7 +116,7 @@ def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Cam
     frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
     damping = -table.real / np.abs(table)
     whirl = np.array([_whirl(system, at, factor) for at, factor in zip(tracked, speeds.tolist(), strict=True)])
-    crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
+    crossings = smallest_first(_crossings(speeds, frequency, orders), lambda crossing: crossing.factor)
     return Campbell(speeds, frequency, damping, whirl, orders, tuple(crossings))
 
 

@@ -21,6 +21,7 @@ from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, 
 from gearwright.dynamics.vibration.forced import UNLOADED
 from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
+from gearwright.ranking import smallest_first
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
@@ -199,7 +200,7 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
         )
         for first, last in _together(diagram.crossings)
     ]
-    critical.sort(key=lambda speed: (not speed.excited, speed.over_limit))
+    critical = sorted(smallest_first(critical, lambda speed: speed.over_limit), key=lambda speed: not speed.excited)
     stated, assumed = (tuple(row for row in critical if bool(row.why) is told) for told in (False, True))
     return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, stated, assumed)
 

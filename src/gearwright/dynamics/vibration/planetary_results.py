@@ -12,6 +12,7 @@ from gearwright.dynamics.equations import Modes
 from gearwright.dynamics.model import PIN, Labels, Owner, System
 from gearwright.errors import DesignError, Problem, near
 from gearwright.identity import MEMBERS, Role, Row, gear_part, member_part, mesh_part
+from gearwright.ranking import place_of_largest
 
 Family = Literal["rigid", "rotational", "translational", "planet", "mixed"]
 PURE = 0.99
@@ -72,7 +73,7 @@ def mode_families(system: System, modes: Modes, positions: Sequence[float], *, n
     names: tuple[Family, ...] = ("rotational", "translational", "planet")
     families: list[Family] = []
     for mode in range(shares.shape[1]):
-        largest = int(np.argmax(shares[:, mode]))
+        largest = place_of_largest(shares[:, mode])
         family: Family = names[largest] if shares[largest, mode] >= PURE else "mixed"
         families.append("rigid" if mode < modes.rigid else family)
     return tuple(families)

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from gearwright.dynamics.motion import Trace
 from gearwright.identity import Kind, PartId, Row
+from gearwright.ranking import smallest_first
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
 
@@ -58,7 +59,7 @@ def shaft_loads(sizing: Sizing, trace: Trace) -> tuple[ShaftLoad, ...]:
         if peak and shaft.torque:
             rated = abs(shaft.torque)
             loads.append(ShaftLoad(shaft.name, peak, rated, shaft.margin * rated / peak))
-    return tuple(sorted(loads, key=lambda load: load.margin))
+    return tuple(smallest_first(loads, lambda load: load.margin))
 
 
 def _peak(trace: Trace, line: str) -> float:
@@ -75,7 +76,7 @@ def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
     """
     meshes = sizing.meshes if trace.force.bins else ()
     loads = [load for mesh in meshes if (load := _load(sizing, mesh, trace)) is not None]
-    return tuple(sorted(loads, key=lambda load: min(load.bending_margin, load.contact_margin)))
+    return tuple(smallest_first(loads, lambda load: min(load.bending_margin, load.contact_margin)))
 
 
 def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:

@@ -28,7 +28,7 @@ from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.dynamics.vibration.transmission import first_meshes
 from gearwright.errors import DesignError, Problem
-from gearwright.ranking import largest_first
+from gearwright.ranking import largest_first, place_of_largest
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Force, Origin, Speed
@@ -172,8 +172,8 @@ def loudest_speeds(steady: RunUp, speed: float) -> list[Loudest]:
     """
     rows = []
     for number, line in enumerate(steady.lines):
-        place = int(np.argmax(steady.swing[:, number]))
-        order = steady.orders[int(np.argmax(steady.order_amplitude[place, number]))]
+        place = place_of_largest(steady.swing[:, number])
+        order = steady.orders[place_of_largest(steady.order_amplitude[place, number])]
         rows.append(
             Loudest(line, float(steady.factor[place]) * speed, float(steady.swing[place, number]),
                     float(steady.mean[place, number]), str(order))

@@ -29,7 +29,7 @@ from gearwright.parts.bearings import (
     reliability_factor,
     speed_factor,
 )
-from gearwright.ranking import largest_first
+from gearwright.ranking import largest_first, place_of_largest
 from gearwright.sizing.bearings import Fitted, Seat, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
@@ -218,7 +218,7 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
         for fitted in near
         if not (row := _asked_of(flight, seat, duty, Fitted(fitted, rules.side_by_side))).falls_short
     )
-    nearest = max(sizes, key=lambda size: min(size.life_margin, size.static_margin)).bearing
+    nearest = largest(sizes, lambda size: min(size.life_margin, size.static_margin)).bearing
     return next(able, None) or _asked_of(flight, seat, duty, Fitted(nearest, rules.side_by_side))
 
 
@@ -236,7 +236,7 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
     """
     turns, load = duty.speed * duty.time, np.hypot(duty.radial, duty.axial)
     if not turns[load >= _LEAST_LOAD].any():
-        worst = int(load.argmax())
+        worst = place_of_largest(load)
         return float(duty.radial[worst]), float(duty.axial[worst]), 0.0
     exponent = life_exponent(kind)
     radial, axial = (mean_load(force.tolist(), turns.tolist(), exponent) for force in (duty.radial, duty.axial))

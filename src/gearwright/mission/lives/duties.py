@@ -18,6 +18,7 @@ from gearwright.parts.bearings import (
     taper_factors,
 )
 from gearwright.parts.losses import oil_viscosity
+from gearwright.ranking import smallest
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.units import text
@@ -143,7 +144,7 @@ def _located(
             factors=_taper_factors(flight, located_by_design),
             cases=flight.phase,
         )
-    lightest_loaded = min(radial, key=lambda name: float(radial[name].mean()))
+    lightest_loaded = smallest(radial, lambda name: float(radial[name].mean()))
     return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}
 
 

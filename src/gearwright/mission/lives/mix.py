@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from gearwright.errors import Problem, refuse
 from gearwright.mission.lives.verdict import Durability, PartLife
+from gearwright.ranking import largest_first
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 
@@ -65,7 +66,7 @@ def mixed_life(lives: Mapping[str, Durability], shares: Mapping[str, float]) -> 
         for (name, mode), found in sums.items()
         if len(found) < len(lives)
     ]
-    return MixedLife(tuple(sorted(rows, key=lambda row: -row.damage)), hours, tuple(left))
+    return MixedLife(tuple(largest_first(rows, lambda row: row.damage)), hours, tuple(left))
 
 
 def _hours(lived: Durability) -> float:

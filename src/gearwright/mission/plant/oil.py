@@ -9,6 +9,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines.power import Network, Warmed, warmed
+from gearwright.ranking import smallest
 from gearwright.spec import OilNetworkRules
 from gearwright.units import CELSIUS
 
@@ -175,7 +176,7 @@ def dry_run(rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearH
             if getattr(end, part) > limit
         }
         if cuts:
-            part = min(cuts, key=lambda name: cuts[name])
+            part = smallest(cuts, cuts.__getitem__)
             cut = max(cuts[part], 0.0)
             at = [a + cut * (b - a) for a, b in zip(now, end, strict=True)]
             return DryRun(clock + cut * _STEP, part, at[GEARS], at[BEARINGS])

@@ -20,6 +20,7 @@ from gearwright.dynamics.vibration import (
     order_name,
     turning_shaft,
 )
+from gearwright.ranking import largest_first, smallest_first
 from gearwright.render.figures.low_orders import draw_low, has_low_modes, mode_names
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -45,7 +46,7 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
         speeds: From `critical_speeds`.
     """
     excited = [critical for critical in (*speeds.critical, *speeds.assumed) if critical.excited and critical.criterion]
-    near = sorted(excited, key=lambda critical: critical.over_limit)[:MOST_MARGINS]
+    near = smallest_first(excited, lambda critical: critical.over_limit)[:MOST_MARGINS]
     heights = [85.0, *([75.0] if has_low_modes(speeds) else []), 12.0 + 5.0 * max(len(near), 1)]
     figure = theme.sheet(WIDTH, sum(heights) + 8.0 + 8.0 * len(heights))
     diagram, *low, margins = figure.grid(len(heights), 1, heights=heights)[:, 0]
@@ -129,7 +130,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
 def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
     """Draw the rays: mesh orders named, in the colour of their stage; shafts dotted."""
     stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
-    for order in sorted((order for order in orders if order.excitation is None), key=lambda order: -order.frequency):
+    for order in largest_first((order for order in orders if order.excitation is None), lambda order: order.frequency):
         name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
         if not name.stage:
             axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1, names=(name.short,))

@@ -10,6 +10,7 @@ from gearwright.arrays import Floats
 from gearwright.dynamics import Labels, Modes, Samples, Trace
 from gearwright.dynamics.model import Owner
 from gearwright.errors import DesignError, Problem, by_name
+from gearwright.ranking import place_of_largest
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes
@@ -228,9 +229,9 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
     for unit, colour in (("rad", theme.BLUE), ("m", theme.GREEN)):
         places = np.flatnonzero(units == unit)
         if len(places) and np.any(shape[places]):
-            largest = shape[places[np.argmax(np.abs(shape[places]))]]
+            largest = shape[places[place_of_largest(np.abs(shape[places]))]]
             axes.barh(places, shape[places] / largest, color=colour, height=0.62)
-    held = int(np.argmax(modes.line_energy[:, mode]))
+    held = place_of_largest(modes.line_energy[:, mode])
     axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5)
     share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"
     axes.annotate(share, (0.0, 1.0), (0, 1), frames=("axes", "axes"),  fontsize=6.0,

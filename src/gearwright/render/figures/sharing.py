@@ -18,6 +18,7 @@ from gearwright.dynamics.sharing import (
     shaft_displacement,
     single_error_sharing,
 )
+from gearwright.ranking import smallest_first
 from gearwright.render.style import theme
 from gearwright.render.style.compound import upright_ranges
 from gearwright.render.style.theme import WIDTH
@@ -207,7 +208,7 @@ def allocation_figure(allocation: Allocation) -> Figure:
     Args:
         allocation: From `allocate`.
     """
-    rows = sorted(allocation.sizes, key=lambda row: row.allowed / row.given)
+    rows = smallest_first(allocation.sizes, lambda row: row.allowed / row.given)
     figure, axes = _rows([row.error for row in rows])
     axes.barh(range(len(rows)), [100.0] * len(rows), color=theme.STEEL, height=0.7)
     axes.barh(range(len(rows)), [100.0 * row.allowed / row.given for row in rows], color=theme.GREEN, height=0.45)

@@ -10,6 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.checks import ROUNDING, Check
 from gearwright.identity import Kind
+from gearwright.ranking import smallest_first
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing.overview import not_in_the_mass
@@ -97,7 +98,7 @@ def aged_bearings(sizing: Sizing) -> tuple[Check, ...]:
     """
     lives = [check for check in sizing.checks if check.part.kind is Kind.BEARING and check.dimension == "life"]
     judged = [check for check in lives if check.limit is not None and math.isfinite(check.value or math.inf)]
-    return tuple(sorted(judged, key=lambda check: check.value or math.inf))
+    return tuple(smallest_first(judged, lambda check: check.value or math.inf))
 
 
 @theme.drawn

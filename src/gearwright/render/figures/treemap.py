@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from gearwright.ranking import largest_first
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes
@@ -92,9 +93,9 @@ def treemap_figure(mass: CompleteMass, low: float | None, high: float | None) ->
 
 def _groups(mass: CompleteMass, place: Place) -> Iterator[tuple[str, list[tuple[list[str], Place]]]]:
     """Yield each group, the heaviest first, with words and place of its parts."""
-    groups = sorted(mass.groups, key=lambda group: -group.total)
+    groups = largest_first(mass.groups, lambda group: group.total)
     for group, room in zip(groups, squarified([group.total for group in groups], place), strict=True):
-        parts = sorted((item for item in mass.parts if item.group == group.group), key=lambda item: -item.total)
+        parts = largest_first((item for item in mass.parts if item.group == group.group), lambda item: item.total)
         places = squarified([item.total for item in parts], room)
         named = [
             [f"{item.count} × {item.part}" if item.count > 1 else item.part, f"{item.total:.3g} kg"] for item in parts

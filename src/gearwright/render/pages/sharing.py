@@ -14,6 +14,7 @@ from gearwright.dynamics.sharing import (
     sharing_problem,
     support_sweep,
 )
+from gearwright.ranking import largest, smallest
 from gearwright.render.figures.around import RING, around_figure
 from gearwright.render.figures.planets import LIMIT, planets_figure, published_notes
 from gearwright.render.figures.sharing import (
@@ -97,7 +98,7 @@ def sharing_page(
 
 def _verdict(studies: Sequence[SharingStudy], claims: Sequence[ClaimRow], target: float | None) -> Verdict:
     """Return how equally the paths share, whether a target is kept, and how many claims of a paper do not hold."""
-    worst = max(studies, key=lambda study: study.sharing.load_factor)
+    worst = largest(studies, lambda study: study.sharing.load_factor)
     factor = worst.sharing.load_factor
     said = f"With the errors as given the most loaded path of {worst.problem.stage} carries K_γ = {factor:.3f} times"
     said += " its equal share."
@@ -176,7 +177,7 @@ def _supports(sizing: Sizing) -> Iterator[Drawn]:
     supports = sizing.design.supports
     if not supports or not sizing.design.errors:
         return
-    shaft = min(supports, key=lambda name: supports[name].radial)
+    shaft = smallest(supports, lambda name: supports[name].radial)
     stiffness = supports[shaft].radial
     sweep = support_sweep(sizing, shaft, [stiffness * factor for factor in SPREAD])
     yield f"Support of shaft {shaft}", support_figure(sweep, {stiffness: "design"})

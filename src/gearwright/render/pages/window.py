@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission.windows import DynamicWindow
+from gearwright.ranking import largest, smallest, smallest_first
 from gearwright.render.figures.flights.window import window_figure
 from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.page import (
@@ -70,7 +71,9 @@ def _margins(window: DynamicWindow) -> dict[str, float]:
 
 def _verdict(window: DynamicWindow) -> Verdict:
     margins = _margins(window)
-    broken = sorted((margin, part) for part, margin in margins.items() if margin < 1.0)
+    broken = smallest_first(
+        sorted((margin, part) for part, margin in margins.items() if margin < 1.0), lambda pair: pair[0]
+    )
     said = f"{window_verdict(window)}."
     if broken:
         words = f"{len(broken)} of {len(margins)} meshes and shafts break a margin, most of all {broken[0][1]}."
@@ -83,15 +86,15 @@ def _verdict(window: DynamicWindow) -> Verdict:
 def _numbers(window: DynamicWindow) -> Iterator[Number]:
     margins = _margins(window)
     if margins:
-        part = min(margins, key=lambda name: margins[name])
+        part = smallest(margins, lambda name: margins[name])
         yield Number(f"least margin: {part}", margin_text(margins[part]), "", margins[part])
     if window.meshes:
-        load = max(window.meshes, key=lambda mesh: mesh.peak_over_mean)
+        load = largest(window.meshes, lambda mesh: mesh.peak_over_mean)
         yield Number(f"peak over mean: {load.mesh}", written(load.peak_over_mean, 3), "", load.peak_over_mean)
-        force = max(window.meshes, key=lambda mesh: mesh.peak_force)
+        force = largest(window.meshes, lambda mesh: mesh.peak_force)
         yield quantity(f"largest tangential force: {force.mesh}", force.peak_force, "force")
     if window.shafts:
-        shaft = max(window.shafts, key=lambda row: row.peak_torque)
+        shaft = largest(window.shafts, lambda row: row.peak_torque)
         yield quantity(f"largest torque: {shaft.shaft}", shaft.peak_torque, "torque")
     yield quantity("flown", window.trace.duration, "time")
 

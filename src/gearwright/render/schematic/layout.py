@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from gearwright.identity import Kind, Role
+from gearwright.ranking import largest_first
 from gearwright.sizing import GearSizing
 from gearwright.spec import GROUND
 from gearwright.train import Attachment, Mesh, Train, attachments
@@ -324,7 +325,7 @@ def _span(shaft: str, seats: Sequence[Attachment], places: Mapping[str, Place]) 
 def _levels(axis: Mapping[str, int], spans: Mapping[str, tuple[float, float]]) -> dict[str, int]:
     """Return shaft -> level: the longest of an axis inside; those that do not meet share a level."""
     levels: dict[str, int] = {}
-    for shaft in sorted(axis, key=lambda name: spans[name][0] - spans[name][1]):
+    for shaft in largest_first(axis, lambda name: spans[name][1] - spans[name][0]):
         taken = {
             levels[other] for other in levels
             if axis[other] == axis[shaft]

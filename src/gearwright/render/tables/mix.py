@@ -7,6 +7,7 @@ from typing import Annotated
 
 from gearwright.mission import FlownMix, PartLife
 from gearwright.mission.lives import ENDLESS, bearings_of
+from gearwright.ranking import largest
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Life, Mass, Origin, Quantity, Ratio
 
@@ -93,7 +94,7 @@ def part_rows(flown: FlownMix) -> tuple[PartOfMix, ...]:
     bearings, rows = bearings_of(flown), []
     for part in flown.life.parts:
         shares = shares_of_damage(flown, part)
-        worst = max(shares, key=lambda name: shares[name])
+        worst = largest(shares, shares.__getitem__)
         rows.append(
             PartOfMix(
                 part=part.part,

@@ -9,6 +9,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.dynamics import Modes, Trace
+from gearwright.ranking import place_of_largest
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Energy, Force, Frequency, Origin, Quantity, Torque
 
@@ -116,8 +117,8 @@ def _mode(modes: Modes, frequency: float, first: int, count: int) -> Mode:
     if frequency == 0.0:
         return Mode(number, frequency, "rigid", "none", 0.0)
     motion = np.sum(modes.shapes[:, first : first + count] ** 2, axis=1)
-    holds = int(np.argmax(strain))
-    moves = modes.labels.coordinates[int(np.argmax(motion))]
+    holds = place_of_largest(strain)
+    moves = modes.labels.coordinates[place_of_largest(motion)]
     return Mode(number, frequency, moves, modes.labels.lines[holds], float(strain[holds]))
 
 

@@ -6,6 +6,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.dynamics.sharing import Allocation, SharingStudy
+from gearwright.ranking import smallest_first
 from gearwright.render.grid.grid import Grid
 
 PERCENTILES = (50.0, 95.0, 99.0)
@@ -97,7 +98,7 @@ def _allocation(allocation: Allocation) -> Grid:
     table.add_column("error")
     for header in ("given", "allowed"):
         table.add_column(header, justify="right")
-    for row in sorted(allocation.sizes, key=lambda row: row.allowed / row.given):
+    for row in smallest_first(allocation.sizes, lambda row: row.allowed / row.given):
         allowed = _size(row.kind, row.allowed) if row.allowed < row.given else "as given"
         table.add_row(row.error, _size(row.kind, row.given), allowed)
     return table

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.errors import SolveError
+from gearwright.ranking import largest_first, smallest_first
 from gearwright.render.tables.study.limits import chance, likeliest_words
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent, reasons
@@ -100,7 +101,7 @@ def _wins(outcome: Verdict) -> Iterator[str]:
             f"{text} It is first in {first.first:,} of {outcome.scenarios:,} cases with equal inputs,"
             f" {percent(first.first / outcome.scenarios)} (95 % confidence: {percent(low)} to {percent(high)})."
         )
-    shares = sorted(outcome.standings, key=lambda standing: -standing.weights)
+    shares = largest_first(outcome.standings, lambda standing: standing.weights)
     named = ", ".join(f"{share.design} {percent(share.weights)}" for share in shares[:3] if share.weights >= 0.005)
     changed = ", ".join(f"{design} without {heading(name)}" for name, design in outcome.without.items())
     decisive = (
@@ -150,7 +151,7 @@ def _best(study: Study, table: Table, name: str, sense: str) -> str:
     sign = 1.0 if sense == "minimum" else -1.0
     best: dict[str, Row] = {}
     allowed = [row for row in table.good if not violations(study, [row])[0]]
-    for row in sorted(allowed or table.good, key=lambda row: sign * row.number(name)):
+    for row in smallest_first(allowed or table.good, lambda row: sign * row.number(name)):
         best.setdefault(row.design, row)
     first, *others = best.values()
     text = f"{sense.capitalize()} {heading(name)}: {first.design}{at(table, first)}, {value(table, first, name)}"

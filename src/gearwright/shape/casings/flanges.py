@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.ranking import largest
 from gearwright.shape.solids import Chamber, without
 from gearwright.sizing.casing import HEAD, LENGTH, THICKNESS, WASHER, Flanges, Stretch
 from gearwright.sizing.casing.loops import NEAR, SAME, inside_of, loop_around, ways_of
@@ -89,7 +90,7 @@ def _beside(free: Span, taken: Sequence[Span], room: float) -> Span:
     if not taken or free[0] > free[1]:
         return free
     left = without([free], [(low - room, high + room) for low, high in taken])
-    return max(left, key=lambda span: span[1] - span[0], default=(free[0], free[0] - room))
+    return largest(left, lambda span: span[1] - span[0]) if left else (free[0], free[0] - room)
 
 
 def _flange(reach: Floats, face: float, thick: float) -> Chamber:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, following
+from gearwright.ranking import largest_first
 from gearwright.shape.casings.outside import (
     Foot,
     Gap,
@@ -77,10 +78,10 @@ def lugs_on(
         volume: Of all lugs [m³].
         rods: What leaves the housing.
     """
-    gaps = sorted(gaps_of(chambers, joints), key=lambda gap: -length_of(chambers[gap.chamber].outer))
+    gaps = largest_first(gaps_of(chambers, joints), lambda gap: length_of(chambers[gap.chamber].outer))
     long = DEPTH * _width(volume)
     roomy = [gap for gap in gaps if gap.end - gap.start >= long]
-    for gap in (*roomy, *sorted(gaps, key=lambda gap: gap.start - gap.end)):
+    for gap in (*roomy, *largest_first(gaps, lambda gap: gap.end - gap.start)):
         for shift in range(SHIFTS):
             found = _lugs(chambers[gap.chamber], gap, volume, shift / (LUGS * SHIFTS))
             if found and all(_is_free(chambers[gap.chamber], lug, rods) for lug in found):

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from gearwright.ranking import smallest
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.casing.loops import SAME, loop_size
 from gearwright.sizing.casing.shell import Stretch, stretches_around
@@ -29,11 +30,11 @@ def _long_enough(stretches: list[Stretch], wall: float) -> list[Stretch]:
     """Return cross-sections without steps that are too short to cast: one with the neighbour that grows least."""
     found = list(stretches)
     while len(found) > 1:
-        k = min(range(len(found)), key=lambda k: found[k].length)
+        k = smallest(range(len(found)), lambda k: found[k].length)
         if found[k].length >= max(LEAST * wall, SHORTEST):
             break
         beside = [_joined(found[j], found[k]) for j in (k - 1, k + 1) if 0 <= j < len(found)]
-        _, one = min(beside, key=lambda choice: choice[0])
+        _, one = smallest(beside, lambda choice: choice[0])
         low = next(j for j, each in enumerate(found) if each.start == one.start)
         found[low : low + 2] = [one]
     return found

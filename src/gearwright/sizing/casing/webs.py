@@ -16,6 +16,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.catalogue import housing_materials
+from gearwright.ranking import smallest
 from gearwright.sizing.arranged import Body, Frame
 from gearwright.sizing.casing.around import CLEAR, SUNK, Around, ball_around
 from gearwright.sizing.casing.housed import bosses_of, housed
@@ -165,7 +166,7 @@ def _carried(sizing: Sizing, group: Sequence[_Boss], holders: Sequence[Holder], 
         webs = _cross(sizing, frame, boss, forces, place)
         if webs is not None:
             ways.append(joined._replace(webs=webs, found=True))
-    return min(ways, key=lambda way: way.volume, default=joined)
+    return smallest(ways, lambda way: way.volume) if ways else joined
 
 
 def _bears(place: Around) -> float:
@@ -259,7 +260,7 @@ def _plane(sizing: Sizing, shaft: str) -> Floats:
     ways = [np.asarray(other.origin) - origin for other in frames.values()]
     ways = [way - float(way @ axis) * axis for way in ways]
     far = [way for way in ways if float(np.linalg.norm(way)) > CLEAR]
-    nearest = min(far, key=lambda way: float(np.linalg.norm(way)), default=np.asarray(frame.across))
+    nearest = smallest(far, lambda way: float(np.linalg.norm(way))) if far else np.asarray(frame.across)
     return np.asarray(nearest / np.linalg.norm(nearest))
 
 

@@ -31,7 +31,7 @@ def boss_checks(sizing: Sizing) -> Iterator[Check]:
     """
     if not sizing.bearings or not sizing.design.housing.own:
         return
-    least = min(_beside(sizing), key=lambda pair: (pair[0] - pair[1], pair[2]), default=None)
+    least = min(_beside(sizing), key=lambda pair: (round(pair[0] - pair[1], 9), pair[2]), default=None)
     if least is not None:
         gap, needed, names = least
         why = "" if gap >= needed else f"{1e3 * gap:.3g} mm between {names}: {_APART}"

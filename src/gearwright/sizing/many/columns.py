@@ -31,6 +31,10 @@ LANES = 16384
 FEW, FEWEST = 12, 6
 """Rows that are sized sooner one by one than together: of a batch, whose first loads the twins; and of a part of one
 (as quick either way: 5 rows where twins are loaded, 45 where the process loads them) [-]."""
+SPARED = 0.1
+"""Part of rows whose time may go into computations that part [-]."""
+LEAST_PURSE = 24.0
+"""Rows that may be computed in vain of few [-]."""
 TRIED = 4
 """Rows of a group of which one must make a design [-]."""
 PLAIN = "lewis-hertz"
@@ -257,18 +261,35 @@ def _numbers(
     return {name: numbers[name] for name in results if name in numbers}
 
 
-def _parting(place: Ints, computed: Callable[[Ints], Any], depth: int = 0) -> Iterator[tuple[Ints, Any]]:
-    """Yield what a computation in lanes gives of rows, apart where they part; nothing of those that must be alone."""
-    if len(place) < FEWEST or depth > DEEP:
+@dataclass
+class _Purse:
+    """How many rows may still be computed in vain before all that are left are sized one by one."""
+
+    left: float
+
+
+def _parting(
+    place: Ints, computed: Callable[[Ints], Any], depth: int = 0, purse: _Purse | None = None
+) -> Iterator[tuple[Ints, Any]]:
+    """Yield what a computation in lanes gives of rows, apart where they part; nothing of those that must be alone.
+
+    A computation costs what some rows cost one by one: those that part are paid from a tenth of all rows and from what
+    others gain, so that rows that part again and again are soon left.
+    """
+    purse = purse or _Purse(max(SPARED * len(place), LEAST_PURSE))
+    if len(place) < FEWEST or depth > DEEP or purse.left < 0.0:
         return
     try:
         result = computed(place)
     except Diverged as parted:
         labels = np.broadcast_to(np.asarray(parted.labels), (len(place),))
     except (GearwrightError, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, RecursionError):
+        purse.left -= FEWEST
         return
     else:
+        purse.left += SPARED * (len(place) - FEWEST)
         yield place, result
         return
+    purse.left -= FEWEST
     for label in np.unique(labels):
-        yield from _parting(place[labels == label], computed, depth + 1)
+        yield from _parting(place[labels == label], computed, depth + 1, purse)

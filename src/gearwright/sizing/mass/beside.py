@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError
+from gearwright.ranking import largest
 from gearwright.sizing.mass.record import CompleteMass
 from gearwright.sizing.result import Sizing
 from gearwright.units import Mass, text
@@ -40,9 +41,9 @@ def requirement_of(sizing: Sizing) -> Requirement | None:
     driven = {name: -power for name, power in powers.items() if power < 0.0}
     if not driving or not driven:
         return None
-    largest = max(driven, key=lambda name: driven[name])
+    most = largest(driven, lambda name: driven[name])
     try:
-        return Requirement(sizing.rated_power, max(driving), abs(flow.speeds[machines[largest].shaft]))
+        return Requirement(sizing.rated_power, max(driving), abs(flow.speeds[machines[most].shaft]))
     except DesignError:
         return None
 

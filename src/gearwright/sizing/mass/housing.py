@@ -10,6 +10,7 @@ from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, ho
 from gearwright.identity import Role
 from gearwright.latest import of_latest
 from gearwright.parts.bearings import BearingKind
+from gearwright.ranking import largest_first
 from gearwright.sizing.arranged import Direction
 from gearwright.sizing.casing import (
     BOSS,
@@ -185,7 +186,7 @@ def held_torques(sizing: Sizing) -> tuple[tuple[Direction, float], ...]:
     shafts, frames = sizing.train.machines, sizing.arrangement.frames
     about = [(frames[shafts[name]].along, torque) for name, torque in sizing.reference.machine_torques.items()]
     found: list[tuple[Direction, float]] = []
-    for way, _ in sorted(about, key=lambda one: -abs(one[0].x)):
+    for way, _ in largest_first(about, lambda one: abs(one[0].x)):
         if all(abs(_cosine(way, other)) < 1.0 - ALONG for other, _ in found):
             parts = [torque for other, torque in about if abs(_cosine(way, other)) > 1.0 - ALONG]
             found.append((way, max(abs(sum(parts)), *map(abs, parts))))

@@ -9,6 +9,7 @@ import numpy as np
 
 from gearwright.checks import Check
 from gearwright.identity import GEARBOX
+from gearwright.ranking import smallest
 from gearwright.sizing.arranged import Body
 from gearwright.sizing.places.coaxial import CLAUSE
 from gearwright.sizing.places.solids import Room, Solid, box_of, solid_of, solid_room
@@ -38,7 +39,7 @@ def entries(design: Design, bodies: Sequence[Body]) -> Iterator[Entry]:
         space = _space(keep)
         rooms = [(body, solid_room(solid_of(body), space, enough=0.0)) for body in bodies]
         if rooms:
-            body, room = min(rooms, key=lambda pair: pair[1].gap)
+            body, room = smallest(rooms, lambda pair: pair[1].gap)
             yield Entry(name, keep.reason, body, room)
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from gearwright.errors import DesignError
+from gearwright.ranking import smallest
 from gearwright.sizing.arranged import Arrangement, Body, Turn
 from gearwright.sizing.places.along import arrange_meshing
 from gearwright.sizing.places.bodies import Parts, placed
@@ -117,7 +118,7 @@ def turns_of(parts: Parts, rules: Rules, arrangement: Arrangement) -> tuple[Turn
         into = [known[key] for key in known if key in moved]
         after = _least(task, shaft, now, frozenset(known) - moved, into) if moved else None
         if after is not None:
-            why = min((known[key] for key in moved), key=lambda clash: clash.gap).words
+            why = smallest([clash for key, clash in known.items() if key in moved], lambda clash: clash.gap).words
             turns[shaft] = Turn(shaft, turns[shaft].before if shaft in turns else now, after, why)
             known = {key: clash for key, clash in known.items() if key not in moved}
     return tuple(turns.values())

@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.catalogue import Bearing, bearings, check_bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import BearingKind, life_exponent, pair_factor
+from gearwright.ranking import largest
 from gearwright.sizing.bearings import as_made, highest_speed_factor, oiled_life, planet_duty, running_of
 from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.sizing.planets.films import design_oil, film_margin, judged, on_film
@@ -129,7 +130,7 @@ def min_margin(task: Task, runs_on: PlanetBearingSizing) -> float:
 
 def _first(tried: list[Tried]) -> PlanetBearingSizing:
     """Return the one that serves, or comes nearest to it."""
-    return max(tried, key=lambda one: min(one.margin, 1.0)).runs_on
+    return largest(tried, lambda one: min(one.margin, 1.0)).runs_on
 
 
 def _refined(task: Task, short: Tried, enough: Tried, made: Made) -> PlanetBearingSizing:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gearwright.checks import Check, Status, not_assessed
 from gearwright.parts.bearings import laminar_limit
+from gearwright.ranking import largest, smallest
 from gearwright.sizing.bearings import Carrying, Seat, borne_by, planet_seats, unit_loads
 from gearwright.sizing.planets.films import STANDING, design_oil, judged
 from gearwright.sizing.rating import Context
@@ -40,7 +41,7 @@ def _checks(context: Context, seat: Seat) -> Iterator[Check]:
     load, journal, asked = borne_by(context, seat), seat.runs_on.journal, seat.fitted
     oil, cases, place = design_oil(context.design, asked), tuple(context.flows), seat.runs_on.designation
     films = list(judged(journal, load, asked, oil))
-    pressed = max(range(len(cases)), key=lambda case: load.radial[case])
+    pressed = largest(range(len(cases)), lambda case: load.radial[case])
     pressure = float(load.radial[pressed]) / (journal.width * journal.diameter)
     yield Check(
         seat.part, "film pressure", "ISO 7902-3, p_lim", pressure, asked.largest_pressure, "stress",
@@ -51,10 +52,10 @@ def _checks(context: Context, seat: Seat) -> Iterator[Check]:
         yield not_assessed(seat.part, "film thickness", "ISO 7902-1", why)
         return
     thin, hot = (
-        min(films, key=lambda film: film.state.film / film.least_film),
-        max(films, key=lambda film: film.state.exit),
+        smallest(films, lambda film: film.state.film / film.least_film),
+        largest(films, lambda film: film.state.exit),
     )
-    wild = max(films, key=lambda film: film.state.reynolds)
+    wild = largest(films, lambda film: film.state.reynolds)
     yield Check(
         seat.part, "film thickness", "ISO 7902-1, h_min", thin.state.film, thin.least_film, "film_thickness",
         symbol="h_min", place=place, case=cases[thin.case],

@@ -16,6 +16,7 @@ from gearwright.checks import Check
 from gearwright.errors import DesignError
 from gearwright.parts import Material
 from gearwright.parts.shafts import shaft_mass
+from gearwright.ranking import smallest_first
 from gearwright.sizing.bearings import Seating, bearing_sizings, seating
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
@@ -82,7 +83,7 @@ def build_shaft(
             settled.append((slim, *_settled(task, slim=slim)))
         except DesignError as error:
             refused[slim] = error
-    for slim, seated, attempt in sorted(settled, key=lambda tried: _weight(tried[1], tried[2], material)):
+    for slim, seated, attempt in smallest_first(settled, lambda tried: _weight(tried[1], tried[2], material)):
         try:
             return _finished(task, seated, sealed(task, attempt))
         except DesignError as error:

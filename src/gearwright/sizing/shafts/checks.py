@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.checks import Check, stressed
 from gearwright.identity import Kind, PartId
+from gearwright.ranking import smallest
 from gearwright.sizing.bearings import life_check, limit_checks
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
@@ -66,7 +67,7 @@ _LAWS = {"asme": "DE-ASME", "goodman": "DE-Goodman", "gerber": "DE-Gerber", "sod
 
 def _strength(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
     service, part = design.service, PartId(Kind.SHAFT, shaft.name)
-    tired, strained = shaft.weakest, min(shaft.sections, key=lambda section: section.yield_safety)
+    tired, strained = shaft.weakest, smallest(shaft.sections, lambda section: section.yield_safety)
     law = _LAWS[design.shafting.fatigue]
     yield Check(
         part, "fatigue", f"{law}, Shigley ch. 7", tired.fatigue_safety, service.shaft_fatigue_safety,

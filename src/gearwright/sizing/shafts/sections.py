@@ -40,6 +40,7 @@ from gearwright.parts.shafts import (
     stress_concentration,
     yield_safety,
 )
+from gearwright.ranking import smallest
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.shafts.stretches import Stretch
@@ -154,7 +155,7 @@ def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
     if stretch.kind == "bearing":
         return f"seat of {stretch.name}"
     places = forces.plan.places
-    return f"at {min(places, key=lambda part: abs(places[part] - position))}"
+    return f"at {smallest(places, lambda part: abs(places[part] - position))}"
 
 
 def _shoulders(stretches: Sequence[Stretch], rules: ShaftRules, blank: float) -> Iterator[Section]:

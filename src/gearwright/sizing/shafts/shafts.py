@@ -18,6 +18,7 @@ from gearwright.parts.shafts import (
     shaft_stress,
     torsional_stiffness,
 )
+from gearwright.ranking import largest
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.carrying import BearingLoad, ShaftDiagram, ShaftSizing
 from gearwright.sizing.loads import ShaftForces, pure_torques, shaft_forces
@@ -189,7 +190,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
     rules, layout = context.design.shafting, context.design.layout.get(name, NOTHING_GIVEN)
     material, steps, bore = shaft_material(context), built.shaft.steps, built.shaft.bore
-    weak = max(built.shaft.sections, key=lambda section: _tresca(section, bore))
+    weak = largest(built.shaft.sections, lambda section: _tresca(section, bore))
     case, stress = list(context.flows).index(weak.case), _tresca(weak, bore)
     allowable = (material.yield_strength or 0.0) / rules.safety
     inside = {gear.name for gear in context.train.gears}

@@ -21,6 +21,7 @@ from typing import Literal, NamedTuple
 
 from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError, Problem
+from gearwright.ranking import largest
 from gearwright.units import apart, text
 
 SHOULDER = 0.175
@@ -173,9 +174,9 @@ def _thickest(bare: list[Stretch], wanted: Wanted) -> tuple[int, int]:
     inside = [k for k, stretch in enumerate(bare) if low < (stretch.start + stretch.end) / 2.0 < high]
     hubs = [k for k in inside if bare[k].kind == "hub"]
     if hubs:
-        thickest = max(hubs, key=lambda k: wanted.fixed.get(bare[k].name, wanted.needed.get(bare[k].name, 0.0)))
+        thickest = largest(hubs, lambda k: wanted.fixed.get(bare[k].name, wanted.needed.get(bare[k].name, 0.0)))
         return thickest, thickest
-    longest = max((k for k in inside if bare[k].kind == "between"), key=lambda k: bare[k].length)
+    longest = largest([k for k in inside if bare[k].kind == "between"], lambda k: bare[k].length)
     return longest, longest
 
 
@@ -298,7 +299,7 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     sides = [k for k in (low - 1, low + 1) if stretches[k].length > SAME]
     if not sides:
         return stretches
-    at = max(sides, key=lambda k: stretches[k].length)
+    at = largest(sides, lambda k: stretches[k].length)
     beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
     collar = _whole(max(COLLAR * stretches[low].diameter, *beyond))
     return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.ranking import largest_first
 from gearwright.spec import Study
 from gearwright.study.answers.table import Table
 
@@ -89,7 +90,7 @@ def _influences(study: Study, values: np.ndarray) -> tuple[Influence, ...]:
         )
         for k, axis in enumerate(axes)
     ]
-    return tuple(sorted(influences, key=lambda influence: -influence.total))
+    return tuple(largest_first(influences, lambda influence: influence.total))
 
 
 def _indices(blocks: np.ndarray) -> np.ndarray:

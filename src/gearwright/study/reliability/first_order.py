@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.ranking import smallest
 from gearwright.spec.studies import MOST_STEPS, SCATTERED, TRIED_STEPS
 from gearwright.study.reliability.estimate import Point, chance_beyond
 
@@ -78,7 +79,7 @@ def _from_afar(places: Floats, values: Floats, limit: int, scale: float) -> Gene
 def _nearer(first: Point, second: Point) -> Point:
     """Return the search that came to rest, and of two that did the nearer one."""
     if first.settled and second.settled:
-        return min(first, second, key=lambda point: float(point.place @ point.place))
+        return smallest([first, second], lambda point: float(point.place @ point.place))
     return second if second.settled else first
 
 

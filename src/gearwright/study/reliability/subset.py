@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
+from gearwright.ranking import smallest
 from gearwright.study.reliability.estimate import Estimate, Point, interval_of
 
 PART = 0.1
@@ -85,7 +86,7 @@ def subset(
 def _averaged(runs: Sequence[Own]) -> Own:
     parts = [run.point.probability for run in runs]
     probability = math.fsum(parts) / len(parts)
-    nearest = min((run.point for run in runs), key=lambda point: float(point.place @ point.place))
+    nearest = smallest((run.point for run in runs), lambda point: float(point.place @ point.place))
     scatter = math.hypot(*(part * run.variation for part, run in zip(parts, runs, strict=True)))
     variation = scatter / math.fsum(parts) if probability else 0.0
     alone = math.fsum(part * run.alone for part, run in zip(parts, runs, strict=True))

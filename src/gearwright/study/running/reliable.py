@@ -9,6 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
+from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.spec import Study, value_at
 from gearwright.spec.studies import Value
@@ -189,7 +190,7 @@ def _counted(study: Study, design: str, rows: Sequence[Row]) -> Reliability:
 
 
 def _said(study: Study, design: str, found: Estimate, rows: Sequence[Row]) -> Reliability:
-    states = sorted(_states(study, found.points), key=lambda state: -state.probability)
+    states = largest_first(_states(study, found.points), lambda state: state.probability)
     failed = sum(bool(row.problem) for row in rows)
     return Reliability(
         design, found.probability, found.interval, tuple(states), len(rows), failed, found.settled

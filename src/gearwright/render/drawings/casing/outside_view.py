@@ -16,6 +16,8 @@ from gearwright.sizing.casing import HEAD, LENGTH, THICKNESS, WASHER
 
 NEAR = 0.9
 """Cosine of the angle at most between a rib and the plane that is taken as if it met it [-]."""
+ROUNDED = 9
+"""Digits of metres at which places that are equal are equal on every processor [-]."""
 CORNERS = 48
 """Of the hole of a mount as it is drawn [-]."""
 
@@ -126,7 +128,8 @@ def rib_outlines(
             corners = tuple(MM * complex(x, y) for x, y in zip((*rib.span, *rib.span[::-1]),
                             (ends[0], ends[0], ends[1], ends[1]), strict=True))  # fmt: skip
             key = (way, *_row(rib))
-            nearest[key] = min(nearest.get(key, (aside, corners)), (aside, corners), key=lambda found: found[0])
+            found = (aside, corners)
+            nearest[key] = min(nearest.get(key, found), found, key=lambda one: round(one[0], ROUNDED))
     taken = [_screw_box((start + end) / 2.0, thread) for start, end in screws]
     return tuple(left for _, corners in _apart(nearest) if (left := _beside(corners, taken)))
 
@@ -161,7 +164,7 @@ def _apart(
 ) -> Iterator[tuple[float, tuple[complex, ...]]]:
     """Yield the nearest ribs of which none stands where a nearer one does: those that end short of heads of screws."""
     kept: list[tuple[complex, ...]] = []
-    for aside, corners in sorted(nearest.values(), key=lambda found: found[0]):
+    for aside, corners in sorted(nearest.values(), key=lambda found: round(found[0], ROUNDED)):
         boxes = [_box(each) for each in (corners, *kept)]
         if not any(_meet(boxes[0], box) for box in boxes[1:]):
             kept.append(corners)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
+from gearwright.ranking import smallest_first
 from gearwright.render.drawings.casing.casing_section import CasingSection, joints_of, screw_holes, screw_lines
 from gearwright.render.drawings.casing.outside_view import mounts_of, rib_outlines, ribs_of, round_loop
 from gearwright.render.drawings.casing.rounded import rounded
@@ -60,7 +61,7 @@ class Casing:
     @property
     def pieces(self) -> list[tuple[Node, Chamber]]:
         """Its chambers and halves of flanges, from the first end on."""
-        return sorted(pieces_of(self.scene), key=lambda piece: span_of(*piece)[0])
+        return smallest_first(pieces_of(self.scene), lambda piece: span_of(*piece)[0])
 
     @property
     def chambers(self) -> list[tuple[Node, Chamber]]:
@@ -269,7 +270,7 @@ def _standing(scene: Scene) -> Iterator[_Face]:
 def _not_hidden(faces: Iterable[_Face], seen: Callable[[Floats], Complexes]) -> Iterator[Path]:
     """Yield the edges of faces with holes, one behind the other, past those before."""
     before: list[tuple[Floats, ...]] = []
-    for face in sorted(faces, key=lambda face: face.at):
+    for face in smallest_first(faces, lambda face: face.at):
         for loop in (face.outer, *face.holes):
             yield from _edges(seen, loop, before)
         through = tuple(hole - COVERED * (hole - hole.mean(axis=0)) for hole in face.holes if face.is_ring)

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.ranking import smallest_first
 from gearwright.render.drawings.views.laid.beside import TRUE, Lying
 from gearwright.render.drawings.views.positions import Positions
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -133,7 +134,7 @@ def _corners(frames: Mapping[str, Frame], flat: Mapping[str, Lying]) -> Corners 
         if abs(frame.along.x - lying.along.real) > FLAT or abs(MM * frame.origin.x - lying.origin.real) > TRUE:
             return None
         found.append((height, np.array(frame.origin[1:])))
-    found.sort(key=lambda corner: corner[0])
+    found = smallest_first(found, lambda corner: corner[0])
     for (low, one), (high, other) in pairwise(found):
         if MM * abs(float(np.linalg.norm(other - one)) - (high - low)) > TRUE:
             return None

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.ranking import largest
 from gearwright.render.drawings.casing.section_path import Lane
 from gearwright.shape import WEB, Node, Scene
 from gearwright.shape.solids import Rectangle, Solid, spans_in, without
@@ -107,12 +108,12 @@ def _half_sizes(scene: Scene, node: Node) -> tuple[float, float, float]:
 def _seen_up(x: float, height: tuple[float, float], metal: Sequence[Rectangle]) -> Line:
     """Return the longest piece of an upright edge that is not in metal."""
     taken = [(one.low, one.high) for one in metal if one.start - SEEN < x < one.end + SEEN]
-    low, high = max(without([height], taken), key=lambda span: span[1] - span[0], default=(height[0], height[0]))
+    low, high = largest(without([height], taken) or [(height[0], height[0])], lambda span: span[1] - span[0])
     return complex(x, low), complex(x, high)
 
 
 def _seen_along(height: float, x: tuple[float, float], metal: Sequence[Rectangle]) -> Line:
     """Return the longest piece of a level edge that is not in metal."""
     taken = [(one.start, one.end) for one in metal if one.low - SEEN < height < one.high + SEEN]
-    low, high = max(without([x], taken), key=lambda span: span[1] - span[0], default=(x[0], x[0]))
+    low, high = largest(without([x], taken) or [(x[0], x[0])], lambda span: span[1] - span[0])
     return complex(low, height), complex(high, height)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from gearwright.identity import Role, gear_part
+from gearwright.ranking import largest
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
 from gearwright.render.drawings.views.face_view import face_section, face_teeth, is_face_wheel, toward_pinion
@@ -139,7 +140,7 @@ def _drawn_bodies(sizing: Sizing, body: ShaftBody) -> list[ShaftBody]:
 def _free(axis: Axis, body: ShaftBody) -> complex:
     """Return a point of a shaft where nothing sits on it, or that of its longest piece."""
     free = [piece for piece in body.pieces if not piece.seat] or list(body.pieces)
-    longest = max(free, key=lambda piece: piece.end - piece.start)
+    longest = largest(free, lambda piece: piece.end - piece.start)
     return axis.at(longest.start + 0.3 * (longest.end - longest.start), 0.3 * longest.diameter)
 
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from gearwright.ranking import smallest_first
 from gearwright.render.style import theme
 from gearwright.render.style.compound import shade
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent
@@ -122,7 +123,7 @@ def comparison_figure(table: Table) -> Figure:
     """
     whole = _COMPLETE[0] in table.results
     parts = [part for part in (_COMPLETE if whole else _STACK) if part in table.results] or list(table.numbers[:1])
-    rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
+    rows = smallest_first(table.good, lambda row: sum(row.number(part) for part in parts))
     figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.panel()
     labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
+from gearwright.ranking import largest_first
 from gearwright.render.figures.treemap import treemap_figure
 from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.page import (
@@ -81,7 +82,7 @@ def _sections(review: Review) -> tuple[Section, ...]:
     """Return the chapters; one without content is left out."""
     mass = review.complete
     groups = table("Groups", mass.groups, ("group", "total", "share", "deviation"))
-    heaviest = sorted(mass.parts, key=lambda item: -item.total)[:HEAVIEST]
+    heaviest = largest_first(mass.parts, lambda item: item.total)[:HEAVIEST]
     parts = table("Heaviest parts", heaviest, ("part", "group", "count", "each", "total", "uncertainty", "formula"))
     nothing = () if review.waived else ("Nothing is waived.",)
     waived = (*nothing, *(f"{unneeded_text(name)}." for name in review.unneeded))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Annotated
 
+from gearwright.ranking import smallest_first
 from gearwright.render.figures.study.lines import comparison_figure
 from gearwright.render.grid.table import table
 from gearwright.render.pages.page import (
@@ -93,7 +94,7 @@ def comparison(
         reviews: Design -> every check of it.
         stamp: Date of the page.
     """
-    ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
+    ranked = dict(smallest_first(sizings.items(), lambda variant: variant[1].mass + variant[1].motor_mass))
     verdicts = {name: judged(reviews[name]) for name in ranked}
     masses = figure(comparison_figure(variants), "masses", "Masses, lightest first.")
     designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gearwright.enumeration import Candidate
+from gearwright.ranking import smallest
 from gearwright.render.grid.csv_text import table_csv
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Mass, Speed, margin_text
@@ -69,7 +70,7 @@ def _lacked(row: Candidate) -> str:
     """Return the worst of what fails, and how much more there is."""
     if not row.lacks:
         return ""
-    name, margin = min(row.lacks, key=lambda lack: lack[1])
+    name, margin = smallest(row.lacks, lambda lack: lack[1])
     more = f" and {len(row.lacks) - 1} more" if len(row.lacks) > 1 else ""
     return f"{name} {margin_text(margin)}{more}"
 

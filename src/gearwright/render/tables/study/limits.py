@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from gearwright.render.grid.table import Cell, Column, Table
+from gearwright.ranking import largest, largest_first
+from gearwright.render.grid.table import Cell, Column, Table, written
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study, value_at
 from gearwright.study.answers import Limit
@@ -39,7 +40,7 @@ def failure_table(study: Study, found: Reliability) -> Table:
     state = found.limits[0]
     columns = [Column(name, name, "", "") for name in ("axis", "median", "at the failure", "weight", "harm by")]
     lines = []
-    for path, cosine in sorted(state.influence.items(), key=lambda entry: -abs(entry[1])):
+    for path, cosine in largest_first(state.influence.items(), lambda entry: abs(entry[1])):
         cells = [
             Cell(path, path),
             *(_given(value) for value in (value_at(path, study.axes[path], 0.5), state.likeliest[path])),
@@ -81,7 +82,7 @@ def likeliest_words(state: LimitState) -> str:
         state: With a failure.
     """
     values = ", ".join(f"{path} = {_text(value)}" for path, value in state.likeliest.items())
-    strongest = max(state.influence, key=lambda path: abs(state.influence[path]))
+    strongest = largest(state.influence, lambda path: abs(state.influence[path]))
     return f"{limit_words(state.limit)} at {values}; {strongest} has {percent(state.influence[strongest] ** 2)} of it"
 
 

@@ -7,6 +7,7 @@ from rich.text import Text
 
 from gearwright.mission import FlownMix
 from gearwright.mission.lives import bearings_of
+from gearwright.ranking import largest
 from gearwright.render.tables.mix import mission_table, part_table, shares_of_damage
 from gearwright.render.words.flights.flight import count_text
 from gearwright.render.words.text import table_text
@@ -37,7 +38,7 @@ def verdict(flown: FlownMix) -> str:
     if not parts or not parts[0].damage:
         return f"Nothing {scope}fails."
     first, shares = parts[0], shares_of_damage(flown, parts[0])
-    worst = max(shares, key=lambda name: shares[name])
+    worst = largest(shares, shares.__getitem__)
     lives = "lives" if flown.damage < 1.0 else "does not live"
     return (
         f"It {lives} all {flown.mix.flights} flights: {scope}{first.name}, {first.mode}, fails first, after"

@@ -11,6 +11,7 @@ import numpy as np
 from gearwright.checks import Check
 from gearwright.identity import PartId
 from gearwright.parts.agma2001 import bending_geometry, yield_safety
+from gearwright.ranking import smallest
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, yield_strength_of
 from gearwright.sizing.rating.protocol import Load, LoadedMesh
 from gearwright.units import Origin, Quantity
@@ -52,8 +53,8 @@ def worst_yielding(mesh: LoadedMesh) -> YieldingCase | None:
     if known[0] is None or known[1] is None:
         return None
     strengths = known[0], known[1]
-    cases = (_case(mesh, load, strengths) for load in mesh.loads if load.static)
-    return min(cases, key=lambda case: min(case.safeties), default=None)
+    cases = [_case(mesh, load, strengths) for load in mesh.loads if load.static]
+    return smallest(cases, lambda case: min(case.safeties)) if cases else None
 
 
 def yielding_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:

@@ -9,6 +9,7 @@ from typing import NamedTuple, Protocol
 from gearwright.checks import Check
 from gearwright.identity import PartId
 from gearwright.parts.iso6336 import PairRating, StaticStrength, static_strength
+from gearwright.ranking import smallest
 from gearwright.sizing.rating.iso6336.inputs import steels_of
 from gearwright.sizing.rating.protocol import LoadedMesh
 
@@ -58,7 +59,7 @@ def worst_static(mesh: LoadedMesh, rated: Sequence[tuple[str, PairRating]]) -> S
     for case, pair in rated:
         first, second = (static_strength(pair.pitting, pair.bending, steels, gear) for gear in (0, 1))
         cases.append(StaticCase(case, (first, second)))
-    return min(cases, key=lambda case: _margin(case, asked), default=None)
+    return smallest(cases, lambda case: _margin(case, asked)) if cases else None
 
 
 def static_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:
