@@ -72,7 +72,7 @@ NOTHINGS = """
 NO = """
     Groove.is_thread
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
-    ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
+    ShaftSection.hard_surface rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
     Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still

@@ -11,7 +11,7 @@ from gearwright.units import Density, Number, Quantity, Ratio, Stress
 
 @dataclass(frozen=True)
 class LifeLine:
-    """The S-N line of a flank or a root up to its knee, beyond which it bends towards 1e10 cycles."""
+    """The S-N line of a flank or a root up to its knee, beyond which it bends towards 1e10 cycles and goes on."""
 
     knee_cycles: Number
     """Cycles at which the steel bears its strength σ_Hlim or σ_Flim [-]."""

@@ -84,23 +84,28 @@ class StrengthLine:
 
 @dataclass(frozen=True)
 class LifeCurve:
-    """An S-N curve: straight lines in double logarithmic scale between corners."""
+    """An S-N curve: straight lines in double logarithmic scale between corners, the last of which goes on."""
 
     cycles: tuple[float, ...]
     """Corners N_L [-], increasing."""
     factors: tuple[float, ...]
-    """Life factors there [-], decreasing."""
+    """Life factors there [-], decreasing; the last two alike where what lies below them is borne without end."""
 
     @cached_property
     def lines(self) -> tuple[tuple[float, float, float, float, float], ...]:
-        """Of every falling line N and its life factor at the start, the least factor for which it holds, ln N_2/N_1
-        and ln f_1/f_2 [-]; the last line goes on."""
+        """Of every falling line N and its life factor at the start, the factor at its end, above which it holds,
+        ln N_2/N_1 and ln f_1/f_2 [-]; the last line of the curve goes on."""
         ends = pairwise(zip(self.cycles, self.factors, strict=True))
         return tuple(
             (n_1, f_1, -math.inf if n_2 == self.cycles[-1] else f_2, math.log(n_2 / n_1), math.log(f_1 / f_2))
             for (n_1, f_1), (n_2, f_2) in ends
             if f_1 > f_2
         )
+
+    @cached_property
+    def fall(self) -> float:
+        """Part ln f_1/f_2 over ln N_2/N_1 by which the last line falls, within its corners and beyond [-]."""
+        return math.log(self.factors[-2] / self.factors[-1]) / math.log(self.cycles[-1] / self.cycles[-2])
 
     @property
     def slope(self) -> float:
