@@ -30,7 +30,7 @@ from gearwright.catalogue.gear_strength import (
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
-from gearwright.catalogue.materials import material_of, materials
+from gearwright.catalogue.materials import hardnesses_of, material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
     ANGLES,
@@ -188,6 +188,7 @@ __all__ = [
     "gear_steel_names",
     "gearbox_classes",
     "hamilton_standard_charts",
+    "hardnesses_of",
     "housing_materials",
     "is_cast_iron",
     "key_for_shaft",

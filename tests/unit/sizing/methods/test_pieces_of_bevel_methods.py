@@ -89,7 +89,6 @@ def test_what_iso_10300_is_told_of_a_stage():
         duty = bevel_duty(own, pair, 321.0, 45.0)
         assert (duty.mounting, duty.cutter_radius) == (mounting, math.inf)
         assert (duty.pinion_torque, duty.pinion_speed) == (321.0, 45.0)
-        assert duty.density == own.material.density
         surfaces = bevel_surfaces(own)
         assert (surfaces.peak_exponent, surfaces.viscosity) == (3.0, near(150e-6))
         high = own.rules.model_copy(update={"iso6336": rules.model_copy(update={"profile_crowning": "high"})})

@@ -35,7 +35,7 @@ from gearwright.parts.iso6336.loads.mesh_loads import (
     load_distribution,
     specific_load,
 )
-from gearwright.parts.iso6336.loads.stiffness import MeshSprings, iron_factor, mesh_springs
+from gearwright.parts.iso6336.loads.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 
 __all__ = [
@@ -61,7 +61,6 @@ __all__ = [
     "dynamic_factor_by_speed",
     "face_load_factor",
     "flank_tolerances",
-    "iron_factor",
     "lead_allowance",
     "load_cycles",
     "load_distribution",

@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.material import STEEL_DENSITY, STEEL_MODULUS, STEEL_POISSON
 from gearwright.units import Origin, Quantity
 
 STRESS_CORRECTION_TEST_GEAR = 2.0
@@ -133,11 +134,11 @@ class GearSteel:
     """Allowable stress number for contact σ_Hlim [Pa]."""
     bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim", "as stated, or ISO 6336-5:2016, table 1")]
     """Nominal stress number for bending σ_Flim of the standard reference test gears [Pa]."""
-    elastic_modulus: Annotated[float, Quantity("stress")] = 206e9
+    elastic_modulus: Annotated[float, Quantity("stress")] = STEEL_MODULUS
     """E [Pa]."""
-    poisson_ratio: Annotated[float, Quantity("ratio")] = 0.3
+    poisson_ratio: Annotated[float, Quantity("ratio")] = STEEL_POISSON
     """ν [-]."""
-    density: Annotated[float, Quantity("density")] = 7830.0
+    density: Annotated[float, Quantity("density")] = STEEL_DENSITY
     """ρ [kg/m³]."""
     yield_strength: Annotated[float | None, Quantity("stress")] = None
     """σ_S or R_p0.2 [Pa]; needed for the notch sensitivity of through-hardened steels only."""
