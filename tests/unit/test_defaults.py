@@ -110,7 +110,8 @@ OF_STANDARDS = {
     "FilmMesh.elastic_modulus": 206e9, "FilmMesh.poisson_ratio": 0.3, "ScuffingMesh.elastic_modulus": 206e9,
     "ScuffingMesh.poisson_ratio": 0.3, "AgmaBevelMaking.elastic_modulus": 207e9, "AgmaBevelMaking.poisson_ratio": 0.3,
     "modulus_factor.steel": 206e9, "mesh_stiffness_kuang_yang.elastic_moduli": (206e9, 206e9),
-    "deflection_misalignment.elastic_modulus": 206e9, "module_hertz.poisson_ratio": 0.3, "contact_stress.poisson_ratio": 0.3,
+    "deflection_misalignment.elastic_modulus": 206e9, "module_hertz.poisson_ratio": 0.3,
+    "contact_stress.poisson_ratio": 0.3,
     "FitPart.density": 7850.0, "FitPart.poisson_ratio": 0.3, "Segment.elasticity": 206e9,
     "Segment.poisson": 0.3, "Segment.density": 7850.0, "Disc.of_steel.density": 7850.0,
     # Quality: grade 5 of ISO 1328, 6 in scuffing and micropitting, 11 of AGMA; R_z of 4 µm on flanks, 10 µm at roots.

@@ -11,7 +11,6 @@ from gearwright.catalogue.bearing_choice import (
 )
 from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
 from gearwright.catalogue.bearings import (
-    STEEL_DENSITY,
     STEEL_SHARE,
     Bearing,
     bearing,
@@ -115,6 +114,7 @@ from gearwright.catalogue.turboshafts import (
     read_engine_deck,
     turboshaft,
 )
+from gearwright.parts.bearings import STEEL_DENSITY
 
 __all__ = [
     "ALL_STATES",

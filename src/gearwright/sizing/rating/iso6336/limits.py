@@ -62,11 +62,11 @@ def _own_limits(rated: PairRating, steels: Steels) -> dict[tuple[str, str], tupl
     """Return the limits that depend on the steel."""
     limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {}
     for mode, chapter in enumerate(("strength of flanks", "strength of roots")):
-        strengths = (rated.contact_strength, rated.root_strength)[mode]
+        both = rated.root_strength if mode else rated.contact_strength
         limits[chapter, "life"] = tuple(
             bound
-            for steel, strength, cycles in zip(steels, strengths, rated.cycles, strict=True)
-            for bound in life_limits(life_curves(steel)[mode], float(cycles), float(strength.life))
+            for steel, life, cycles in zip(steels, [strength.life for strength in both], rated.cycles, strict=True)
+            for bound in life_limits(life_curves(steel)[mode], float(cycles), float(life))
         )
     softer = min(steel.contact_strength for steel in steels)
     if not _SOFT < softer < _WORN:
