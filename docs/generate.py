@@ -10,7 +10,6 @@ from pathlib import Path
 from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
 from gearwright.render.diagrams import DIAGRAMS
-from gearwright.render.grid.table import written
 from gearwright.render.tables.sizing.materials import properties
 from gearwright.render.words.design_file import (
     anchor,
@@ -20,6 +19,7 @@ from gearwright.render.words.design_file import (
     study_file_markdown,
 )
 from gearwright.replays.colibri.page import colibri_markdown
+from gearwright.units import written
 
 FOLDER = Path(__file__).parent
 

@@ -157,6 +157,125 @@ kind = "spline"
 kind = "spline"
 """
 """Teeth, modules, widths and loads of the sound design of a student project's helicopter; places of our own."""
+SPLIT_PATH = """
+schema = 1
+name = "split path in bearings"
+shafts = ["input", "left", "right", "output"]
+[turbines.gas-turbine]
+shaft = "input"
+power_kw = 1046.0
+speed_rpm = 20000.0
+[motors.electric]
+shaft = "input"
+power_kw = 1005.0
+speed_rpm = 20000.0
+[propellers.propeller]
+thrust_kn = 25
+hub_moment_nm = 8000
+shaft = "output"
+speed_rpm = 1212.0
+diameter_mm = 3930.0
+blades = 6
+[pairs.first]
+pinion = "input"
+wheel = ["left", "right"]
+pinion_teeth = 62
+wheel_teeth = 146
+halves = 2
+module_mm = 1.5
+face_width_mm = 22.0
+[pairs.first.gears.iso6336]
+least_dynamic_factor = 1.076
+[pairs.second]
+pinion = ["left", "right"]
+wheel = "output"
+pinion_teeth = 50
+wheel_teeth = 351
+halves = 2
+module_mm = 2.25
+face_width_mm = 25.0
+[pairs.second.gears.iso6336]
+least_dynamic_factor = 1.104
+[gears]
+rating = "iso6336"
+helix_angle_deg = 20.0
+[layout.input]
+length_mm = 170
+[layout.input.places]
+gas-turbine.position_mm = 5
+"first.pinion".position_mm = 85
+electric.position_mm = 165
+[layout.left]
+length_mm = 260
+[layout.left.places]
+"first.wheel".position_mm = 90
+"second.pinion".position_mm = 162
+[bearings.left-a]
+shaft = "left"
+position_mm = 45
+[bearings.left-b]
+shaft = "left"
+position_mm = 220
+[bearings.left-ax]
+shaft = "left"
+position_mm = 12
+kind = "deep-groove"
+locates = "both"
+radial = false
+[layout.right]
+length_mm = 260
+[layout.right.places]
+"first.wheel".position_mm = 90
+"second.pinion".position_mm = 162
+[bearings.right-a]
+shaft = "right"
+position_mm = 45
+[bearings.right-b]
+shaft = "right"
+position_mm = 220
+[bearings.right-ax]
+shaft = "right"
+position_mm = 12
+kind = "deep-groove"
+locates = "both"
+radial = false
+[layout.output]
+length_mm = 480
+[layout.output.places]
+"second.wheel".position_mm = 135
+propeller.position_mm = 470
+[bearings.in-a]
+shaft = "input"
+position_mm = 40
+kind = "deep-groove"
+locates = "both"
+[bearings.in-b]
+shaft = "input"
+position_mm = 130
+[bearings.out-a]
+shaft = "output"
+position_mm = 50
+[bearings.out-b]
+shaft = "output"
+position_mm = 240
+[bearings.out-thrust]
+shaft = "output"
+position_mm = 340
+kind = "four-point"
+locates = "both"
+radial = false
+[joints]
+"first.pinion".kind = "integral"
+"second.pinion".kind = "integral"
+[service]
+life_s = 72000000.0
+bearing_life_s = 72000000.0
+[shafting]
+bore_ratio = 0.7
+[bearing_rules]
+limits = true
+"""
+"""Double-helical split path of a turbine and a motor, whose solid wheels outweigh the gearbox as manufactured."""
 
 
 def sized(text: str) -> Sizing:

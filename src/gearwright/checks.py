@@ -30,6 +30,7 @@ BEYOND_SIZING = (
     "bending life",
     "bearing life",
     "bearing static safety",
+    "speed factor",
     "room for its bearing",
     "charge",
     "axial retention",

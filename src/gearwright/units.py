@@ -35,6 +35,15 @@ POUND_FORCE = POUND * GRAVITY
 HORSEPOWER = 550.0 * FOOT * POUND_FORCE
 """One mechanical horsepower in W."""
 
+NOISE = 1e-9
+"""Magnitude, in the unit that is shown, below which a number is rounding."""
+EXACT = 12
+"""Digits of a number that no rounding touches [-]: a half is decided by these."""
+SMALLEST_PLAIN = 1e-3
+"""Magnitude below which a number is written with a power of ten."""
+LARGEST_PLAIN = 1e12
+"""Magnitude from which on it is so, too: a life without end, say."""
+
 SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "angle": {"deg": math.pi / 180.0, "rad": 1.0},
@@ -259,8 +268,98 @@ def text(value: float, dimension: str, digits: int = 4) -> str:
     ('20000 rpm', '0 rpm')
     """
     number = shown(value, dimension) + 0.0
+    digits = _enough(number, digits) if dimension == "ratio" else digits
     written = f"{number:.0f}" if abs(number) >= 10 ** (digits - 1) else f"{number:.{digits}g}"
     return f"{written} {unit(dimension)}".rstrip()
+
+
+def written(number: float, digits: int = 4) -> str:
+    """Return a number with so many significant digits, trailing zeros kept; what differs by rounding alone reads alike.
+
+    Args:
+        number: In the unit that is shown.
+        digits: Significant digits [-].
+
+    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30), written(196.25), written(196.25 + 1e-12)
+    ('1.000', '−16035', '0', '0', '196.2', '196.2')
+    """
+    if abs(number) < NOISE:
+        return "0"
+    if number < 0.0:
+        return f"−{written(-number, digits)}"
+    if math.isinf(number):
+        return "∞"
+    number = float(f"{number:.{EXACT}g}")
+    if abs(number) >= LARGEST_PLAIN:
+        return f"{number:.{digits - 1}e}"
+    if abs(number) >= 10 ** (digits - 1):
+        return f"{number:.0f}"
+    if abs(number) < SMALLEST_PLAIN:
+        return f"{number:.{digits - 1}e}"
+    return f"{number:#.{digits}g}".rstrip(".")
+
+
+def margin_text(margin: float, digits: int = 3) -> str:
+    """Return a margin as it is read: rounded like any number, but what is below 1 never reads as 1.
+
+    Args:
+        margin: Or an efficiency, or any other part of what is asked, of which 1 is all [-].
+        digits: Significant digits [-]; more where fewer would hide that it is below 1.
+
+    >>> margin_text(0.7196), margin_text(0.7196, 4), margin_text(0.9996), margin_text(0.99996), margin_text(1.0004)
+    ('0.720', '0.7196', '0.9996', '0.99996', '1.00')
+    """
+    return written(margin, _enough(margin, digits))
+
+
+def _enough(margin: float, digits: int) -> int:
+    """Return so many digits, or more where fewer would round what is below 1 to it."""
+    below = margin < 1.0 - NOISE
+    return next(more for more in range(digits, 99) if not below or float(f"{margin:.{more}g}") < 1.0)
+
+
+def number_text(value: float, dimension: str, digits: int = 4) -> str:
+    """Return a value without its unit as tables and headlines have it, so that both round it alike.
+
+    Args:
+        value: In SI.
+        dimension: Such as ``"length"``; empty for what has none.
+        digits: Significant digits [-].
+
+    >>> number_text(0.0254, "length"), number_text(0.99996, "ratio"), number_text(0.99996, "mass")
+    ('25.40', '0.99996', '1.000')
+    """
+    if dimension == "ratio":
+        return margin_text(value, digits)
+    return written(shown(value, dimension) if dimension else value, digits)
+
+
+def digits_apart(first: float, second: float, digits: int = 4) -> int:
+    """Return how many significant digits tell two numbers apart that are compared [-].
+
+    Args:
+        first: In the unit that is shown.
+        second: In the same.
+        digits: That suffice where the numbers are equal, and are taken at least [-].
+    """
+    apart = (more for more in range(digits, EXACT + 1) if written(first, more) != written(second, more))
+    return next(apart, digits)
+
+
+def apart(first: float, second: float, dimension: str, digits: int = 4) -> tuple[str, str]:
+    """Return two values that are compared, with their unit and as many digits as tell them apart.
+
+    Args:
+        first: In SI.
+        second: In SI.
+        dimension: Of both, such as ``"power"``.
+        digits: Significant digits [-], where these suffice.
+
+    >>> apart(1469.2e3, 1468.9e3, "power"), apart(0.2, 0.1, "length")
+    (('1469.2 kW', '1468.9 kW'), ('200 mm', '100 mm'))
+    """
+    enough = digits_apart(shown(first, dimension), shown(second, dimension), digits)
+    return text(first, dimension, enough), text(second, dimension, enough)
 
 
 def si_unit(dimension: str) -> str:

@@ -10,7 +10,7 @@ from written import COMMANDS, EVERY_DESIGN, written
 
 from gearwright.cli.terminal.printing import print_pdf
 from gearwright.dynamics import modes
-from gearwright.dynamics.assembly import assemble, default_case
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
@@ -26,6 +26,7 @@ from gearwright.replays.colibri.page import colibri_page
 from gearwright.replays.pulvirenti.page import thesis_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
+from gearwright.sizing import governing_case
 from gearwright.spec import read
 from gearwright.study import compare
 from shipped_work import flown, ground_review, sized
@@ -83,7 +84,7 @@ def page_of_the_flight():
 def moving_report():
     """Return the report of a shipped design with its modes and critical speeds."""
     sizing = sized("in-line-h2")
-    system = assemble(sizing, default_case(sizing))
+    system = assemble(sizing, governing_case(sizing))
     return report(sizing, modes=modes(system), system=system, campbell=critical_speeds(sizing), review=ground_review())
 
 
@@ -307,7 +308,7 @@ def test_zooming_into_a_front_leaves_the_rows_of_its_table_that_are_inside(opene
     figure.locator(".u-over").wait_for()
     table = page.locator("table", has=page.locator("caption", has_text=re.compile("^Pareto front$")))
     heads = [head.split("\n")[0] for head in table.locator("thead th").all_inner_texts()]
-    column = next(k for k, head in enumerate(heads) if head.startswith("gearbox") and "+" not in head)
+    column = next(k for k, head in enumerate(heads) if head.startswith("train as sized") and "+" not in head)
     masses = [float(text) for text in table.locator(f"tbody td:nth-child({column + 1})").all_inner_texts()]
     least = sorted(masses)[len(masses) // 2]
     page.evaluate(
@@ -364,11 +365,11 @@ def scale(page, figure):
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_the_head_has_the_numbers_of_the_json(name, opened):
-    """The mass of the train, and complete mass and worst margin of the review, as their commands print them."""
+    """The train as sized, and complete mass and worst margin of the review, as their commands print them."""
     page, _ = opened(PAGES[f"report of {name}"]())
     named = dict(page.evaluate(KEY_NUMBERS))
     sizing, judged = plain(size_answer(sized(name))), plain(review_answer(reviewed(name)))
-    mass = next(value for key, value in named.items() if key == "mass of the train")
+    mass = next(value for key, value in named.items() if key == "train as sized")
     assert float(mass) == pytest.approx(sizing["mass_kg"], rel=1e-6)
     margin = next(value for key, value in named.items() if key.startswith("worst margin"))
     assert float(margin) == pytest.approx(judged["margin"], rel=1e-6)

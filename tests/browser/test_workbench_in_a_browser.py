@@ -37,10 +37,31 @@ FILLED = {
     "Compare": ("", "body[data-twinnow][data-twinpinned]"),
 }
 """View -> what is clicked to fill it, and what shows that it is filled."""
+FILLING = """() => {
+  const {view} = window.gearbox, seen = {wide: 0, high: 0};
+  view.camera.updateMatrixWorld();
+  for (const point of view.gearbox.outline()) {
+    const at = point.clone().project(view.camera);
+    seen.wide = Math.max(seen.wide, Math.abs(at.x));
+    seen.high = Math.max(seen.high, Math.abs(at.y));
+  }
+  return {...seen, camera: view.camera.position.toArray()};
+}"""
+"""How far the outline of what is shown reaches to the edges of the picture, which lie at 1, and where the camera is."""
 OFFERED = """async ([then, now]) => {
   const {offered} = await import('/static/files.js'), {state} = await import('/static/state.js');
   offered(state.text.replace(then, now), now);
 }"""
+
+
+@pytest.fixture(scope="module")
+def blank(chromium, address):
+    """A window of the workbench in which nothing is changed."""
+    context = chromium.new_context()
+    page = context.new_page()
+    page.goto(address)
+    yield page
+    context.close()
 
 
 def test_every_shipped_design_opens_with_its_numbers_and_asks_nobody_else(opened):
@@ -67,6 +88,26 @@ def test_the_gearbox_is_drawn_and_turns_as_its_train_does(opened, name):
     for shaft in sized(name).shafts:  # angles of 1e-3 rad in double precision, kept in numbers of 1e-16
         spin = seen["found"][f"shaft {shaft.name}"]
         assert math.isclose(abs(spin), abs(flow.speeds[shaft.name]), rel_tol=1e-6, abs_tol=1e-9 * fastest)
+    assert told == []
+
+
+def test_the_camera_stays_with_a_design_and_takes_in_another_one(opened):
+    """Designs of 0.3 to 3 m, one of them upright."""
+    page, told = opened()
+    page.click("nav a >> text=Gearbox")
+    page.wait_for_selector("body[data-model='1']")
+    page.focus("#picture")
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("+")
+    before = page.evaluate(FILLING)
+    page.evaluate(OFFERED, ["planets = 5", "planets = 4"])
+    page.wait_for_selector("body[data-model='2']")
+    assert page.evaluate(FILLING)["camera"] == pytest.approx(before["camera"], rel=1e-9)
+    for count, name in enumerate(("wind-turbine-5mw", "single-planetary", "ec120b", "in-line-h2"), start=3):
+        page.select_option("#design", f"shipped:{name}")
+        page.wait_for_selector(f"body[data-model='{count}']")
+        seen = page.evaluate(FILLING)
+        assert max(seen["wide"], seen["high"]) == pytest.approx(0.94, abs=0.06), name
     assert told == []
 
 
@@ -116,6 +157,16 @@ def test_a_pin_of_ones_own_stays_when_a_computation_opens_another_text(opened):
     assert told == []
 
 
+def test_what_is_no_toml_is_marked_at_its_line(opened):
+    page, _ = opened()
+    page.locator(".cm-line", has_text="speed_rpm = 20000").click()
+    page.keyboard.press("End")
+    page.keyboard.type(" =")
+    page.wait_for_selector("#problems button:has-text('line 11: ')")
+    page.click("#problems button")
+    assert "speed_rpm = 20000 =" in page.inner_text(".cm-activeLine")
+
+
 def test_a_wrong_key_marks_its_line_and_the_last_valid_result_stays_greyed(opened):
     page, _ = opened()
     before = page.inner_text(MASS + " b")
@@ -130,6 +181,40 @@ def test_a_wrong_key_marks_its_line_and_the_last_valid_result_stays_greyed(opene
     page.keyboard.press("Backspace")
     page.wait_for_selector("body:not(.stale)")
     assert page.locator("#problems li").count() == 0
+
+
+@pytest.mark.parametrize(
+    ("margin", "words"),
+    [
+        (0.7196, "0.720"), (0.9951, "0.995"), (0.9996, "0.9996"), (0.9999996, "0.9999996"), (1.0, "1.00"),
+        (1.0004, "1.00"), (1.0 - 1e-12, "1.00"), (12.345, "12.3"), (999.7, "1000"), (1234.4, "1234"), (0.0, "0"),
+        (0.00012345, "1.23e-04"), (-0.5, "−0.500"), (None, "–"),
+    ],
+)  # fmt: skip
+def test_a_margin_is_written_to_the_nearest_and_below_one_never_as_one(blank, margin, words):
+    assert blank.evaluate("async value => (await import('/static/made.js')).ratio(value)", margin) == words
+
+
+def test_margins_of_sizing_are_called_so_and_only_a_review_is_green(opened):
+    """The sizing of in-line-h2 passes and its review fails, at 0.7196 of what is asked."""
+    page, told = opened()
+    title, tile = page.locator("#keys dt", has_text="Worst"), page.locator("#keys dd[data-key=worst_margin] b")
+    assert title.all_inner_texts() == ["Worst margin of sizing"] and tile.inner_text() == "1.00"
+    assert page.get_attribute("#verdict", "class").strip() == "verdict"
+    assert page.inner_text("#margins-title") == "Margins of sizing, worst first"
+    page.click("#review")
+    page.wait_for_selector("#reviewed:has-text('pass')")
+    worst = gw.review(gw.read("in-line-h2")).worst
+    assert page.locator("#keys dd[data-key=review] b").inner_text() == "0.720"
+    assert title.all_inner_texts() == ["Worst margin of sizing", "Worst of the full review"]
+    assert f"{worst.margin:.4f}" == "0.7196" and "margin 0.720" in page.inner_text("#verdict")
+    assert page.get_attribute("#verdict", "class") == "verdict fails"
+    assert page.locator("#keys dd[data-key=review] b.bad").count() == 1
+    assert page.inner_text("#margins-title") == "Checks of the full review, worst first"
+    assert page.locator("#margins .value").first.inner_text() == "0.720"
+    shown = [float(words) for words in page.locator("#margins .fails .value").all_inner_texts()]
+    assert shown and max(shown) < 1.0
+    assert told == []
 
 
 def test_a_number_is_told_with_its_source_and_a_part_is_selected_everywhere(opened):

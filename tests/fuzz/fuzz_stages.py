@@ -94,7 +94,7 @@ def _modes(fuzzed: Case) -> object:
 def _simulate(fuzzed: Case) -> object:
     system = assemble(_sized(fuzzed))
     trace = simulate(system, min(SIMULATED, MOST_STEPS * default_step(system.arrays)))
-    return trace, plain(simulate_answer(trace, "rated"))
+    return trace, plain(simulate_answer({"rated": trace}))
 
 
 def _fly(fuzzed: Case) -> object:

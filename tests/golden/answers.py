@@ -16,13 +16,14 @@ from zlib import crc32
 import numpy as np
 from record import designs, sized
 
-from gearwright.dynamics.assembly import assemble, assumptions, contacts_of, default_case
+from gearwright.dynamics.assembly import assemble, assumptions, contacts_of
 from gearwright.sizing import (
     Sizing,
     asked_speeds,
     backlash_of,
     bearing_forces,
     fit_of,
+    governing_case,
     mass_parts,
     methods_beside,
     named_results,
@@ -78,7 +79,7 @@ ANSWERS: dict[str, Callable[[Sizing], Any]] = {
     "assumptions": lambda sizing: assumptions(sizing, assemble(sizing)),
     "attachments": lambda sizing: attachments(sizing.train),
     "bearing forces": bearing_forces,
-    "contacts": lambda sizing: contacts_of(sizing, sizing.flows[default_case(sizing)]),
+    "contacts": lambda sizing: contacts_of(sizing, sizing.flows[governing_case(sizing)]),
     "efficiencies": _efficiencies,
     "losses": lambda sizing: [loss_balance(sizing, case) for case in sizing.flows],
     "masses": lambda sizing: list(mass_parts(sizing)),

@@ -11,7 +11,7 @@ import scipy.linalg
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.equations import damped_modes, linear
+from gearwright.dynamics.equations import damped_modes
 from gearwright.dynamics.model import DampingRatio, Model, line_matrix
 from gearwright.machines import motor_mass_ndarc, motor_mass_power_law
 from gearwright.parts.gears import (
@@ -302,7 +302,7 @@ def test_3_13_a_shaft_line_has_the_damping_ratio_that_is_asked():
     model.rotation("a", inertia=2.0)
     model.rotation("b", inertia=0.5)
     model.shaft("line", "a", "b", stiffness=1e4, damping=DampingRatio(0.05))
-    (value,), _ = damped_modes(linear(model.build().arrays))
+    (value,), _ = damped_modes(model.build().arrays)
     assert -value.real / abs(value) == pytest.approx(0.05, rel=1e-9)
 
 

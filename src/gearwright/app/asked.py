@@ -136,13 +136,15 @@ def sized(question: Question) -> Sizing:
 
 
 def case_of(question: Question, sizing: Sizing) -> str:
-    """Return the load case that is asked for, or the first.
+    """Return the load case that is asked for, or the governing one.
 
     Args:
         question: With its case.
         sizing: Of the design.
     """
-    name = question.options.get("case") or next(iter(sizing.flows))
+    from gearwright.sizing import governing_case
+
+    name = question.options.get("case") or governing_case(sizing)
     if not isinstance(name, str):
         refuse([Problem("case", "a name is needed")])
     by_name(name, sizing.flows, "case")

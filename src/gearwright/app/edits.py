@@ -9,9 +9,10 @@ from typing import Any
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import key_lines, parse, standing_at
+from gearwright.spec.read import DEEPEST, dotted_names, toml_tables
 
-DEEPEST = 8
-"""Tables in tables [-]."""
+MOST_DOTTED = 200
+"""Names of dotted keys: what keeps comments takes time with their square [-]."""
 
 
 def with_entry(text: str, path: Sequence[str], value: Any) -> str:
@@ -29,6 +30,10 @@ def with_entry(text: str, path: Sequence[str], value: Any) -> str:
     from tomlkit.exceptions import TOMLKitError
 
     _refuse_odd(path, value)
+    toml_tables(text, "")  # names the line of what is no TOML, and how much of it is too much
+    if (names := dotted_names(text)) > MOST_DOTTED:
+        message = f"with {names} names in dotted keys entries are changed in the text alone; write tables, as [a.b]"
+        raise _refusal("", message)
     try:
         document = tomlkit.parse(text)
         table: MutableMapping[str, Any] = document

@@ -130,8 +130,13 @@ def window(question: Question, tell: Tell) -> Answer:
     found = fly_window(flight, question.words("window"))
     samples, labels = found.trace.samples, found.trace.labels
     lines = [
-        {"name": name, "unit": "N" if unit == "m" else "N m", "group": "loads"}
-        for name, unit in zip(labels.lines, labels.line_units, strict=True)
+        {
+            "name": name,
+            "unit": "N" if unit == "m" else "N m",
+            "group": "loads",
+            "what": "force along the line of action" if kind == "mesh" else "",
+        }
+        for name, unit, kind in zip(labels.lines, labels.line_units, labels.line_kinds, strict=True)
     ]
     drives = [{"name": name, "unit": unit, "group": "machines"}
               for name, unit in zip(labels.drives, labels.drive_units, strict=True)]  # fmt: skip

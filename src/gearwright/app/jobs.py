@@ -64,18 +64,16 @@ class Jobs:
 
     def __init__(self) -> None:
         self._idle: asyncio.Queue[Worker] = asyncio.Queue()
-        self._workers = [Worker(heirs=True) for _ in range(WORKERS)]
-        for worker in self._workers:
+        self.workers = [Worker(heirs=True) for _ in range(WORKERS)]
+        for worker in self.workers:
             self._idle.put_nowait(worker)
         self._jobs: OrderedDict[str, Job] = OrderedDict()
 
     def close(self) -> None:
-        """End every process."""
+        """Let go of every computation."""
         for job in self._jobs.values():
             if job.task is not None:
                 job.task.cancel()
-        for worker in self._workers:
-            worker.stop()
 
     def begin(self, question: Question, page: str) -> Job:
         """Return a computation that begins as soon as a process is free; an older one of the page is replaced.

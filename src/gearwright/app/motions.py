@@ -115,7 +115,7 @@ def simulate(question: Question, tell: Tell) -> Answer:
     trace = run_system(system, duration, outputs=outputs, progress=lambda share: tell(Progress(share)))
     close = every_step(trace)
     head = {
-        **plain(simulate_answer(trace, case)), "lines": _lines(trace),
+        **plain(simulate_answer({case: trace})), "lines": _lines(trace),
         "meshes": {name: value for name, value in mesh_frequencies(sizing, case).items() if value > 0.0},
     }  # fmt: skip
     columns = {f"run {name}": values for name, values in _columns(trace.samples).items()}

@@ -18,7 +18,7 @@ from gearwright.app.jobs import Job, Jobs
 from gearwright.app.lane import Busy, Lane, Superseded
 from gearwright.app.offered import BESIDE, LIMITS, LONG, QUICK
 from gearwright.app.pages import NONCE, files, index
-from gearwright.app.worker import Stopped, Worker
+from gearwright.app.worker import Stopped, Worker, stop_all
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.formats import FORMATS
 from gearwright.version import __version__
@@ -102,9 +102,8 @@ class Desk:
             yield
         finally:
             warm.cancel()
-            for lane in (self.quick, *self.beside.values()):
-                lane.worker.stop()
             self.jobs.close()
+            stop_all([*(lane.worker for lane in (self.quick, *self.beside.values())), *self.jobs.workers])
 
     async def _warm(self) -> None:
         """Size what was opened before a page asks for it, and load what motion needs."""

@@ -52,10 +52,12 @@ def size(question: Question) -> Answer:
     from gearwright.render.answers.design import size_answer
     from gearwright.render.answers.plain import plain
     from gearwright.render.words.headline import sizing_headline
+    from gearwright.sizing import governing_case
 
     sizing = sized(question)
     told = {
         "name": sizing.design.name,
+        "case": governing_case(sizing),
         "headline": sizing_headline(sizing),
         "holds": not any(check.fails for check in sizing.checks),
         "result": plain(size_answer(sizing)),

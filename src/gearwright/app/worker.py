@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import os
-import signal
-import sys
+from collections.abc import Iterable
 from contextlib import suppress
-from multiprocessing import Pipe, get_context, parent_process
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
-from threading import Lock, Thread
+from threading import Lock
 
 from gearwright.app.asked import Answer, Progress, Question, Tell
 from gearwright.app.verbs import answered
+from gearwright.processes import dismiss, hire
 
 MEMORY = 16 * 2**30
 """Address space that a worker may take, where the system can hold it to that [bytes]."""
@@ -23,9 +22,6 @@ MANNERS = 5
 
 NEEDED = ("gearwright.sizing", "gearwright.render.answers.design", "gearwright.render.schematic.schematic")
 """Modules that every worker needs: where the system can fork, they are loaded once for all of them."""
-
-COPIES = sys.platform == "linux"
-"""Whether a process may be a copy of another one here: elsewhere libraries do not bear it."""
 
 
 class Stopped(Exception):
@@ -47,10 +43,7 @@ class Worker:
         """Return the line to a process that runs."""
         with self._lock:
             if self._process is None or self._line is None or not self._process.is_alive():
-                self._line, theirs = Pipe()
-                self._process = _begun(theirs, self._heirs)
-                self._process.start()
-                theirs.close()
+                self._process, self._line = hire(_work, self._heirs, needed=NEEDED, heirs=self._heirs)
             return self._line
 
     def ask(self, question: Question, seconds: float | None, tell: Tell = lambda _: None) -> Answer:
@@ -89,42 +82,33 @@ class Worker:
         Args:
             question: It is ended only if this is what it is asked; left out: in any case.
         """
+        dismiss(self._let_go(question))
+
+    def _let_go(self, question: Question | None = None) -> list[BaseProcess]:
         with self._lock:
-            if question is not None and self._asked is not question:
-                return
+            if self._process is None or (question is not None and self._asked is not question):
+                return []
             process, self._process = self._process, None
-        if process is not None:
-            process.kill()
-            process.join()
+            return [process]
 
 
-def _begun(line: Connection, heirs: bool) -> BaseProcess:  # noqa: FBT001
-    """Return a process that answers: a copy of one that has loaded what is needed, or one that begins from nothing."""
-    if COPIES:
-        copying = get_context("forkserver")
-        copying.set_forkserver_preload(list(NEEDED))
-        return copying.Process(target=_work, args=(line, heirs), daemon=not heirs)
-    return get_context("spawn").Process(target=_work, args=(line, heirs), daemon=not heirs)
+def stop_all(workers: Iterable[Worker]) -> None:
+    """End many processes at once.
+
+    Args:
+        workers: Whose.
+    """
+    dismiss(process for worker in workers for process in worker._let_go())
 
 
-def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- multiprocessing passes arguments by place
+def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- arguments of processes go by place
     """Answer until nobody asks any more."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
     if gives_way and hasattr(os, "nice"):
         os.nice(MANNERS)
     _hold_memory()
-    Thread(target=_outlive_nobody, daemon=True).start()
     with suppress(EOFError, OSError):
         while True:
             line.send(_safely(line.recv(), line.send))
-
-
-def _outlive_nobody() -> None:
-    """End with the server, even if that was killed."""
-    server = parent_process()
-    if server is not None:
-        server.join()
-        os._exit(1)
 
 
 def _safely(question: Question, tell: Tell) -> Answer:

@@ -4,6 +4,7 @@ from gearwright.catalogue.bearing_choice import (
     BearingCheck,
     BearingDuty,
     BearingSpectrum,
+    bore_around,
     check_bearing,
     equivalent_loads,
     fitting_bearings,
@@ -28,7 +29,12 @@ from gearwright.catalogue.gear_strength import (
 )
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
-from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue.load_factors import (
+    LEAST_SHARING,
+    level_load_factor,
+    load_factor_tables,
+    load_factors,
+)
 from gearwright.catalogue.materials import hardnesses_of, material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
@@ -122,6 +128,7 @@ __all__ = [
     "CENTRE_FITS",
     "ELASTOMERS",
     "LARGEST",
+    "LEAST_SHARING",
     "LENGTHS",
     "MAPS",
     "RATIOS",
@@ -171,6 +178,7 @@ __all__ = [
     "bearing",
     "bearing_friction",
     "bearings",
+    "bore_around",
     "carried_on",
     "centre_allowance",
     "centre_hole",
@@ -194,6 +202,7 @@ __all__ = [
     "key_for_shaft",
     "keyway_tolerance",
     "least_ratings",
+    "level_load_factor",
     "lip_speed",
     "load_factor_tables",
     "load_factors",

@@ -254,6 +254,23 @@ def fitting_bearings(
     return tuple(sorted((check_bearing(bearing, duty) for bearing in fitting), key=lambda check: check.bearing.mass))
 
 
+def bore_around(kind: BearingKind, diameter: Length) -> Length:
+    """Return the bore of bearings of a kind around a shaft: its diameter, or the next that the catalogue has [m].
+
+    Args:
+        kind: Of bearing.
+        diameter: Of the shaft at its seat [m].
+
+    Raises:
+        DesignError: No bore is as large; the nearest is named.
+    """
+    bores = [bearing.bore for bearing in bearings().values() if bearing.kind is kind]
+    around = [bore for bore in bores if bore >= diameter - 1e-9]
+    if not around:
+        raise DesignError([Problem("bore", _no_bore(kind, diameter))])
+    return min(around)
+
+
 def _no_bore(kind: BearingKind, bore: float) -> str:
     bores = sorted({bearing.bore for bearing in bearings().values() if bearing.kind is kind})
     closest = min(bores, key=lambda size: abs(size - bore))

@@ -1,11 +1,12 @@
 """Mesh load factors of planetary sets in print: standards by number of planets, and measurements.
 
-They serve as a view beside computed values. No rule of gearwright reads them, as the tables were written down from
-memory; each row says how sure it is.
+The levels of AGMA 6123 are taken where a design states no factor; the others stand beside computed values. The tables
+were written down from memory; each row says how sure it is.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -64,3 +65,32 @@ def load_factor_tables() -> Mapping[str, Mapping[int, float]]:
         if not row.measured:
             tables.setdefault(row.name, {})[row.planets] = row.load_factor
     return tables
+
+
+LEAST_SHARING = 1.05
+"""K_γ of planets that no table goes below here [-]: what tolerances leave of sharing without error, an estimate."""
+
+
+def level_load_factor(level: int, planets: int) -> float:
+    """Return K_γ of planets by a level of AGMA 6123, at least 1.05 [-]; 1 of a single planet.
+
+    Beyond the table it grows as errors do that float does not take up, √((p − 3)/p).
+
+    Args:
+        level: 1 to 4.
+        planets: Number of planets [-].
+
+    Source:
+        ANSI/AGMA 6123-B06, table 7, from memory.
+
+    >>> [level_load_factor(3, planets) for planets in (3, 4, 5, 6)]
+    [1.05, 1.15, 1.19, 1.23]
+    """
+    if planets < 2:
+        return 1.0
+    table = load_factor_tables()[f"AGMA 6123-B06, level {level}"]
+    most = max(table)
+    if planets > most:
+        spread = math.sqrt((1.0 - 3.0 / planets) / (1.0 - 3.0 / most))
+        return 1.0 + (table[most] - 1.0) * spread
+    return max(table[planets], LEAST_SHARING)

@@ -1,7 +1,7 @@
 """The command line: each command calls the verb of its name and adds nothing.
 
 Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is wrong or a file cannot be written,
-130 interrupted (Ctrl-C), 141 nobody reads what is printed any more (a closed pipe).
+130 interrupted (Ctrl-C; 143 by SIGTERM, 129 by SIGHUP), 141 nobody reads what is printed any more (a closed pipe).
 Heavy modules load inside the commands, so that ``--help`` answers at once.
 """
 
@@ -42,7 +42,16 @@ from gearwright.cli.commands.studies.journals import cluster, merge, resume, sta
 from gearwright.cli.commands.studies.optimise import optimise
 from gearwright.cli.commands.studies.study import compare, study
 from gearwright.cli.commands.weights import engines, mass
-from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
+from gearwright.cli.ends import (
+    BROKEN_PIPE,
+    CTRL_C,
+    FAILED,
+    WRONG,
+    ended_well,
+    interrupted_code,
+    is_interrupted,
+    listening,
+)
 from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.terminal.sections import Sections
 from gearwright.cli.terminal.streams import flushed, steady_streams
@@ -88,7 +97,8 @@ def main() -> None:
     gc.set_threshold(YOUNG)
     steady_streams()
     warnings.showwarning = _say
-    code = _code()
+    with listening():
+        code = _code()
     unwritten = flushed()
     sys.exit(code or (_unwritten(unwritten) if unwritten else 0))
 
@@ -100,7 +110,10 @@ def _code() -> int | str | None:
     try:
         _asked(sys.argv[1:])()
     except SystemExit as end:
-        return end.code
+        return interrupted_code() if is_interrupted() and end.code in (FAILED, CTRL_C) else end.code
+    except KeyboardInterrupt:
+        tell("interrupted")
+        return interrupted_code()
     except GearwrightError as error:
         tell(str(error))
         return WRONG if isinstance(error, DesignError) else FAILED

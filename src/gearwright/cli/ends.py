@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import signal
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, ParamSpec
+from types import FrameType
+from typing import TYPE_CHECKING, NoReturn, ParamSpec
 
 import typer
 
+from gearwright.cli.idle import refuse_idle
 from gearwright.cli.terminal.output import tell
 
 if TYPE_CHECKING:
@@ -16,26 +20,66 @@ if TYPE_CHECKING:
     from gearwright.sizing import Sizing
 
 FAILED, WRONG = 1, 2
-INTERRUPTED = 130
-"""After Ctrl-C: 128 and the number of SIGINT, as shells have it."""
+ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+"""Signals that end a command, all in the way of Ctrl-C, as far as the system has them and nobody has them ignored."""
+CTRL_C = 128 + signal.SIGINT
 BROKEN_PIPE = 141
 """Nobody reads what is printed: 128 and the number of SIGPIPE."""
 
 P = ParamSpec("P")
+_heard = list[int]()
+"""Signals that have asked the command to end."""
+
+
+@contextmanager
+def listening() -> Iterator[None]:
+    """Let every signal that asks a command to end interrupt it, as Ctrl-C does."""
+    numbers = [getattr(signal, name) for name in ENDING if hasattr(signal, name)]
+    usual = (signal.SIG_DFL, signal.default_int_handler)
+    before = {number: handler for number in numbers if (handler := signal.getsignal(number)) in usual}
+    _heard.clear()
+    for number in before:
+        signal.signal(number, _interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _interrupt(number: int, _: FrameType | None) -> NoReturn:
+    _heard.append(number)
+    raise KeyboardInterrupt
+
+
+def is_interrupted() -> bool:
+    """Tell whether a signal has asked the command to end: what goes wrong from then on follows from that."""
+    return bool(_heard)
+
+
+def interrupted_code() -> int:
+    """Return the exit code of an interruption: 128 and the number of the signal, as shells have it; 130 for Ctrl-C."""
+    return 128 + (_heard[0] if _heard else signal.SIGINT)
 
 
 def ended_well(command: Callable[P, None]) -> Callable[P, None]:
-    """Return a command that ends without a word about itself when it is interrupted or nobody reads it."""
+    """Return a command that ends without a word about itself when it is interrupted or nobody reads it.
+
+    What is given to it and would do nothing is refused first.
+    """
 
     @wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        refuse_idle(command, kwargs)
         try:
             command(*args, **kwargs)
-        except KeyboardInterrupt:
-            tell("interrupted")
-            raise typer.Exit(INTERRUPTED) from None
         except BrokenPipeError:
             raise typer.Exit(BROKEN_PIPE) from None
+        except (KeyboardInterrupt, Exception) as reason:  # libraries that are interrupted as they load raise others
+            if isinstance(reason, typer.Exit) or not (is_interrupted() or isinstance(reason, KeyboardInterrupt)):
+                raise
+            tell("interrupted")
+            raise typer.Exit(interrupted_code()) from None
 
     return run
 
@@ -58,12 +102,27 @@ def save_run(path: Path, trace: Trace, sizing: Sizing, case: str) -> Path:
     return target
 
 
+def save_runs(path: Path, traces: Mapping[str, Trace], sizing: Sizing) -> list[Path]:
+    """Write the runs of some load cases, the first under the name itself, others with the case behind it.
+
+    Args:
+        path: Of the first.
+        traces: Load case -> run.
+        sizing: They are of.
+
+    Returns:
+        Where they are.
+    """
+    names = [path, *(path.with_stem(f"{path.stem}-{case}") for case in list(traces)[1:])]
+    return [save_run(name, trace, sizing, case) for name, (case, trace) in zip(names, traces.items(), strict=True)]
+
+
 def end_interrupted(trace: Trace, kept: Path | None) -> None:
     """End with the code of an interruption, and say what is kept, if the run was interrupted."""
     if trace.interrupted:
         words = f"its first {trace.duration:.4g} s are in {kept}" if kept else "nothing is kept; --output keeps it"
         tell(f"interrupted: {words}")
-        raise typer.Exit(INTERRUPTED)
+        raise typer.Exit(interrupted_code())
 
 
 def named_after(design: str, what: str) -> Path:

@@ -25,7 +25,7 @@ MissionArgument = Annotated[
         autocompletion=missions,
     ),
 ]
-CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
+CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the governing one, of least margin")]
 DateOption = Annotated[str, typer.Option("--date", help="Date for the head of the page; left out: none")]
 PdfOption = Annotated[Path | None, typer.Option("--pdf", help="Print the page to this PDF file, by a browser")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write one self-contained HTML page")]

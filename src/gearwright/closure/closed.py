@@ -70,7 +70,10 @@ class StageLife:
 
     stage: str
     life: Annotated[
-        Life, Origin("largest life at which every asked safety is met", "the rating of the stage, Miner, ISO 6336-6")
+        Life,
+        Origin(
+            "largest life at which the safeties against fatigue are met", "the rating of the stage, Miner, ISO 6336-6"
+        ),
     ]
     """[s]"""
     governs: str

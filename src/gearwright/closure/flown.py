@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
+from gearwright.catalogue import bearing, bore_around
 from gearwright.checks import Check, Status
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.loop import MOST_ROUNDS, Settled, settled
@@ -15,10 +16,12 @@ from gearwright.closure.moves import borne
 from gearwright.closure.proportion import searched
 from gearwright.closure.requirements import requirement_of, wanted
 from gearwright.closure.wishes import HOUR
+from gearwright.errors import DesignError
 from gearwright.identity import GEARBOX
 from gearwright.mission import Flight, durability, flight_checks, fly
-from gearwright.sizing.bearings import planet_bodies
+from gearwright.sizing.bearings import ENDS, planet_bodies
 from gearwright.spec import Mission
+from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.units import CELSIUS
 
 IN_FLIGHT = "life in flight"
@@ -28,6 +31,10 @@ OF_OIL = ("scuffing", "flank")
 ABOVE = 1.001
 """Factor on the margin that a flight asks for, as the next size is loaded a little otherwise [-]."""
 
+BORE_PER_LOAD = 0.5
+"""Power of what a bearing must bear more with which its bore grows [-]: C goes with about the square of the bore."""
+TOOTH_SPACE = 2.5
+"""Pitch diameter less that of the roots, over the module [-] (ISO 53), without profile shift."""
 LONGER = 1.02
 """Factor on the life that a flight asks of a bearing, for the same reason [-]."""
 
@@ -50,6 +57,8 @@ class Wanted(NamedTuple):
     """Set -> life that what its planets turn on must have in the cases [h]."""
     seats: Mapping[str, float]
     """Bearing of a shaft -> the same [h]."""
+    shafts: Mapping[str, float]
+    """Shaft of one diameter -> how thick it must be for bearings that live around it [m]."""
     oil: float | None
     """Temperature of the oil to rate with [°C]; None: as it is."""
 
@@ -59,6 +68,7 @@ class Wanted(NamedTuple):
         words = [f"{stage} bears {factor:.3f} times its cases" for stage, factor in self.gears.items()]
         words += [f"planets of {stage} turn {hours:.6g} h in the cases" for stage, hours in self.planets.items()]
         words += [f"bearing {name} {hours:.6g} h in the cases" for name, hours in self.seats.items()]
+        words += [f"{name} is {1e3 * bore:g} mm thick for its bearings" for name, bore in self.shafts.items()]
         return "; ".join(words + ([] if self.oil is None else [f"oil of {self.oil:g} °C"]))
 
 
@@ -85,7 +95,8 @@ def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tupl
         if number == MOST_ROUNDS:
             break
         state = _again(state, more, tell)
-    clause = f"{MOST_ROUNDS} flights: {', '.join([*more.gears, *more.planets, *more.seats])} live through them"
+    short = [*more.gears, *more.planets, *more.seats, *more.shafts]
+    clause = f"{MOST_ROUNDS} flights: {', '.join(short)} live through them"
     least = min([1.0 / factor for factor in more.gears.values()], default=1.0 / ABOVE)
     return state, [*checks, Check(GEARBOX, "convergence of the closure in flight", clause, least, 1.0, exponent=None)]
 
@@ -98,6 +109,7 @@ def _again(state: Settled, more: Wanted, tell: Callable[[str], None]) -> Settled
     anew = tuple(f"{design.table(stage)}.planet_bearing." for stage in more.planets)
     chosen = {path: value for path, value in task.chosen.items() if not path.startswith(anew)}
     chosen |= {f"bearings.{name}.life_h": hours for name, hours in more.seats.items()}
+    chosen |= {f"layout.{name}.diameter_mm": 1e3 * bore for name, bore in more.shafts.items()}
     chosen |= {} if more.oil is None else {"oil.temperature": more.oil}
     targets = {stage: task.targets.get(stage, 1.0) * ABOVE * factor for stage, factor in more.gears.items()}
     task = replace(task, chosen=chosen, targets={**task.targets, **targets}, planets={**task.planets, **more.planets})
@@ -111,7 +123,7 @@ def _wanted(state: Settled, flight: Flight, failing: Sequence[Check]) -> Wanted:
     oil = _oil(state, flight, failing)
     asked = (IN_FLIGHT,) if oil is not None else (IN_FLIGHT, *OF_OIL)
     gears = _gears(state, [check for check in failing if requirement_of(check) in asked])
-    return Wanted(gears, planets, seats, oil)
+    return Wanted(gears, planets, seats, _shafts(state, failing), oil)
 
 
 def _gears(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
@@ -140,6 +152,26 @@ def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float
             now = task.chosen.get(f"bearings.{name}.life_h")
             seats[name] = longer * (float(now) if isinstance(now, float) else asked)
     return planets, seats
+
+
+def _shafts(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
+    """Return how thick open shafts of one diameter must be for bearings that live, below the roots of gears [m]."""
+    sizing, layout, thicker = state.sizing, state.task.design.layout, dict[str, float]()
+    built = {shaft.name for shaft in sizing.built_shafts}
+    usual = {f"{shaft.name}.{end}": shaft.name for shaft in sizing.shafts if shaft.name not in built for end in ENDS}
+    for check in failing:
+        shaft = usual.get(check.part.name)
+        if shaft is None or not check.reserve or layout.get(shaft, NOTHING_GIVEN).diameter is not None:
+            continue
+        fitted = bearing(check.place)
+        try:
+            bore = bore_around(fitted.kind, fitted.bore * max(check.reserve**-BORE_PER_LOAD, ABOVE))
+        except DesignError:
+            continue  # no bearing is as large
+        roots = [gear.pitch_diameter - TOOTH_SPACE * gear.module for gear in sizing.gears if shaft in gear.shafts]
+        if bore < min(roots, default=math.inf):
+            thicker[shaft] = max(thicker.get(shaft, 0.0), bore)
+    return thicker
 
 
 def _oil(state: Settled, flight: Flight, failing: Iterable[Check]) -> float | None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from operator import itemgetter
 
 from gearwright.closure.closed import StageLife
-from gearwright.closure.stage_search import StageTask
+from gearwright.closure.requirements import requirement_of
 from gearwright.closure.wishes import HOUR
 from gearwright.sizing import Sizing
 from gearwright.sizing.insight import trial_of
@@ -16,12 +17,14 @@ LONGEST = 1e6 * HOUR
 """Above it a life is told as this one [s]."""
 SHORTEST = 0.1 * HOUR
 """Below it a life is told as this one [s]."""
+FATIGUE = ("pitting", "tooth root")
+"""Modes that a life ends: cycles wear out flanks and roots, while scuffing, films and limit loads know no hours."""
 CLOSE = 1e-3
 """Relative width of the bracket in which a life is found [-]."""
 
 
 def stage_lives(sizing: Sizing, left_out: frozenset[str] = frozenset()) -> tuple[StageLife, ...]:
-    """Return the largest life of every stage at which its asked safeties are met, the shortest first.
+    """Return the largest life of every stage at which its safeties against fatigue are met, the shortest first.
 
     Args:
         sizing: As sized.
@@ -47,11 +50,14 @@ def _life(sizing: Sizing, stage: str, left_out: frozenset[str]) -> StageLife:
         middle = math.sqrt(low * high)
         margin, name = _margin(sizing, stage, middle, left_out)
         low, high, governs = (middle, high, governs) if margin >= 1.0 else (low, middle, name)
-    return StageLife(stage, low, governs)
+    return StageLife(stage, max(low, SHORTEST), governs)
 
 
 def _margin(sizing: Sizing, stage: str, life: float, left_out: frozenset[str]) -> tuple[float, str]:
-    """Return the governing margin of a stage that lives so long [-], and the name of its check."""
+    """Return the least margin against fatigue of a stage that lives so long [-], and the name of its check."""
     design = edited(sizing.design, {"service.life_h": life / HOUR})
     gear = next(gear for gear in sizing.gears if gear.stage == stage)
-    return StageTask(trial_of(design, sizing), stage, left_out, rounded=False).governing(gear.module, gear.face_width)
+    checks = trial_of(design, sizing).checks(stage, gear.module, gear.face_width)
+    fatigue = [check for check in checks if check.mode in FATIGUE and requirement_of(check) not in left_out]
+    reserves = [(check.reserve, check.name) for check in fatigue if check.reserve is not None]
+    return min(reserves, default=(math.inf, ""), key=itemgetter(0))

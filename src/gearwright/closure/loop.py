@@ -88,7 +88,7 @@ def settled(task: Task) -> Settled:
         rounds.append(Round(Step.PROPORTION, before.mass, _margin(own, task), 0.0, _sizes(own)))
         following = _following(task, before, factors, number)
         change = max(_changes(before, factors, following), default=0.0)
-        rounds.append(Round(Step.CONFIRM, before.mass, _margin(own, task), change, _factors(following)))
+        rounds.append(Round(Step.CONFIRM, before.mass, _margin(own, task), change, _factors(following, before)))
         if change <= STILL:
             break
         factors = following
@@ -111,7 +111,8 @@ def _changes(sizing: Sizing, held: Factors, found: Factors) -> Iterator[float]:
     yield from (_change(sizing, stage, held.dynamic, found.dynamic) for stage in found.dynamic)
     for stage, factor in found.sharing.items():
         if takes_share(sizing.design, stage) or stage in held.sharing:
-            yield abs(factor / held.sharing.get(stage, 1.0) - 1.0)
+            sized = max(mesh.load_factor for mesh in sizing.meshes if mesh.stage == stage)
+            yield abs(factor / held.sharing.get(stage, sized) - 1.0)
 
 
 def _change(sizing: Sizing, stage: str, held: Mapping[str, float], found: Mapping[str, float]) -> float:
@@ -134,8 +135,14 @@ def _sizes(own: Proportioned) -> str:
     return "; ".join(f"{name} m {1e3 * row.module:.4g} b {1e3 * row.face_width:.4g} mm" for name, row in sizes)
 
 
-def _factors(factors: Factors) -> str:
-    dynamic = [f"{stage} K_V {factor:.3f}" for stage, factor in factors.dynamic.items()]
+def _factors(factors: Factors, sizing: Sizing) -> str:
+    """Return the factors of a round: of K_V the one that governs, by the rating or by the forced response."""
+    application = sizing.design.service.application_factor
+    dynamic = list[str]()
+    for stage, factor in factors.dynamic.items():
+        rated = max(mesh.rating.peaks / application for mesh in sizing.meshes if mesh.stage == stage)
+        by = "by forced response" if factor >= rated else f"by its rating; forced response {factor:.3f}"
+        dynamic.append(f"{stage} K_V {max(factor, rated):.3f} {by}")
     return "; ".join([*dynamic, *(f"{stage} K_γ {factor:.3f}" for stage, factor in factors.sharing.items())])
 
 

@@ -79,7 +79,7 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
     ),
     "joints": Requirement((), (Kind.JOINT,), "sizes of keys, splines and fits, by the sizing", "another kind of joint"),
     "critical speeds": Requirement(
-        ("resonance of", "resonances"), (), "tooth numbers and modules",
+        ("resonance of", "resonances", "main resonance"), (), "tooth numbers and modules",
         "other speeds, another split of the ratio, stiffer or softer shafts; a waiver where the peak passes",
     ),
     "room": Requirement(

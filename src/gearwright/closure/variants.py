@@ -15,7 +15,7 @@ from gearwright.errors import GearwrightError
 from gearwright.showing import Shown
 from gearwright.spec import GROUND, Design, edited
 from gearwright.spec.edit import Value
-from gearwright.units import RPM
+from gearwright.units import RPM, margin_text
 from gearwright.verbs import verb
 
 SHAKEN = frozenset({"peaks", "critical speeds"})
@@ -98,7 +98,12 @@ def nearest_variant(design: Design, closed: Closed, *, tell: Callable[[str], Non
             continue
         if found.outcome is Outcome.CLOSED:
             return Variants(Variant(change.what, dict(change.values), own, found), tuple(tried))
-        tried.append(Tried(change.what, "; ".join(f"{row.check.name} {row.check.margin:.3f}" for row in found.unmet)))
+        tried.append(
+            Tried(
+                change.what,
+                "; ".join(f"{row.check.name} {margin_text(row.check.margin or 0.0, 4)}" for row in found.unmet),
+            )
+        )
     return Variants(None, tuple(tried))
 
 

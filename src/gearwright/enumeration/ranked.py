@@ -17,13 +17,13 @@ from gearwright.enumeration.ranking import Candidate, proportioned, rated, sketc
 from gearwright.enumeration.requirement import Requirement, requirement_of
 from gearwright.enumeration.trains import Architecture, trains
 from gearwright.errors import Problem, refuse
+from gearwright.processes import computed
 from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, parse
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
-from gearwright.study.running import computed
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 from gearwright.version import __version__

@@ -12,7 +12,13 @@ from gearwright.machines.battery import (
 )
 from gearwright.machines.chart_reading import SMALL_THRUST, Blades, Charts, ideal_power
 from gearwright.machines.engine_deck import Day, DeckLine, EngineDeck, deck_fuel, deck_limit
-from gearwright.machines.gas_turbine import HEATING_VALUE, Engine, PowerLimits, fuel_flow, power_limits
+from gearwright.machines.gas_turbine import (
+    HEATING_VALUE,
+    Engine,
+    PowerLimits,
+    fuel_flow,
+    power_limits,
+)
 from gearwright.machines.governor import (
     Governor,
     GovernorState,

@@ -61,21 +61,21 @@ class Day(NamedTuple):
     """θ_t over that of a standard day [-]."""
 
 
-def deck_limit(deck: EngineDeck, day: Day, exponent: float) -> float:
+def deck_limit(deck: EngineDeck, day: Day, lapse: float) -> float:
     """Return the power that an engine has at most [W].
 
     Args:
         deck: Of the engine.
         day: Where.
-        exponent: n of P ∝ δ_t θ_t^n, for days that are not standard [-].
+        lapse: What the day leaves of the power on a standard day, at one pressure [-].
 
-    Source: corrected power between the four nodes around, times δ_t √θ_t; (θ_t/θ_t,std)^(n - 1/2) for the day.
+    Source: corrected power between the four nodes around, times δ_t √θ_t of a standard day and the day's lapse.
 
     Raises:
         ValueError: Altitude or Mach number are outside the deck.
     """
     top = sum(weight * line.power[-1] for weight, line in _around(deck, day))
-    return float(top * day.delta * math.sqrt(day.theta) * day.warmer ** (exponent - 0.5))
+    return float(top * day.delta * math.sqrt(day.theta / day.warmer) * lapse)
 
 
 def deck_fuel(deck: EngineDeck, day: Day, power: float) -> float:

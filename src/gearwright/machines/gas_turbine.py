@@ -22,7 +22,9 @@ class Engine(NamedTuple):
     idle_fuel: float
     """Part of the fuel flow that burns without any power, 0.1 to 0.3 [-]."""
     temperature_exponent: float
-    """n of P ∝ δ_t θ_t^n: -0.5 for a constant turbine temperature and corrected mass flow [-]."""
+    """n of P ∝ δ_t θ_t^n up to θ_t = 1, where the speed of the gas generator limits [-]."""
+    hot_exponent: float
+    """n beyond it, where the temperature of its turbine does [-]."""
 
     def rated(self, factor: float) -> Engine:
         """Return the engine at another rating: core, flat rating and torque limit times a factor.
@@ -54,13 +56,14 @@ def power_limits(engine: Engine, theta: float, delta: float, speed: float) -> Po
         delta: Stagnation pressure, likewise δ_t [-].
         speed: Of its output shaft [rad/s].
 
-    Source: P = P_0 δ_t θ_t^n: mass flow ∝ p_t/√T_t through a choked turbine at a constant turbine temperature gives
-        n = -0.5 (Saravanamuttoo et al., Gas Turbine Theory, ch. 8); at most the flat rating and the torque limit.
+    Source: P = P_0 δ_t min(θ_t, 1)^n max(θ_t, 1)^n_hot, fitted to engines by their components, which N1 of the design
+        point limits below 15 °C and T_45 of it above (`benchmarks/temperature_lapse.py`); at most the flat rating and
+        the torque limit.
 
-    Valid for: first estimates; hot days cost a real engine more.
+    Valid for: -20 to 40 K off the standard day up to 6 km, within some per cent; docs/theory/power.md.
     """
-    core = engine.thermal_power * delta * theta**engine.temperature_exponent
-    return PowerLimits(core, engine.rated_power, engine.rated_torque * speed)
+    lapse = min(theta, 1.0) ** engine.temperature_exponent * max(theta, 1.0) ** engine.hot_exponent
+    return PowerLimits(engine.thermal_power * delta * lapse, engine.rated_power, engine.rated_torque * speed)
 
 
 def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
 from gearwright.spec import Machine
+from gearwright.units import apart
 
 _SLACK = 1e-6
 """Part by which a bound may be passed: drag is that of the loads one round before."""
@@ -78,9 +79,9 @@ def endured(
 
 def _worn(bound: Bound, value: float, held: float, allowed: float) -> Problem:
     """Return what is wrong with a machine that gives or takes too much, or for too long."""
-    factor, unit = (1e-3, "kW") if bound.name == "power" else (1.0, "N m")
-    amount = f"{value * factor:.4g} {unit}; more than {bound.value * factor:.4g} {unit}"
+    amount = "{}; more than {}".format(*apart(value, bound.value, bound.name))
     if not allowed:
         return Problem(bound.machine, f"{amount} is beyond every limit that it has; ask for less, or add a limit")
-    message = f"{amount} lasts {held / 60.0:.4g} min without a break, and its limits allow {allowed / 60.0:.4g} min"
+    lasts, may = apart(held, allowed, "flight_time")
+    message = f"{amount} lasts {lasts} without a break, and its limits allow {may}"
     return Problem(bound.machine, f"{message}; shorten the phase, or ask for less")

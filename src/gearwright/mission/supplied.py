@@ -33,6 +33,7 @@ def supply_of(sizing: Sizing, mission: Mission, deck: EngineDeck | None) -> Supp
             burnt,
             rules.idle_fuel,
             rules.temperature_exponent,
+            rules.hot_exponent,
         )
         for name, turbine in sizing.design.turbines.items()
     }

@@ -39,6 +39,7 @@ from gearwright.mission.plant import (
     warmed_motor,
 )
 from gearwright.spec import Phase, WindingRules
+from gearwright.units import apart
 
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
@@ -210,9 +211,29 @@ class Supply:
         found = power_limits(engine, *ratios, speed)
         if self.deck is None:
             return found
+        day = _day(moment)
+        standard = power_limits(engine, day.theta / day.warmer, day.delta, speed)
         with _decked():
-            core = deck_limit(self.deck, _day(moment), engine.temperature_exponent)
+            core = deck_limit(self.deck, day, found.core / standard.core)
         return found._replace(core=rating * core)
+
+    def limited(self, name: str, moment: Moment, *, power: float, speed: float, rating: float) -> PowerLimits:
+        """Return what bounds the power of a turbine that gives some in an interval [W].
+
+        Args:
+            name: Of the turbine.
+            moment: Where it is flown.
+            power: At its shaft [W].
+            speed: Of its shaft [rad/s].
+            rating: Over the usual one [-].
+
+        Raises:
+            DesignError: It cannot give that power.
+        """
+        limits = self.limits(name, moment, speed, rating)
+        if power > min(limits) * (1.0 + _SLACK):
+            raise DesignError([Problem(name, self._too_weak(moment, power, limits))])
+        return limits
 
     def fuel(self, name: str, moment: Moment, power: float) -> float:
         """Return what a turbine that runs burns at a power, at any rating [kg/s].
@@ -233,10 +254,8 @@ class Supply:
         exhausts = list[Exhaust]()
         ratios = stagnation_ratios(moment.air, moment.mach)
         for name in self.engines:
-            limits = self.limits(name, moment, speeds[name], rating)
+            limits = self.limited(name, moment, power=powers[name], speed=speeds[name], rating=rating)
             available += min(limits)
-            if powers[name] > min(limits) * (1.0 + _SLACK):
-                raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
             if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
             burnt = self.fuel(name, moment, powers[name]) if powers[name] > 0.0 else 0.0
@@ -257,8 +276,8 @@ class Supply:
         fix = "climb slower, fly slower" if moment.power is None else "ask for less power"
         if self.motors:
             fix += ", or give the motors a larger electric_share"
-        offer = f"gives {available / 1e3:.4g} kW (by its {bound})"
-        return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {offer}; {fix}"
+        asked, given = apart(power, available, "power")
+        return f"needs {asked} at {moment.altitude:.0f} m, and gives {given} (by its {bound}); {fix}"
 
     def _warmer(
         self, motors: Mapping[str, MotorLosses], warmths: Warmths, points: Mapping[str, MotorPoint], moment: Moment
@@ -278,9 +297,12 @@ class Supply:
         power, speed = point
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
+            asked, limits = zip(
+                apart(power, motor.peak_power, "power"), apart(torque, motor.peak_torque, "torque"), strict=True
+            )
             message = (
-                f"needs {power / 1e3:.0f} kW and {torque:.0f} N m; its limits are {motor.peak_power / 1e3:.0f} kW and"
-                f" {motor.peak_torque:.0f} N m; {less(mode)}, {self._more(name, motor)}"
+                f"needs {' and '.join(asked)}; its limits are {' and '.join(limits)};"
+                f" {less(mode)}, {self._more(name, motor)}"
             )
             raise DesignError([Problem(name, message)])
         return motor_loss(motor, torque, speed)

@@ -17,11 +17,11 @@ from gearwright.optimum.judging import Judged, judged_rows
 from gearwright.optimum.optimum import Fit
 from gearwright.optimum.polishing import ENOUGH
 from gearwright.optimum.screening import parts_of, screening, starts
+from gearwright.processes import computed
 from gearwright.spec import Study
 from gearwright.spec.studies import Search
 from gearwright.study.answers import FAILED, Blocks, Row, blocks_of
 from gearwright.study.cases import goes_together
-from gearwright.study.running import computed
 
 BEYOND = 0.1
 """Of the span of the first good designs, by which the reference of the hypervolume lies beyond its worst values [-]."""

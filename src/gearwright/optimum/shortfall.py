@@ -9,6 +9,7 @@ from gearwright.optimum.course import Archive
 from gearwright.optimum.keeping import sizing_of
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
+from gearwright.units import margin_text
 
 FEW = 3
 """Checks that are named [-]."""
@@ -54,4 +55,4 @@ def _failing(study: Study, designs: Mapping[str, Design], row: Row) -> Iterator[
     except GearwrightError:
         return
     worst = sorted((check for check in checks if check.fails), key=lambda check: check.margin or 0.0)
-    yield from (f"{check.name} ({check.margin:.3g} of what is asked)" for check in worst[:FEW])
+    yield from (f"{check.name} ({margin_text(check.margin or 0.0)} of what is asked)" for check in worst[:FEW])

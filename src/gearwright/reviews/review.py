@@ -16,7 +16,7 @@ from gearwright.reviews.open import open_checks
 from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results
 from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.losses import loss_balance
+from gearwright.sizing.losses import largest_heat
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, oil_flow, statistics_beside
 from gearwright.spec import Design, Mission
@@ -133,9 +133,10 @@ def review_of(
 
 
 def _masses(complete: CompleteMass) -> dict[str, Named]:
-    """Return the sum of all parts and the limits of its band of 68 %, by name."""
+    """Return the sum of all parts, the limits of its band of 68 % and what the train is of it, by name."""
     low, high = complete.band
     sums = {"complete_mass": complete.total, "complete_mass.low": low, "complete_mass.high": high}
+    sums["complete_mass.train"] = complete.train
     return {name: Named(mass, "mass") for name, mass in sums.items()}
 
 
@@ -146,9 +147,9 @@ def _sides(sizing: Sizing) -> dict[str, Named]:
 
 
 def _oil(sizing: Sizing) -> dict[str, Named]:
-    """Return the heat of the case that speaks for a design, and the oil that carries it away where the gearbox has
+    """Return the heat of the hottest case that lasts, and the oil that carries it away where the gearbox has
     a pump, by name."""
-    heat = loss_balance(sizing).lost
+    heat = largest_heat(sizing)
     facts = {"heat": Named(heat, "power")}
     if sizing.design.housing.oil_system == "own":
         facts["oil_flow"] = Named(oil_flow(sizing, heat), "oil_flow")

@@ -10,8 +10,9 @@ from gearwright.parts.bevel import Hand
 from gearwright.parts.gears import CylindricalGear
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, tooth_shape
 from gearwright.sizing.arrangement import helix_hand
+from gearwright.sizing.as_sized import rating_as_sized
 from gearwright.sizing.mass import bevel_cones as bevel_pair
-from gearwright.sizing.rating import Making, method_for, rating_of
+from gearwright.sizing.rating import Making, method_for
 from gearwright.spec import Pair
 from gearwright.train import Mesh
 
@@ -49,7 +50,7 @@ def making_of(sizing: Sizing, stage: str) -> Making:
         sizing: What was sized.
         stage: A pair or a planetary set.
     """
-    rating = rating_of(sizing.design, stage, sizing.teeth)
+    rating = rating_as_sized(sizing, stage)
     return method_for(rating).making(rating)
 
 

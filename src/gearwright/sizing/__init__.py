@@ -9,6 +9,7 @@ from gearwright.sizing.answers import (
     asked_results,
     asked_speeds,
     bearing_forces,
+    governing_case,
     mass_groups,
     mass_parts,
     named_results,
@@ -16,6 +17,7 @@ from gearwright.sizing.answers import (
     pick,
     refuse_no_numbers,
     remarks,
+    telling_cases,
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, Body, Direction, Frame, Point, ShaftPlan, Station, Turn
@@ -80,6 +82,7 @@ __all__ = [
     "bearing_forces",
     "cylindrical_gear",
     "fit_of",
+    "governing_case",
     "in_lanes",
     "influences",
     "mass_groups",
@@ -100,6 +103,7 @@ __all__ = [
     "stage_summaries",
     "stated_pitch",
     "structure_of",
+    "telling_cases",
     "thickness_of",
     "total_results",
     "towards",

@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, outline_area, widest_rounding
-from gearwright.sizing.rating import RIMMED
+from gearwright.sizing.rating import BACKUP, RIMMED
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec import Design
 from gearwright.spec.design import GearRules
 
-BACKUP = 1.2
-"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
-AGMA 2001-D04, rim thickness factor."""
+TOOTH_HEIGHT = 2.25
+"""Of the standard basic rack, in modules [-]: ISO 53, profile A."""
 PLANET_HUB = 1.1
 """Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
 CORNER = 2e-3
@@ -67,7 +66,7 @@ def blank_by_rules(gear: GearSizing, rules: GearRules, root: float, *, seat: tup
         root: Radius of the root circle [m].
         seat: Diameters of bore and hub [m].
     """
-    height = 2.25 * gear.module
+    height = TOOTH_HEIGHT * gear.module
     stated = rules.rim_ratio if gear.role in RIMMED else None
     rim = root - (BACKUP if stated is None else stated) * height
     bore = min(seat[0] / 2.0, root - WALL * gear.module)

@@ -49,7 +49,7 @@ class ShaftSizing:
     case: str
     """Load case that governs."""
     speed: Speed
-    """In the rated case [rad/s]."""
+    """In that case [rad/s]."""
     torque: Annotated[float, Quantity("torque"), Origin("T(x) = Σ T_k left of x", "equilibrium")]
     """Torque inside the shaft at the section that governs [N m]."""
     bending_moment: Annotated[

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -14,13 +15,26 @@ from gearwright.spec.checks import bearing_problems, reference_problems
 from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.record import Location, build
+from gearwright.spec.record import STAND_INS, Location, build
 from gearwright.spec.slips import slip
 from gearwright.verbs import verb
 
 _MISSING = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
 _REASON = 160
 """Characters of what TOML's reader says, which may repeat a key [-]."""
+DEEPEST = 8
+"""Names that a dotted key or a heading may have: a reader takes time with the square of them [-]."""
+MOST_ENTRIES = 5_000
+"""Tables and entries that a file may have: each is looked up, and what is wrong with it is explained [-]."""
+_TEXT = re.compile(
+    r'''"""(?:[^"\\]|\\.|"(?!""))*+"""|\'\'\'(?:[^']|'(?!\'\'))*+\'\'\''''
+    r"""|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+'|#[^\n]*+""",
+    re.DOTALL,
+)
+"""Texts in quotes and comments, in which points are only points."""
+_DEEP = re.compile(rf"(?<![\w-])(?:[\w-]++[ \t]*+\.[ \t]*+){{{DEEPEST}}}")
+_DOTTED = re.compile(r"(?<![\w-])((?:[\w-]++[ \t]*+\.[ \t]*+)++)[\w-]++[ \t]*+=")
+_PLACE = re.compile(r"at line (\d+)")
 
 
 @verb
@@ -53,12 +67,12 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
         raise DesignError(
             [Problem("", "the file is empty; `gearwright new` writes a complete one to start from")], source
         )
-    record, written = build(Design, toml_tables(text, source))
+    tables = toml_tables(text, source)
+    record, written = build(Design, tables)
     problems = list(written.problems)
     if record is not None:
-        told = {problem.path for problem in problems}  # a stand-in is in its place, of which nothing is to be said
         more = _in_written_keys(reference_problems(cast(Design, record)), written.keys)
-        problems += [problem for problem in more if problem.path not in told]
+        problems += _without_stand_ins(more, problems, tables) if problems else more
     if problems:
         raise DesignError(placed(problems, text), source)
     design, problems = with_curves(cast(Design, record), folder or Path())
@@ -66,6 +80,16 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     if problems:
         raise DesignError(placed(problems, text), source)
     return design
+
+
+def _without_stand_ins(more: list[Problem], told: list[Problem], tables: dict[str, Any]) -> list[Problem]:
+    """Return problems that are none of what stands for faulty and missing quantities: other ones give them, too."""
+    other, written = build(Design, tables, stand_in=STAND_INS[1])
+    if other is None:
+        return []
+    again = _in_written_keys(reference_problems(cast(Design, other)), written.keys)
+    paths = {problem.path for problem in told}
+    return [problem for problem in more if problem in again and problem.path not in paths]
 
 
 def toml_tables(text: str, source: str) -> dict[str, Any]:
@@ -76,18 +100,52 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
         source: Name of the file, for messages.
 
     Raises:
-        DesignError: If it is not TOML.
+        DesignError: If it is not TOML, or too much of it.
     """
+    if deep := _DEEP.search(_keys(text)):
+        message = (
+            f"a key or heading has more than {DEEPEST} names with points between them; put shorter keys below headings"
+        )
+        raise DesignError([Problem("", message, deep.string.count("\n", 0, deep.start()) + 1)], source)
     try:
-        return tomllib.loads(text)
+        tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
         found = slip(text, str(error))
         if found is not None:
             raise DesignError([found], source) from None
         reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else excerpt(str(error), _REASON)
-        raise DesignError(
-            [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source
-        ) from None
+        place = _PLACE.search(str(error))
+        line = int(place[1]) if place else text.count("\n") + 1 if "end of document" in str(error) else None
+        message = f"this is not TOML: {reason}; a line reads  key = value  or  [table]"
+        raise DesignError([Problem("", message, line)], source) from None
+    if (count := _entries(tables)) > MOST_ENTRIES:
+        message = f"the file has {count:,} tables and entries; {MOST_ENTRIES:,} are allowed: divide it"
+        raise DesignError([Problem("", message)], source)
+    return tables
+
+
+def dotted_names(text: str) -> int:
+    """Return how many names the dotted keys of a TOML text have before their last ones.
+
+    Args:
+        text: The file's content, with keys of no more than `DEEPEST` names.
+
+    >>> dotted_names("x.y = 1.5  # a.b\\n[p.q]\\nz = {a.b.c = 1}")
+    3
+    """
+    return sum(found.count(".") for found in _DOTTED.findall(_keys(text)))
+
+
+def _keys(text: str) -> str:
+    """Return a TOML text line by line, with a mark in the place of every text in quotes and comment."""
+    return _TEXT.sub(lambda found: "_" + "\n" * found[0].count("\n"), text)
+
+
+def _entries(value: object) -> int:
+    """Return how many tables and entries there are."""
+    if isinstance(value, dict):
+        return len(value) + sum(map(_entries, value.values()))
+    return sum(map(_entries, value)) if isinstance(value, list) else 0
 
 
 def placed(problems: Iterable[Problem], text: str) -> list[Problem]:

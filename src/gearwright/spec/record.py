@@ -44,6 +44,10 @@ class Record(BaseModel):
 Location = tuple[str, ...]
 
 
+STAND_INS = (1.0, 1.25)
+"""Quantities that most fields allow [SI]."""
+
+
 @dataclass
 class Written:
     """What the user wrote, by the place of the field in the record."""
@@ -60,6 +64,8 @@ class Written:
     """What was found so far."""
     incomplete: bool = False
     """True where a whole table is unreadable or misnamed: what refers to it is no mistake of its own."""
+    stand_in: float = STAND_INS[0]
+    """What stands for a faulty or missing quantity, where its field allows it [SI]."""
 
     def note(self, location: Location, path: str, value: object, *, model: type[Record], unit: Key) -> None:
         """Note what is written at a location, whose last part is a field of the model."""
@@ -84,7 +90,7 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     """
     keys = keys_of(model)
     result: dict[str, object] = {}
-    prefix = written.keys.get(at, "")
+    prefix, before = written.keys.get(at, ""), len(written.problems)
     for key, value in raw.items():
         path = f"{prefix}.{key}" if prefix else key or '""'
         if key not in keys and FORMER.get(key) in keys:
@@ -110,25 +116,25 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
             result[name] = _number(value, meant, written, location)
         else:
             result[name] = _nested(value, _field(model, name).annotation, written, location)
-    _require(model, keys, result, written, prefix)
+    _require(model, keys, result, written, prefix, before)
     return result
 
 
 def _require(model: type[Record], keys: Keys, result: dict[str, object],
-             written: Written, prefix: str) -> None:  # fmt: skip
-    """Note every required field that the table lacks."""
+             written: Written, prefix: str, before: int) -> None:  # fmt: skip
+    """Note every required field that the table lacks; ``before`` problems are of other tables."""
     for name, info in model.model_fields.items():
         if info.is_required() and (info.alias or name) not in result:
             options = [key for key, meant in keys.items() if meant.field in (name, info.alias)]
             path = f"{prefix}.{options[0]}" if prefix else options[0]
             if info.annotation is float:
-                result[name] = _stand_in_of(info)
+                result[name] = _stand_in_of(info, written.stand_in)
             start = f"{prefix}.{name}" if prefix else name
             misspelt = tuple(f"did you mean {option}?" for option in options)
             if not any(
                 problem.path.lower().startswith(start.lower())
                 or (problem.path.startswith(prefix) and problem.message.endswith(misspelt))
-                for problem in written.problems
+                for problem in written.problems[before:]
             ):
                 example = _EXAMPLES.get(str(info.annotation), "")
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}{example}"))
@@ -146,7 +152,7 @@ def _field(model: type[Record], key: str) -> FieldInfo:
 def _number(value: object, meant: Key, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
         written.report(location, f"{brief(value)} is not a number; give a number in {suffix_unit(meant.suffix)}")
-        return _stand_in_of(written.fields[location])
+        return _stand_in_of(written.fields[location], written.stand_in)
     try:
         converted = meant.si(float(value))
     except OverflowError:
@@ -155,7 +161,7 @@ def _number(value: object, meant: Key, written: Written, location: Location) -> 
         written.report(
             location, f"{brief(value)} is not a finite number; give a finite number in {suffix_unit(meant.suffix)}"
         )
-        return _stand_in_of(written.fields[location])
+        return _stand_in_of(written.fields[location], written.stand_in)
     return converted
 
 
@@ -244,7 +250,9 @@ def _is_named(name: str, written: Written, location: Location) -> bool:
     return good
 
 
-def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None, Written]:
+def build(
+    model: type[Record], raw: Mapping[str, object], *, stand_in: float = STAND_INS[0]
+) -> tuple[Record | None, Written]:
     """Return the record with everything that is wrong with the table.
 
     Where the table has problems, the record holds stand-ins in their place, so that what else is wrong can still be
@@ -253,8 +261,10 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
     Args:
         model: The record's type.
         raw: As parsed from the file.
+        stand_in: What stands for a faulty or missing quantity; what is wrong with one of `STAND_INS` alone is no
+            mistake of the user's [SI].
     """
-    written = Written()
+    written = Written(stand_in=stand_in)
     table = convert(raw, model, written)
     try:
         record = model.model_validate(table)
@@ -263,7 +273,7 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
         faults = error.errors(include_url=False)
     for details in faults:
         _add(written, details)
-        _stand_in(table, details["loc"], written.fields)
+        _stand_in(table, details["loc"], written)
     if written.incomplete:
         return None, written
     try:
@@ -272,19 +282,18 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
         return None, written
 
 
-_STAND_IN = 1.0
-"""A quantity that most fields allow."""
-
-
-def _stand_in_of(info: FieldInfo) -> float:
+def _stand_in_of(info: FieldInfo, wanted: float) -> float:
     """Return a quantity that a field allows; it never leaves the search for problems."""
     allowed = range_of(info)
-    return _STAND_IN if allowed.holds(_STAND_IN) else 0.5 * (allowed.minimum + allowed.maximum)
+    if allowed.holds(wanted):
+        return wanted
+    share = 0.5 / wanted
+    return share * allowed.minimum + (1.0 - share) * allowed.maximum
 
 
-def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...], infos: Mapping[Location, FieldInfo]) -> None:
+def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...], written: Written) -> None:
     """Take the faulty entry out of a table, or put a stand-in where a quantity is required."""
-    info = infos.get(tuple(str(part) for part in location))
+    info = written.fields.get(tuple(str(part) for part in location))
     for part in location[:-1]:
         inner = entries.get(str(part))
         if not isinstance(inner, dict):
@@ -293,7 +302,7 @@ def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...], infos: M
     key = str(location[0])
     value = entries.pop(key, None)
     if isinstance(value, float) or (info is not None and info.annotation is float):
-        entries[key] = _STAND_IN if info is None else _stand_in_of(info)
+        entries[key] = written.stand_in if info is None else _stand_in_of(info, written.stand_in)
 
 
 def _add(written: Written, details: Any) -> None:

@@ -3,6 +3,7 @@
 import asyncio
 import os
 import sqlite3
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -186,3 +187,20 @@ def test_a_computation_that_nobody_began_is_not_there(asked):
         assert asked.ask("GET", f"/api/jobs/{place}").status_code == 404
     assert asked.post("/api/jobs/nope/stop").status_code == 404
     assert asked.post("/api/jobs/nope", text="").status_code in (404, 405)
+
+
+def test_the_peaks_of_a_window_are_tangential_and_its_curves_run_along_the_line_of_action(asked):
+    """F_t = F cos α_wt: two numbers of one mesh, each under its own name, and the least of both margins."""
+    short = '\n[windows.short]\nphase = "cruise"\nduration_s = 0.2\nevent = "motor-cut"\nevent_at_s = 0.1\n'
+    mission = gw.shipped_mission("thesis").read_text(encoding="utf-8") + short
+    head = asked.found("window", text=text_of("in-line-h2"), mission=mission, window="short")[0]
+    ranges = {row["name"]: max(abs(row["minimum"]), abs(row["maximum"])) for row in head["ranges"]}
+    angles = {mesh.name: mesh.working_pressure_angle for mesh in gw.size(gw.read("in-line-h2")).meshes}
+    curves = {one["name"]: one.get("what") for one in head["series"]}
+    for row in head["meshes"]:
+        names = [name for name in curves if name.startswith(row["mesh"])]
+        assert {curves[name] for name in names} == {"force along the line of action"}
+        largest = max(ranges[name] for name in names)
+        assert row["peak_force_n"] == pytest.approx(largest * np.cos(angles[row["mesh"]]), rel=1e-9)
+    page = (Path(gw.__file__).parent / "app/static/flight/windows.js").read_text(encoding="utf-8")
+    assert "peak tangential force F_t" in page and "Math.min(row.bending_margin, row.contact_margin)" in page

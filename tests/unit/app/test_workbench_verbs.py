@@ -88,6 +88,16 @@ def test_an_entry_is_changed_and_comments_stay(asked):
     assert gw.parse(gone) == gw.parse(text)
 
 
+def test_a_text_of_very_many_dotted_keys_is_changed_by_hand(asked):
+    """What keeps comments takes time with the square of their number: 20 s for 500 keys of eight names."""
+    text = text_of("in-line-h2") + "".join("a." * 7 + f"b{k} = 1\n" for k in range(500))
+    told = asked.post("/api/edit", text=text, path=["turbines", "gas-turbine", "speed_rpm"], value=21000)
+    assert told.status_code == 422 and "3500 names in dotted keys" in told.json()["problems"][0]["message"]
+    few = text_of("in-line-h2").replace("[turbines.gas-turbine]", "[turbines]\ngas-turbine.name-of-none.x = 1", 1)
+    told = asked.post("/api/edit", text=few, path=["name"], value="other")
+    assert told.status_code == 200 and "gas-turbine.name-of-none.x = 1" in told.json()["text"]
+
+
 def test_a_quantity_is_written_in_another_unit_and_stays_what_it_is(asked):
     text = text_of("in-line-h2")
     path = ["turbines", "gas-turbine", "power_kw"]

@@ -1,6 +1,7 @@
 """Maps and loads of propellers that are made from blades, and maps over the Mach number in files and flights."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from gearwright.errors import DesignError
 from gearwright.machines import Blades, MachMap, PropellerMap, map_at
 from gearwright.machines.propellers import activity_factor, generic_blade
 from gearwright.spec import parse_mission
+from gearwright.units import FOOT, HORSEPOWER, KNOT, POUND_FORCE
 from shipped_work import sized
 
 SIX = Blades(6, 115.0, 0.5)
@@ -156,3 +158,28 @@ def test_either_a_power_or_an_angle_is_asked_for_and_points_are_in_range():
 
 def test_a_made_map_is_a_propeller_map():
     assert isinstance(gw.propeller(SIX, **COARSE).chart, PropellerMap)
+
+
+def test_at_a_point_of_flight_the_charts_are_asked_where_they_are_chosen():
+    """GASP by the charts, as NASA's Aviary keeps it: 4 blades, AF 150, C_Li 0.5, 12 ft, 10 000 ft, 200 kt, 1000 hp,
+    tips at 769.7 ft/s: 1470.5 lbf; blade elements give 6 % less."""
+    diameter = 12.0 * FOOT
+    point = FlightPoint(diameter, 2.0 * 769.7 * FOOT / diameter, 200.0 * KNOT, 1e4 * FOOT)
+    blades = Blades(4, 150.0, 0.5)
+    found = gw.propeller_loads(blades, point, power=1000.0 * HORSEPOWER, by="charts")
+    assert found.thrust == pytest.approx(1470.5 * POUND_FORCE, rel=3e-3)
+    elements = gw.propeller_loads(blades, point, power=1000.0 * HORSEPOWER)
+    assert abs(elements.thrust / found.thrust - 1.0) > 0.03
+    again = gw.propeller_loads(blades, replace(point, airspeed=80.0), blade_angle=math.radians(30.0), by="charts")
+    back = gw.propeller_loads(blades, replace(point, airspeed=80.0), power=again.power, by="charts")
+    assert (back.blade_angle, back.thrust) == (pytest.approx(math.radians(30.0)), pytest.approx(again.thrust))
+
+
+def test_the_charts_say_where_they_hold_nothing():
+    flat = replace(POINT, incidence=0.0)
+    for blades, point, power, place in (
+        (SIX, POINT, 1.6e6, "incidence"), (Blades(9, 115.0, 0.5), flat, 1.6e6, "blades.number"), (SIX, flat, 60e6, "by")
+    ):  # fmt: skip
+        with pytest.raises(DesignError) as raised:
+            gw.propeller_loads(blades, point, power=power, by="charts")
+        assert problems(raised) == {place}

@@ -51,8 +51,8 @@ def folder(tmp_path: Path) -> Path:
 def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> None:
     journal = folder / "j"
     first = call("study", folder / "study.toml", "--journal", journal, "--workers", 0, "--report", folder / "p.html")
-    assert "Minimum gearbox: mine.toml at carriers.fill" in " ".join(first.split())
-    assert "Minimum gearbox: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
+    assert "Minimum train as sized: mine.toml at carriers.fill" in " ".join(first.split())
+    assert "Minimum train as sized: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
     assert call("status", journal).splitlines()[-2:] == ["fill: 8 of 8 cases, 0 infeasible", "complete"]
     again = call("resume", journal, "--workers", 0, "--json", "--export", folder / "t.nc")
     assert len(json.loads(again[: again.rindex("}") + 1])["result"]["rows"]) == 8
@@ -62,12 +62,12 @@ def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> Non
 def test_samples_and_sensitivities_are_answered_in_the_terminal_as_on_the_page(folder: Path) -> None:
     drawn = TEXT.partition("[objectives]")[0]
     (folder / "study.toml").write_text(drawn, encoding="utf-8")
-    assert "gearbox: median 4" in call("study", folder / "study.toml", "--workers", 0)
+    assert "train as sized: median 4" in call("study", folder / "study.toml", "--workers", 0)
     (folder / "study.toml").write_text(
         drawn.replace("sobol", "saltelli").replace("[sampling]", SAFETY), encoding="utf-8"
     )
     said = " ".join(call("study", folder / "study.toml", "--workers", 0).split())
-    assert "gearbox depends most on gears.contact_safety" in said
+    assert "train as sized depends most on gears.contact_safety" in said
 
 
 def test_a_stopped_study_says_what_to_do_next(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

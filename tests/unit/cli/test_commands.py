@@ -134,6 +134,15 @@ def test_check_says_that_all_is_well(call, design):
     assert "one pair: no problems; 2 kinds of gears, 2 shafts" in done.out
 
 
+def test_check_tells_what_the_dynamic_model_leaves_out_of_what_is_sized(call, design):
+    """Kuang and Yang's fit ends at 50 teeth: peaks are not assessed then, and sizing is as it is."""
+    design.write_text(f'{PAIR}[dynamics]\nmesh_stiffness = "kuang-yang"\n', encoding="utf-8")
+    assert call("size", design).code == DONE
+    done = call("check", design)
+    assert (done.code, "no problems" in done.out) == (DONE, True)
+    assert "not assessed, as the dynamic model ends there: dynamics.mesh_stiffness: stage:" in done.err
+
+
 def test_check_names_every_problem_with_its_line(call, design):
     design.write_text(
         changed(changed(PAIR, "power_kw = 100", "power_kw = -1"), '"slow"\n', '"slov"\n'), encoding="utf-8"

@@ -61,8 +61,8 @@ def test_its_json_has_the_deck_and_the_seconds():
     ("arguments", "said"),
     [
         (("--slam-kw", "300"), "is not from:to, such as 300:800"),
-        (("--slam-kw", "300:2000"), "of its rated N1, at most 1.05; ask for powers that it gives there"),
-        (("--slam-kw", "300:700", "--slam-altitude-m", "15000"), "beyond what it gives at rest in this air"),
+        (("--slam-kw", "300:2000"), "leave 835 kW in air of 15.0 °C; ask for powers that it gives there"),
+        (("--slam-kw", "300:700", "--slam-altitude-m", "15000"), "leave 191.7 kW in air of -56.5 °C"),
         (("--slam-kw", "300:700", "--slam-mach", "5"), "mach: 5 is not allowed; give one from 0 to 0.95"),
         (
             ("--slam-kw", "300:700", *ROTOR, "--n2-limit", "0.9"),

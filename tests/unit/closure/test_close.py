@@ -8,6 +8,7 @@ from rich.console import Console
 
 from designs import PAIR
 from gearwright.closure import Outcome, Step, Wishes, close, contradictions, requirement_of
+from gearwright.closure.life import stage_lives
 from gearwright.errors import DesignError
 from gearwright.render.words.review import closure_text
 from gearwright.reviews import Verdict, review
@@ -89,6 +90,19 @@ def test_a_life_that_is_asked_is_met_within_2_percent_where_sizes_are_continuous
     assert replay(found).failing == ()
     shorter = edited(found.design, {"service.life_h": 1.03 * hours})
     assert [check.name for check in size(shorter).checks if check.fails] == [found.lives[0].governs]
+
+
+@pytest.mark.parametrize(
+    ("mode", "asked"),
+    [("scuffing", {"scuffing_safety": 5.0}), ("micropitting", {"micropitting_stage": 5, "micropitting_safety": 10.0})],
+)
+def test_hot_flanks_and_thin_films_have_no_life_in_hours(mode, asked):
+    """Scuffing is one hot contact (ISO/TS 6336-20, -21) and a film is thick or thin: no number of cycles moves them."""
+    design = closed(rounded=False).design
+    harder = size(edited(design, {f"gears.iso6336.{key}": value for key, value in asked.items()}))
+    assert any(check.mode == mode and check.fails for check in harder.checks)
+    (before,), (after,) = stage_lives(size(design)), stage_lives(harder)
+    assert (after.life, after.governs) == (before.life, before.governs)
 
 
 def test_a_longer_life_costs_mass():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import modes, simulate, statics
-from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.assembly import assemble, assumptions
 from gearwright.dynamics.equations import linear, state_matrix
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
@@ -49,14 +49,23 @@ def test_kuang_and_yangs_stiffness_is_refused_outside_its_range_with_the_mesh_na
 
 
 def test_a_stiffness_outside_its_standard_names_the_model_that_knows_it():
-    """x_1 + x_2 = −0.8 of planet and ring, where ISO 6336-1 ends at −0.5 and strain energy does not."""
+    """x_1 + x_2 = −0.8 of planet and ring, where ISO 6336-1 ends at −0.5 and strain energy does not.
+
+    Where no model is asked, such a mesh alone follows strain energy, and the assumptions say so.
+    """
     shifted = IN_LINE.replace("[planetaries.first]", "[planetaries.first]\nplanet_shift = -0.4\nring_shift = -0.4", 1)
     assert shifted != IN_LINE
     with pytest.raises(DesignError) as caught:
-        system_of(text=shifted)
+        system_of('[dynamics]\nmesh_stiffness = "iso6336"', text=shifted)
     assert caught.value.problems[0].path == "dynamics.mesh_stiffness"
     assert 'write dynamics.mesh_stiffness = "energy"' in caught.value.problems[0].message
-    assert system_of('[dynamics]\nmesh_stiffness = "energy"', text=shifted).arrays.stiffness.min() > 0.0
+    lines = [system_of(f"[dynamics]\n{more}", text=shifted) for more in ('mesh_stiffness = "energy"', "")]
+    by_energy, unasked = (dict(zip(one.labels.lines, one.arrays.stiffness, strict=True)) for one in lines)
+    assert unasked["first.planet-ring-1"] == by_energy["first.planet-ring-1"] > 0.0
+    assert unasked["second.planet-ring-1"] != by_energy["second.planet-ring-1"]
+    sizing = size(parse(shifted))
+    told = [one for one in assumptions(sizing, lines[1]) if one.subject == "stiffness of first.planet-ring"]
+    assert [(one.value.partition(":")[0], one.origin) for one in told] == [("energy", "default")]
 
 
 def test_a_curve_from_a_file_beside_the_design_sets_mean_and_swing(tmp_path):

@@ -1,20 +1,41 @@
 """Critical speeds: margins, what is excited, and what a run says of the estimate."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
 
+from gearwright.checks import Status
 from gearwright.dynamics import Model, campbell
 from gearwright.dynamics.assembly import assemble, assumptions
 from gearwright.dynamics.model import Tone
-from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, order_name, run_up
+from gearwright.dynamics.vibration import (
+    RESONANCE,
+    SEPARATION,
+    answer,
+    critical_speeds,
+    first_meshes,
+    order_name,
+    resonance_checks,
+    run_up,
+    turning_shaft,
+)
 from gearwright.errors import DesignError
-from gearwright.shipped import shipped_design
+from gearwright.render.tables.dynamics import (
+    ByMachine,
+    Critical,
+    critical_rows,
+    critical_table,
+    machine_rows,
+    machine_table,
+)
+from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse
 
 
+@cache
 def sized(name="in-line-h2", more=""):
     return size(parse(shipped_design(name).read_text(encoding="utf-8") + more))
 
@@ -27,7 +48,60 @@ def test_cases_of_equal_speeds_share_a_diagram_and_the_worst_comes_first():
     assert FOUND.cases == "rated, cruise"
     excited = [each for each in FOUND.critical if each.excited]
     assert list(FOUND.critical[: len(excited)]) == excited
-    assert [abs(each.margin) for each in excited] == sorted(abs(each.margin) for each in excited)
+    assert [each.over_limit for each in excited] == sorted(each.over_limit for each in excited)
+
+
+@pytest.mark.parametrize("design", shipped_designs())
+def test_the_review_and_the_table_of_critical_speeds_agree_number_by_number(design):
+    """n_op/n − 1 of the nearest excited critical speed of every order, its limit, and the word that follows of both."""
+    cases = critical_speeds(sized(design))
+    judged = {(check.case, check.mode): check for check in resonance_checks(sized(design), cases)}
+    judged = {key: check for key, check in judged.items() if not check.place.startswith("no natural frequency")}
+    told = dict[tuple[str, str], list[ByMachine | Critical]]()
+    for case in cases:
+        operating = abs(case_speed(design, case.first))
+        for row in (*critical_rows(case.critical), *machine_rows(case)):
+            assert row.separation_margin == pytest.approx(operating / row.speed - 1.0, rel=1e-9, abs=1e-12)
+            if row.verdict in ("in resonance", "clear"):
+                assert row.limit is not None
+                assert (row.verdict == "in resonance") == (abs(row.separation_margin) < row.limit)
+                told.setdefault((case.cases, f"resonance of {row.order.replace('×', 'x')}"), []).append(row)
+    assert judged.keys() == told.keys()
+    for key, check in judged.items():
+        nearest = min(told[key], key=lambda row: abs(row.separation_margin))
+        assert (check.value, check.limit) == (abs(nearest.separation_margin), nearest.limit)
+        assert check.place == f"mode {nearest.mode}"
+        assert (check.status is Status.FAILS) == any(row.verdict == "in resonance" for row in told[key])
+
+
+def case_speed(design, case):
+    sizing = sized(design)
+    return sizing.flows[case].speeds[turning_shaft(sizing, case)]
+
+
+@pytest.mark.parametrize("design", shipped_designs())
+def test_api_617_asks_for_nothing_where_the_same_teeth_meet(design):
+    """API 617 is made for what comes once or several times in a turn of a shaft; hunting teeth meet less often."""
+    cases = critical_speeds(sized(design))
+    hunting = [row for case in cases for row in case.assumed if "hunting tooth" in row.order]
+    assert all(row.criterion is None and not row.in_resonance for row in hunting)
+    assert not any("hunting tooth" in check.mode for check in resonance_checks(sized(design), cases))
+
+
+def test_a_turning_shaft_is_held_against_api_617_and_a_mesh_against_iso_6336():
+    """ISO 6336-1, clause 6, tells of the mesh frequency; an error that turns with its gear shakes once in a turn."""
+    sizing = sized(more='\n[errors."first.sun"]\neccentricity_um = 10\n')
+    (case,) = critical_speeds(sizing)
+    clauses = {("turning" in row.order): row.criterion for row in case.critical if row.criterion}
+    assert clauses == {True: SEPARATION, False: RESONANCE}
+
+
+def test_the_table_leaves_out_no_row_in_resonance():
+    (case,) = critical_speeds(sized("face-gear-split-torque"))
+    for table, rows in ((critical_table, case.critical), (machine_table, case.assumed)):
+        within = sum(row.excited and row.in_resonance for row in rows)
+        verdicts = [row[-1].text for row in table(case, maximum=1).rows]
+        assert verdicts.count("in resonance") == within > 1
 
 
 def test_a_campbell_diagram_without_speeds_is_that_of_the_critical_speeds():
@@ -42,8 +116,10 @@ def test_at_a_critical_speed_the_order_has_the_natural_frequency():
     one = next(each for each in FOUND.critical if each.order == "second mesh × 2")
     speeds = SIZING.flows["rated"].speeds
     teeth, relative = SIZING.teeth["second.sun"], speeds["intermediate"] - speeds["output"]
-    assert one.frequency == pytest.approx(2.0 * teeth * relative / (2.0 * math.pi) * (1.0 + one.margin), rel=1e-9)
-    assert one.speed == pytest.approx(speeds["input"] * (1.0 + one.margin), rel=1e-9)
+    assert one.frequency == pytest.approx(
+        2.0 * teeth * relative / (2.0 * math.pi) / (1.0 + one.separation_margin), rel=1e-9
+    )
+    assert one.speed == pytest.approx(speeds["input"] / (1.0 + one.separation_margin), rel=1e-9)
 
 
 def test_three_planets_in_phase_do_not_excite_their_planet_modes():
@@ -68,7 +144,7 @@ def test_the_estimated_force_at_a_resonance_is_what_a_run_finds(order, tolerance
     one = max((each for each in FOUND.critical if each.order == order), key=lambda each: each.dynamic_force)
     cruise = assemble(SIZING, "rated")
     lines = [name for name in cruise.labels.lines if "planet" in name]
-    found = run_up(SIZING, cruise, [1.0 + one.margin], lines=lines, settle=0.05, window=0.02)
+    found = run_up(SIZING, cruise, [1.0 / (1.0 + one.separation_margin)], lines=lines, settle=0.05, window=0.02)
     place = [str(each) for each in found.orders].index(order)
     ratio = np.max(found.order_amplitude[0, :, place] / np.abs(found.mean[0]))
     assert ratio == pytest.approx(one.dynamic_force, rel=tolerance)

@@ -66,7 +66,7 @@ def test_an_order_of_a_machine_shakes_as_hard_as_its_assumed_swing():
 def test_orders_of_machines_do_not_mix_with_those_whose_strength_is_stated():
     assert not any(critical.why for critical in FOUND.critical)
     assert all(critical.why for critical in FOUND.assumed)
-    near = [row for row in FOUND.assumed if SEPARATION[0] <= 1.0 / (1.0 + row.margin) <= SEPARATION[1]]
+    near = [row for row in FOUND.assumed if row.criterion and abs(row.separation_margin) < SEPARATION.limit]
     assert all(row.in_resonance for row in near)
     assert sum(row.in_resonance for row in FOUND.assumed) == len(near)
 

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import modes
-from gearwright.dynamics.assembly import assemble, default_case
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.assembly.turns import turns_of
 from gearwright.shape import scene
+from gearwright.sizing import governing_case
 from shipped_work import sized
 
 
@@ -16,7 +17,7 @@ from shipped_work import sized
 def test_a_rigid_turn_of_the_train_turns_every_body_as_its_scene_spins(name):
     """q = Ω · 1 s against the spins of the scene, planets against their carriers: two ways to the same angles."""
     sizing = sized(name)
-    case = default_case(sizing)
+    case = governing_case(sizing)
     system, built = assemble(sizing, case), scene(sizing, detail="coarse")
     turned = turns_of(sizing, built, system, system.arrays.speed)
     spinning = {

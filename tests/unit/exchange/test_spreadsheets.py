@@ -12,8 +12,7 @@ import gearwright as gw
 from gearwright.exchange.tables import all_tables, columns, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
 from gearwright.exchange.tables.formulas import formulas_of
 from shipped_work import sized
-
-SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+from workbooks import SHEET, book
 
 
 def rows_of(text):
@@ -39,27 +38,6 @@ def test_no_table_is_left_out_of_the_long_form(design):
 def test_a_name_that_spreadsheets_take_for_a_formula_stays_a_text():
     design = gw.parse(gw.design_text(sized("star").design).replace('name = "Star', 'name = "=Star'))
     assert "\n=" not in to_csv(gw.size(design))
-
-
-def book(content):
-    """Return sheet -> its cells by place, of a workbook read without the library that wrote it."""
-    files = zipfile.ZipFile(io.BytesIO(content))
-    texts = ["".join(node.itertext()) for node in ElementTree.fromstring(files.read("xl/sharedStrings.xml"))]
-    names = [sheet.get("name") for sheet in ElementTree.fromstring(files.read("xl/workbook.xml")).iter(f"{SHEET}sheet")]
-    sheets = {}
-    for place, name in enumerate(names, start=1):
-        cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
-        assert all(cell.find(f"{SHEET}f") is None for cell in cells if cell.get("t") in ("s", "str"))
-        cells = ElementTree.fromstring(files.read(f"xl/worksheets/sheet{place}.xml")).iter(f"{SHEET}c")
-        sheets[name] = {cell.get("r"): _value(cell, texts) for cell in cells}
-    return sheets
-
-
-def _value(cell, texts):
-    found = cell.find(f"{SHEET}v")
-    if found is None:
-        return None
-    return texts[int(found.text)] if cell.get("t") == "s" else float(found.text)
 
 
 @pytest.mark.extra("xlsxwriter")

@@ -18,7 +18,7 @@ from gearwright.machines import (
     stored_energy,
 )
 
-ENGINE = Engine(1e6, 2e6, 500.0, 7.75e-8, 0.2, -0.5)
+ENGINE = Engine(1e6, 2e6, 500.0, 7.75e-8, 0.2, -0.5, -3.9)
 PACK = Battery(1e6, 800.0, 600.0, 0.05, 3.0, 0.1)
 
 

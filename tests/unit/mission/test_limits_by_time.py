@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from designs import HYBRID
@@ -79,3 +81,10 @@ def test_every_level_has_the_time_of_those_above_it():
         endured(bounds, clocks, 10.0, {"m": (25.0, 10.0)})
     with pytest.raises(DesignError, match="beyond every limit"):
         endured(bounds, {}, 1.0, {"m": (31.0, 10.0)})
+
+
+def test_a_power_that_is_a_little_too_much_is_told_with_the_digits_that_say_so():
+    """Four digits would say that it needs 1700 kW and gives 1700 kW."""
+    found = refused((290, 1700.02), sizing=size(parse(TEXT)))
+    needed, given = re.search(r"needs ([\d.]+) kW at 0 m, and gives ([\d.]+) kW", found.message).groups()
+    assert float(needed) == pytest.approx(1700.02, abs=0.02) and float(needed) > float(given) == 1700.0

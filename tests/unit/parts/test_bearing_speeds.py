@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.catalogue import bearing_friction, bearings
-from gearwright.parts.bearings import BearingKind, least_load, speed_factor, thermal_reference_speed
+from gearwright.parts.bearings import BearingKind, least_load, speed_factor, speed_limit, thermal_reference_speed
 from gearwright.parts.bearings.speed import reference_heat
 from gearwright.units import RPM
 
@@ -76,3 +76,17 @@ def test_least_loads_and_speed_factors_by_hand():
     assert least_load(53e3, BearingKind.FOUR_POINT) == near(530.0)
     assert least_load(70e3, BearingKind.TAPER) == near(1400.0)
     assert speed_factor(-6000 * RPM, 0.045, 0.1) == near(435e3)
+
+
+def test_better_lubrication_bears_faster_bearings_and_care_more_than_usual():
+    """Makers' catalogues: grease below oil jets below oil under the races; tapers below rollers below balls."""
+    order = (BearingKind.TAPER, BearingKind.CYLINDRICAL, BearingKind.DEEP_GROOVE)
+    for lubrication in ("grease", "jet", "under-race"):
+        limits = [speed_limit(kind, lubrication) for kind in order]
+        assert all(limit.usual < limit.careful for limit in limits)
+        assert limits[0].usual <= limits[1].usual <= limits[2].usual
+    for kind in order:
+        usual = [speed_limit(kind, lubrication).usual for lubrication in ("grease", "jet", "under-race")]
+        assert usual[0] < usual[1] < usual[2]
+    assert speed_limit(BearingKind.FOUR_POINT, "jet") == (1.2e6, 1.8e6)
+    assert speed_limit(BearingKind.TAPER, "under-race") == (1.0e6, 2.4e6)

@@ -203,7 +203,7 @@ def kv(ratio, load=4e5, mesh=MESH):
         MeshDeviations(4e-6, 5e-6),
         specific_load=load,
         pinion_speed=np.asarray(ratio) * resonance,
-        mass=5.0,
+        masses=(5.0,),
     )
     return found.factor
 

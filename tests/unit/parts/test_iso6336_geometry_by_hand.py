@@ -15,6 +15,7 @@ from gearwright.parts.iso6336 import (
     LoadedTooth,
     MeshGeometry,
     MeshSprings,
+    MovingBody,
     ToothProportions,
     mesh_springs,
     outer_single_contact,
@@ -143,18 +144,17 @@ def test_the_single_contact_factors_of_these_pairs_reach_both_sides_of_one():
 
 @PAIRS
 def test_the_mass_of_a_pair_is_that_of_discs_at_their_mean_diameters(hand):
-    """m* = π/8 ρ d_m² (d_m/d_b)² (1 − q⁴), d_m = (d_a + d_f)/2: ISO 6336-1:2006, clause 6.5.9."""
-    masses = []
-    for gear, (rho, q, sign) in enumerate(((7830.0, 0.3, 1.0), (4430.0, 0.6, hand.s))):
+    """m* = π/8 ρ d_m² (d_m/d_b)² (1 − q⁴), d_m = (d_a + d_f)/2; of a ring q⁴ − 1: ISO 6336-1:2006, clause 6.5.9."""
+    masses, inside = [], []
+    for gear, (rho, q, sign) in enumerate(((7830.0, 0.3, 1.0), (4430.0, 0.6 if hand.s > 0 else 1.3, hand.s))):
         d_a = 2.0 * hand.tips[gear]
         mean = (d_a + (d_a - sign * 2.0 * hand.h[gear])) / 2.0
-        masses.append(math.pi / 8.0 * rho * mean**4 / hand.d_b[gear] ** 2 * (1.0 - q**4))
-    assert reduced_mass(hand.mesh, (7830.0, 4430.0), bore_ratios=(0.3, 0.6)) == near(
-        1.0 / (1.0 / masses[0] + 1.0 / masses[1])
-    )
-    assert reduced_mass(hand.mesh, (7830.0, 4430.0)) == near(
-        1.0 / ((1.0 - 0.3**4) / masses[0] + (1.0 - 0.6**4) / masses[1])
-    )
+        inside.append(MovingBody(q * mean))
+        masses.append(math.pi / 8.0 * rho * mean**4 / hand.d_b[gear] ** 2 * abs(1.0 - q**4))
+    assert reduced_mass(hand.mesh, (7830.0, 4430.0), tuple(inside)) == near(1.0 / (1.0 / masses[0] + 1.0 / masses[1]))
+    solid = masses[0] / (1.0 - 0.3**4)
+    wheel = masses[1] / (1.0 - 0.6**4) if hand.s > 0 else math.inf
+    assert reduced_mass(hand.mesh, (7830.0, 4430.0)) == near(1.0 / (1.0 / solid + 1.0 / wheel))
 
 
 def test_loads_and_cycles_count_meshes_and_paths():

@@ -106,11 +106,23 @@ def test_press_fits_are_lames():
     assert fit_interference(1e6, 0.1, solid, solid) == near(1e5 * 2.0 / 206e9)
 
 
+def test_roots_of_splines_are_those_of_published_shafts():
+    """W 6 × 0.8 × 6, broached with 0.55 m: d_f1 = 4.24 mm (a published sheet of DIN 5480); a hob goes 0.05 m deeper.
+    W 30 × 1.5 × 18 × 8f, hobbed: d_f1 is 26.49 mm at most (calculator of Ondrives), where A_s − T_eff = −37 µm of DIN
+    5480-1 take 37 µm/tan 30° of the nominal."""
+    broached = spline(6e-3, 0.8e-3)
+    assert broached.teeth == 6
+    assert broached.shaft_root == near(4.24e-3 - 2.0 * 0.05 * 0.8e-3)
+    hobbed = spline(30e-3, 1.5e-3)
+    assert hobbed.teeth == 18
+    assert hobbed.shaft_root - 37e-6 / math.tan(PI / 6.0) == pytest.approx(26.49e-3, abs=0.5e-5)
+
+
 def test_splines_are_those_of_din_5480():
-    """DIN 5480, W 120 × 3 × 38: d_a1 = 119.4, d_f1 = 113.4, d_a2 = 114, x m = 1.35 mm; W 25 × 1.25 × 18."""
+    """DIN 5480, W 120 × 3 × 38: d_a1 = 119.4, d_a2 = 114, x m = 1.35 mm; hobbed d_f1 = 113.1; W 25 × 1.25 × 18."""
     joint = spline(0.120, 3e-3)
     assert (joint.teeth, joint.profile_shift * 3.0) == (38, near(1.35))
-    assert (joint.shaft_tip, joint.hub_tip, joint.shaft_root) == (near(0.1194), near(0.114), near(0.1134))
+    assert (joint.shaft_tip, joint.hub_tip, joint.shaft_root) == (near(0.1194), near(0.114), near(0.1131))
     assert joint.pitch_diameter == near(0.114)
     assert spline(0.025, 1.25e-3).teeth == 18
     assert spline(0.035, 2e-3).teeth == 16

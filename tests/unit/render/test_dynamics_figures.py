@@ -8,7 +8,7 @@ import pytest
 from gearwright.dynamics import Model, Outputs, campbell, modes, simulate
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.model import Bearing, Rotor, Segment, add_bearing, add_rotor
-from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, run_up
+from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, peaks, run_up
 from gearwright.errors import DesignError
 from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure
 from gearwright.render.figures.maps import waterfall_figure
@@ -16,7 +16,7 @@ from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_
 from gearwright.render.pages.designs.dynamics_sections import dynamics_sections
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style.theme import to_svg
-from gearwright.render.tables.dynamics import critical_table, loudest_table, machine_table, peak_table
+from gearwright.render.tables.dynamics import critical_table, excited_by, loudest_table, machine_table, peak_table
 from gearwright.render.vector.figure import Figure
 from gearwright.render.vector.keys import key_rows
 from gearwright.render.vector.marks import Shape, Words
@@ -74,8 +74,28 @@ def test_the_response_figure_shows_each_mesh_and_the_table_its_highest_peak_firs
     lines = first_meshes(SIZING, SYSTEM)
     found = answer(SIZING, SYSTEM, "first.sun-planet", error=1e-6, top=1e4)
     assert set(lines) <= set(words(response_figure(found, lines, title="answer")))
-    forces = [row[-1].value for row in peak_table(found, lines).rows]
+    forces = [row[-1].value for row in peak_table(found, lines, excited="an error").rows]
     assert forces == sorted(forces, reverse=True) and len(forces) > 3
+
+
+def test_the_table_of_a_response_names_mesh_amplitude_and_case_and_lists_no_rounding():
+    """An error in the second set leaves the first one still: its forces of 1e-14 N had a thousand maxima."""
+    lines = first_meshes(SIZING, SYSTEM)
+    found = answer(SIZING, SYSTEM, "second.sun-planet", error=2e-6, top=1e4)
+    listed = peaks(found, lines)
+    assert 0 < len(listed) < 30
+    assert all(peak.force > 1e-9 * listed[0].force for peak in listed)
+    table = peak_table(found, lines, excited=excited_by("second.sun-planet", 2e-6, "rated"))
+    assert table.title == "Peaks: transmission error of 2 µm in second.sun-planet, case rated"
+
+
+def test_the_swing_of_a_run_up_is_defined_and_is_the_root_mean_square_about_the_mean():
+    """√(1/T ∫ (F − F_m)² dt): by Parseval √(½ Σ a²) of the amplitudes of its orders, where no other is there."""
+    line = "second.sun-planet-1"
+    found = run_up(SIZING, SYSTEM, [0.9, 1.0], lines=[line], settle=0.05, window=0.05)
+    amplitude = found.order_amplitude[:, 0, :]
+    np.testing.assert_allclose(found.swing[:, 0], np.sqrt(0.5 * np.sum(amplitude**2, axis=1)), rtol=0.02)
+    assert "√(1/T ∫ (F − F_m)² dt)" in loudest_table(found, 1.0, case="rated").note
 
 
 def test_the_waterfall_marks_the_operating_speed_and_its_orders():
@@ -84,7 +104,7 @@ def test_the_waterfall_marks_the_operating_speed_and_its_orders():
     speed = SIZING.flows["rated"].speeds["input"]
     texts = words(waterfall_figure(found, line, speed=speed, shaft="input"))
     assert {"operating", "second × 2", "second mesh"} <= set(texts)
-    assert loudest_table(found, speed).rows[0][0].value == line
+    assert loudest_table(found, speed, case="rated").rows[0][0].value == line
 
 
 def test_drawn_modes_move_only_the_set_that_takes_part():

@@ -121,7 +121,7 @@ def test_a_waived_failure_is_shown_as_such_with_its_reason():
     for page in (plain(review_text(reviewed)), said(report(sizing, review=reviewed))):
         assert "measured: silent" in page
         assert "The waiver of input Tresca is not needed: it passes" in page
-    assert any("waived: measured: silent" in words for words in warnings(sizing, None, reviewed))
+    assert any("waived: measured: silent" in words for words in warnings(sizing, {}, reviewed))
 
 
 def test_a_waived_failure_is_no_longer_too_small_in_the_figure():

@@ -78,7 +78,7 @@ def test_what_no_pointer_can_follow_stays_still():
 def test_a_report_carries_the_scripts_once_and_its_live_figures_by_name(in_line_h2, modal, run):
     page = report(in_line_h2, modes=modal, trace=run)
     given, _ = unpacked(re.search(r'id="live">(.*?)</script>', page)[1])
-    assert "spectrum" in given["figures"] and 'id="live-spectrum"' in page
+    assert "spectrum-rated" in given["figures"] and 'id="live-spectrum-rated"' in page
     assert "time" not in given["figures"], "its forces are 10 kN and rounding: an axis as narrow has no marks"
     assert [len(text) > 40_000 for text in given["scripts"]] == [True, False, False]
     assert all(f'id="live-{name}"' in page for name in given["figures"])

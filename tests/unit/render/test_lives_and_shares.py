@@ -1,11 +1,15 @@
 """Figures of bearing lives and of shares round a shaft show the numbers they are given."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from gearwright.dynamics.sharing import LoadSharing
 from gearwright.render.figures.around import around_figure
+from gearwright.render.figures.flights.lives import _spectrum
 from gearwright.render.figures.sizing import aged_bearings, bearing_life_figure
+from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.marks import Box, Curve, Shape
 from shipped_work import sized
 
@@ -42,3 +46,10 @@ def test_every_loaded_bearing_has_a_bar_as_long_as_its_life_and_a_line_at_the_as
     assert bars == pytest.approx([check.value / 3600.0 for check in lives])
     assert bars == sorted(bars)
     assert {curve.x[0] for curve in axes.of(Curve)} == {sizing.design.service.bearing_life / 3600.0}
+
+
+def test_every_spectrum_is_a_curve_however_many_there_are():
+    """More than four times the six colours, behind which curves were left out."""
+    axes, load = Axes(), np.array([1.0, 2.0])
+    _spectrum(axes, [SimpleNamespace(name=f"gear {k}", load=load, turns=np.array([5.0, 3.0])) for k in range(30)])
+    assert [curve.label for curve in axes.of(Curve)] == [f"gear {k}" for k in range(30)]

@@ -4,6 +4,8 @@ from dataclasses import replace
 import pytest
 from drawn_designs import MIXED, sized
 
+from gearwright.dynamics import Outputs, simulate
+from gearwright.dynamics.assembly import assemble
 from gearwright.render.pages.designs.report import report
 from gearwright.render.pages.page import Stamp, hash_of
 from gearwright.render.style.mathml import mathml
@@ -68,7 +70,7 @@ def test_chapters_come_in_the_order_that_engineers_expect(outline) -> None:
     assert outline.headings == [
         "Summary", "Architecture and power flow", "Gears", "Meshes: forces, stresses and margins",
         "Shafts, carriers and machines", "Losses", "Materials", "Mass and envelope", "Places in space",
-        "Natural modes", "Dynamic response", "Assumptions", "Inputs: the design file", "Defaults",
+        "Natural modes", "Dynamic response, case rated", "Assumptions", "Inputs: the design file", "Defaults",
         "Formulas and sources",
     ]  # fmt: skip
 
@@ -121,6 +123,17 @@ def test_the_head_says_the_worst_and_its_numbers_before_all_else(page, in_line_h
     said = page.index('<div class="verdict open">')
     assert said < page.index('<dl class="key">') < page.index("<nav") < page.index("<h2")
     assert hash_of(in_line_h2.design) in page
+
+
+def test_every_sentence_and_figure_of_a_run_names_its_case(in_line_h2) -> None:
+    """Two runs in one report: of each its chapter, its figures and what it leaves of the margins."""
+    runs = {case: simulate(assemble(in_line_h2, case), 0.02, outputs=Outputs(start=0.005)) for case in in_line_h2.flows}
+    page = report(in_line_h2, trace=runs["rated"], others={"cruise": runs["cruise"]})
+    for case in ("rated", "cruise"):
+        assert f"Dynamic response, case {case}" in page
+        assert f"Forces and torques against time, case {case}." in page
+        assert f"second.planet-ring, case {case}: with the simulated peak force" in page
+    assert ": with the simulated peak force" not in re.sub(r", case \w+: with the simulated peak force", "", page)
 
 
 def test_date_and_lines_come_from_the_caller_alone(in_line_h2) -> None:

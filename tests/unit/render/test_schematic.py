@@ -4,6 +4,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from gearwright.render.schematic.bands import source_colours
 from gearwright.render.schematic.layout import lay_out
 from gearwright.render.schematic.power import trace_power
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
@@ -151,3 +152,21 @@ def test_an_engine_behind_an_open_clutch_carries_nothing(designs) -> None:
     idle = [each for each in stretches if each.shaft in ("two", "second-in")]
     assert len(idle) == 2
     assert all(abs(each.power) < 1e-6 for each in idle)
+
+
+def test_more_machines_than_colours_each_have_a_band() -> None:
+    """Eight motors on one wheel and seven colours: the first seven differ, and the eighth has one of them again."""
+    motors = "".join(
+        f'motors.t{k} = {{ shaft = "s{k}", power_kw = 100, speed_rpm = 6000 }}\n'
+        f'pairs.p{k} = {{ pinion = "s{k}", wheel = "o" }}\n'
+        for k in range(8)
+    )
+    shafts = ", ".join(f'"s{k}"' for k in range(8))
+    sizing = size(
+        parse(f'name = "m"\nshafts = ["o", {shafts}]\nloads.l = {{ shaft = "o", speed_rpm = 1000 }}\n{motors}')
+    )
+    (flow,) = sizing.flows.values()
+    found = source_colours(sizing.train, flow, {machine.name: machine.kind for machine in sizing.machines})
+    assert list(found) == [f"t{k}" for k in range(8)]
+    assert len(set(list(found.values())[:7])) == 7
+    assert power_flow_figure(sizing, next(iter(sizing.flows))).axes[0].marks

@@ -41,7 +41,7 @@ def test_the_page_says_which_design_wins_by_how_much_and_how_surely() -> None:
     assert "in-line-h2 wins" in page and "next is in-line-h1" in page
     assert "It is first in 16 of 16 cases with equal inputs, 100 % (95 % confidence: 81 % to 100 %)." in page
     less = 100.0 * (1.0 - float(np.median(np.array(two) / np.array(one))))
-    assert f"better in gearbox {less:.2g} % less (16 of 16 better)" in page
+    assert f"better in train as sized {less:.2g} % less (16 of 16 better)" in page
     assert page.count("<svg/>") == 4, "trade, weights, winner and next"
 
 
@@ -88,7 +88,7 @@ def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None
         '"motors.electric.speed_rpm" = {from = 4000, to = 5000}\n[sampling]\nmethod = "sobol"\ncount = 16\n'
     )
     drawn = parallel_figure(table)
-    assert drawn.axes[0].x.names[-1] == "gearbox\n[kg]"
+    assert drawn.axes[0].x.names[-1] == "train as sized\n[kg]"
     assert theme.to_svg(contour_figure(table, "mass")) == theme.to_svg(contour_figure(table, "mass"))
     assert contour_figure(table, "mass").axes[0].x.label == "carriers.fill"
 
@@ -108,8 +108,8 @@ OBJECTIVES = '[objectives]\nmass = "minimum"\nmotor_mass = "maximum"\n'
 @pytest.mark.parametrize(
     ("head", "more", "label"),
     [
-        (HEAD, "", "gearbox [kg]"),
-        (HEAD.replace('"in-line-h1", ', ""), OBJECTIVES, "gearbox [kg]: minimum"),
+        (HEAD, "", "train as sized [kg]"),
+        (HEAD.replace('"in-line-h1", ', ""), OBJECTIVES, "train as sized [kg]: minimum"),
     ],
 )
 def test_the_figure_suits_the_method(head: str, more: str, label: str) -> None:
@@ -121,7 +121,7 @@ def test_designs_at_equal_inputs_are_a_trade_objective_by_objective() -> None:
     study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + OBJECTIVES)
     panels = figure_of(study, table).axes
     assert [panel.title for panel in panels] == [
-        "gearbox [kg]\nlower is better",
+        "train as sized [kg]\nlower is better",
         "motors [kg]\nhigher is better",
     ]
     assert set(panels[0].y.names) == {"in-line-h1", "in-line-h2"}
@@ -132,7 +132,7 @@ def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade
     axes = f'[axes]\n"carriers.fill" = {{values = [0.4, 0.6, 0.8]}}\n{speeds}\n'
     _, table, page = page_of(HEAD.replace('"in-line-h1", ', "") + axes + '[sampling]\nmethod = "list"\n' + OBJECTIVES)
     assert table.free == ("motors.electric.speed_rpm",)
-    assert "From motors.electric.speed_rpm = 4000 to 4400: gearbox" in page
+    assert "From motors.electric.speed_rpm = 4000 to 4400: train as sized" in page
     assert study_figure(table).axes[0].of(Curve)[0].x.tolist() == [4000, 4200, 4400]
 
 
@@ -180,7 +180,8 @@ def test_what_makes_no_difference_has_no_number_of_more_or_less() -> None:
     ]  # fmt: skip
     said = " ".join(answer(study, Table("s", "", study.asked, tuple(rows))))
     assert (
-        "in-line-h2 against in-line-h1, medians at equal inputs: better in gearbox 20 % less (8 of 8 better);" in said
+        "in-line-h2 against in-line-h1, medians at equal inputs: better in train as sized 20 % less (8 of 8 better);"
+        in said
     )
     assert "no difference to tell in efficiency (4 of 8 better)." in said
 
@@ -190,5 +191,5 @@ def test_the_best_of_an_objective_keeps_the_constraints() -> None:
     head = HEAD.replace('"in-line-h1", ', "")
     _, table, page = page_of(f"{head}{axes}[constraints]\nmass = {{minimum = 43.5}}\n")
     assert table.rows[0].shown("mass") < 43.5 < table.rows[1].shown("mass")
-    assert "Minimum gearbox: in-line-h2 at carriers.fill = 0.6" in page
-    assert "gearbox ≥ 43.5 kg is kept in 2 of 3 cases." in page
+    assert "Minimum train as sized: in-line-h2 at carriers.fill = 0.6" in page
+    assert "train as sized ≥ 43.5 kg is kept in 2 of 3 cases." in page

@@ -1,14 +1,18 @@
+import re
 from dataclasses import dataclass
 from typing import Annotated
 
 import pytest
 from drawn_designs import MIXED, sized
 
+from gearwright.checks import Check
+from gearwright.identity import Kind, PartId
 from gearwright.render.answers.described import described
 from gearwright.render.answers.plain import plain
-from gearwright.render.grid.table import table, written
+from gearwright.render.grid.table import table
+from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing.overview import given_by_user, tables_of
-from gearwright.units import Length, Origin, Quantity
+from gearwright.units import Length, Origin, Quantity, written
 
 
 @dataclass(frozen=True)
@@ -71,3 +75,15 @@ def test_an_inertia_is_marked_as_given_or_as_estimated() -> None:
     marks = {machine.name: given_by_user(sizing, machine, "inertia") for machine in sizing.machines}
     assert marks == {"gas-turbine": "estimated", "electric": "given", "propeller": "estimated"}
     assert tables_of(sizing)["machines"].marks == ("given", "estimated")
+
+
+@pytest.mark.parametrize("margin", [0.7196, 0.99962, 0.99996, 0.9999996, 1.0, 1.00004])
+def test_a_check_reads_in_a_sentence_as_in_its_table_and_never_on_the_other_side_of_its_limit(margin: float) -> None:
+    check = Check(PartId(Kind.SHAFT, "output"), "Tresca", "a book", margin * 392.5e6, 392.5e6, "stress")
+    sentence = check_sentence(check)
+    value, limit, told = map(float, re.findall(r"([\d.]+) MPa, limit ([\d.]+) MPa .*margin ([\d.]+)$", sentence)[0])
+    listed = review_tables([check])[0]
+    (cell,) = (cell for cell, column in zip(listed.rows[0], listed.columns, strict=True) if column.name == "margin")
+    assert told == pytest.approx(float(cell.text), abs=5e-4)
+    assert (told < 1.0) == (float(cell.text) < 1.0) == (margin < 1.0)
+    assert value < limit if margin < 1.0 else value >= limit

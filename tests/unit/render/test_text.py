@@ -54,7 +54,9 @@ def test_groups_that_are_named_add_up_to_the_mass_that_is_told_and_the_complete_
     words = summary(sizing)
     complete = complete_mass(sizing)
     assert words.startswith(f"Complete mass {text(complete.total, 'mass', 3)}, 68 % from ")
-    whole, *groups = (float(number) for number in re.findall(r"([\d.]+) kg", words.split("Train ")[1].split(")")[0]))
+    whole, *groups = (
+        float(number) for number in re.findall(r"([\d.]+) kg", words.split("Train as sized ")[1].split(")")[0])
+    )
     assert len(groups) == 4
     assert sum(groups) == pytest.approx(whole, rel=1e-3)
 
@@ -85,4 +87,4 @@ def test_modes_and_runs_are_told_in_words_and_as_answers(modal, run) -> None:
     assert "first.mesh" in on_screen(modes_text(modal))
     assert "peaks of line forces are right to" in on_screen(trace_text(run))
     assert plain(modes_answer(modal, "rated"))["modes"][0]["frequency_hz"] == 0.0
-    assert plain(simulate_answer(run, "rated"))["energy"]["imbalance"] < 1e-6
+    assert plain(simulate_answer({"rated": run}))["energy"]["imbalance"] < 1e-6

@@ -169,7 +169,7 @@ SIZED = {
     "a life that no size gives": (
         ("bearing_life_h = 5000", "bearing_life_h = 2e6"),
         "bearings.1x",
-        "lives 2e+06 h with s_0 = 1.5 under 0 N across and 2870 N along; the nearest, QJ ",
+        "lives 2000000 h with s_0 = 1.5 under 0 N across and 2870 N along; the nearest, QJ ",
     ),
     "no room in the housing": (
         ("[bearings.1b]\n", "[bearings.1b]\nlargest_outer_diameter_mm = 20\n"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 
 import pytest
@@ -10,10 +11,16 @@ import pytest
 import gearwright as gw
 from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
+from gearwright.render.answers.design import size_answer
+from gearwright.render.answers.plain import plain
+from gearwright.render.tables.sizing.masses import sum_sentence, with_band
+from gearwright.render.words.masses import summary
+from gearwright.shipped import shipped_designs
 from gearwright.sizing.arranged import Body, Direction, Point, Station
 from gearwright.sizing.casing import housed, section_across, shell_around
 from gearwright.sizing.mass import (
     CALIBRATED,
+    TRAIN,
     complete_mass,
     gear_blanks,
     held_torques,
@@ -21,7 +28,8 @@ from gearwright.sizing.mass import (
     wall_of,
     weighed_wall,
 )
-from gearwright.spec import edited
+from gearwright.spec import edited, parse
+from mounted_designs import SPLIT_PATH
 
 STEEL = 7850.0
 
@@ -227,3 +235,19 @@ def test_bearings_of_built_shafts_are_the_catalogue_s():
     built = list(sizing.bearings)
     parts = [item for item in complete_mass(sizing).parts if item.source == "catalogue of bearings"]
     assert {part.part for part in parts} >= {bearing.name for bearing in built}
+
+
+@pytest.mark.parametrize("name", [*shipped_designs(), "split path"])
+def test_a_complete_gearbox_weighs_no_less_than_its_train_as_the_headline_and_the_review_tell_both(name):
+    """Gears, shafts and carriers are weighed as manufactured in both; solid wheels are told as what is sized."""
+    sizing = gw.size(parse(SPLIT_PATH)) if name == "split path" else sized(name)
+    whole = complete_mass(sizing)
+    assert whole.total > whole.train > 0.0
+    assert whole.train == pytest.approx(sum(whole.of(group) for group in TRAIN), rel=1e-12)
+    total, *_, train = map(float, re.findall(r"([\d.]+) kg", with_band(whole)))
+    assert total >= train == pytest.approx(whole.train, rel=5e-3)
+    assert sum_sentence(sizing, whole).startswith(f"Sum {with_band(whole)}; ")
+    if sizing.level != "concept":
+        assert summary(sizing).startswith(f"Complete mass {with_band(whole)}. Train as sized ")
+    answer = plain(size_answer(sizing))
+    assert answer["complete_total_kg"] > answer["complete_train_kg"] == answer["complete_mass"]["train_kg"]

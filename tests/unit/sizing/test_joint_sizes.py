@@ -99,8 +99,8 @@ def test_a_splines_module_is_the_users_where_it_is_given():
     sized = size_joint(Joint(kind="spline", module=0.003, length=0.04, pressure=80e6), SEAT, D, STEEL)
     assert sized.designation == "DIN 5480 - W 50 x 3 x 15"
     assert (sized.length, sized.allowed_pressure) == (0.04, 80e6)
-    assert spline_root(Joint(kind="spline", module=0.003), D) == pytest.approx(0.050 - 2.2 * 0.003)
-    assert spline_root(Joint(kind="spline"), D) == pytest.approx(0.050 - 2.2 * 0.002)
+    assert spline_root(Joint(kind="spline", module=0.003), D) == pytest.approx(0.050 - 2.3 * 0.003)
+    assert spline_root(Joint(kind="spline"), D) == pytest.approx(0.050 - 2.3 * 0.002)
 
 
 def test_a_press_fit_slips_at_its_safety_times_the_torque_and_bears_what_its_weaker_part_does():

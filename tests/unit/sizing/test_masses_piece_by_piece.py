@@ -126,6 +126,20 @@ def test_a_lightened_wheel_has_a_web_for_the_share_of_its_disc(share):
     assert blank.rim_radius == near(rim) or (blank.rim_radius > rim and blank.web_width < 0.3 * blank.width)
 
 
+def test_a_wheel_of_little_of_its_disc_keeps_a_rim_that_can_be_rated():
+    """ISO 6336-3, clause 9: s_R >= 0.5 h_t. The share is met by a thinner web, down to a twentieth of the width."""
+    for share, is_met in ((0.15, True), (0.02, False)):
+        sizing = sized("differential-hybrid", (("pairs.motor-stage.gears.web_ratio", share),))
+        blank = gear_blanks(sizing)["motor-stage.wheel"]
+        module = next(gear.module for gear in sizing.gears if gear.name == "motor-stage.wheel")
+        disc = math.pi * (blank.root_radius**2 - blank.bore_radius**2) * blank.width
+        assert blank.root_radius - blank.rim_radius == near(0.5 * 2.25 * module)
+        if is_met:
+            assert blank_volume(blank) == near(share * disc, rel=1e-9)
+        else:
+            assert blank.web_width == near(0.05 * blank.width) and blank_volume(blank) > share * disc
+
+
 def test_screws_of_a_flange_grip_its_torque():
     """n π/4 d² σ μ r ≥ T, n ≥ U/(5 d), r = U/(2 π), σ = 700 N/mm², μ = 0.15: a thread of ISO 261, M6 at least."""
     sizing = sized("in-line-h2")

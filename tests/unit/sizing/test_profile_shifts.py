@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import pytest
@@ -10,9 +11,11 @@ from designs import PAIR
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.errors import DesignError
 from gearwright.mission import Oil, gearbox_of
+from gearwright.parts.gears import BasicRack, CylindricalGear, tip_thickness
 from gearwright.shape.teeth import cylindrical_gear
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse
+from gearwright.spec.design.teeth.possible_teeth import Keys, impossible_teeth
 
 TEETH = "pinion_teeth = 18\nwheel_teeth = 54\n"
 
@@ -118,3 +121,15 @@ def test_teeth_are_chosen_for_a_centre_distance_that_is_given():
 def test_a_centre_distance_that_no_teeth_of_the_search_reach_is_refused_with_it():
     with pytest.raises(DesignError, match=r"at a centre distance of 100 modules; change centre_distance or module"):
         size(parse(f"{PAIR}module_mm = 2\ncentre_distance_mm = 200\n[gears]\nhelix_angle_deg = 0\n"))
+
+
+def test_a_shift_that_points_teeth_names_a_shift_or_teeth_that_do_not():
+    """8 teeth of 30° at x = −2 have no tips, and no lesser shift is a shift; at x = 1.2 one is named to a hundredth."""
+    gear = CylindricalGear(8, 1.0, 1.0, 0.0, -2.0, BasicRack(pressure_angle=math.radians(30.0)))
+    keys = Keys("pairs.p.pinion_shift", "pinion_teeth", "pinion_tip_alteration")
+    pointed, _ = impossible_teeth(keys, gear)
+    assert pointed.message == "-2 points 8 teeth below the tip circle; give 14 teeth"
+    (high,) = impossible_teeth(keys, dataclasses.replace(gear, profile_shift=1.2))
+    least = float(high.message.partition("at most ")[2].partition(",")[0])
+    assert tip_thickness(dataclasses.replace(gear, profile_shift=least)) > 0.0
+    assert tip_thickness(dataclasses.replace(gear, profile_shift=least + 0.01)) <= 0.0

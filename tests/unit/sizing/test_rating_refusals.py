@@ -3,6 +3,8 @@
 import pytest
 
 from designs import PAIR, problem
+from gearwright.sizing import size
+from gearwright.spec import parse
 
 BASE = f'{PAIR}pinion_teeth = 24\nwheel_teeth = 71\n\n[gears]\nrating = "iso6336"\n'
 
@@ -32,3 +34,47 @@ def test_an_edition_that_there_is_not_is_told_with_those_that_there_are(name):
     assert found.path == "gears.rating"
     assert f"'{name}' is not known" in found.message
     assert all(f"'{known}'" in found.message for known in ("iso6336", "iso6336-2006", "din3990", "agma2001"))
+
+
+FEW = """
+name = "few teeth"
+{level}
+shafts = ["fast", "slow"]
+motors.m = {{ shaft = "fast", power_kw = 0.5, speed_rpm = 3000 }}
+loads.out = {{ shaft = "slow" }}
+{stage}
+"""
+SET = (
+    'planetaries.p = { sun = "fast", ring = "ground", carrier = "slow", planets = 3, sun_teeth = 8, planet_teeth = 22 }'
+)
+SPUR = 'pairs.p = { pinion = "fast", wheel = "slow", pinion_teeth = 10, wheel_teeth = 20 }'
+
+
+@pytest.mark.parametrize(
+    ("level", "stage", "path"),
+    [
+        ('level = "concept"', SET, "planetaries.p.gears"),
+        ('level = "concept"', SPUR, "pairs.p.gears"),
+        ('gears.rating = "agma2001"', SPUR, "pairs.p.gears"),
+    ],
+)
+def test_fewer_teeth_than_lewis_tabulated_are_refused_by_the_methods_that_read_his_table(level, stage, path):
+    """Lewis's table begins at 12 teeth, of spur gears; AGMA 2001 takes its size factor from it."""
+    found = problem(FEW.format(level=level, stage=stage), sized=True)
+    assert found.path == path
+    assert "tabulated from 12 teeth on" in found.message and 'rating = "iso6336"' in found.message
+
+
+@pytest.mark.parametrize(
+    ("level", "stage", "gear"),
+    [
+        ('level = "preliminary"', SET, "p.sun"),
+        ('level = "preliminary"', SPUR, "p.pinion"),
+        ('level = "concept"\ngears.rating = "iso6336"', SET, "p.sun"),
+        ('level = "concept"\ngears.helix_angle_deg = 30', SPUR, "p.pinion"),
+    ],
+)
+def test_few_teeth_are_sized_where_nothing_reads_that_table(level, stage, gear):
+    """ISO 6336 knows them, and 10 teeth on a helix of 30° are like 14.7 of a spur gear; undercut is a check."""
+    sizing = size(parse(FEW.format(level=level, stage=stage)))
+    assert next(each.teeth for each in sizing.gears if each.name == gear) in (8, 10)

@@ -21,7 +21,7 @@ def test_a_tiny_power_gives_modules_that_nobody_cuts_and_says_so_with_the_path()
     (said,) = remarks(tiny)
     assert "Modules below 0.2 mm, which nobody cuts: stage 0.03917 mm" in said
     assert "pairs.stage.module_mm" in said
-    assert said in warnings(tiny, None)
+    assert said in warnings(tiny, {})
     assert remarks(size(parse(PAIR))) == ()
 
 

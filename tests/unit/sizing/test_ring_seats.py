@@ -39,7 +39,7 @@ def test_splines_of_a_ring_by_hand():
     seat = next(seat for seat in ring_seats(sizing) if seat.ring.name == "second.ring")
     outside = seat.ring.pitch_diameter + 2.0 * seat.ring.rim
     assert seat.teeth.module == 3e-3 and seat.teeth.shaft_root == near(outside)
-    mean, length = outside + 2.2 * 3e-3 - 1.1 * 3e-3, 9e-3
+    mean, length = outside + 2.3 * 3e-3 - 1.1 * 3e-3, 9e-3
     assert seat.spline[1] - seat.spline[0] == near(length)
     pressure = 2.0 * seat.torque / (mean * 0.9 * 3e-3 * length * seat.teeth.teeth * 0.75)
     assert seat.pressure == near(pressure, rel=1e-9) and seat.permissible == 50e6

@@ -1,10 +1,14 @@
 """Everything that can be wrong with a design file is told with its path, line, value, what is allowed and the fix."""
 
+import tomllib
+from itertools import combinations
+
 import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
 from gearwright.reading import LARGEST_TEXT
+from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission, parse_study, read
 from gearwright.units import RPM
@@ -18,6 +22,16 @@ def test_an_unknown_key_names_the_nearest_one():
 
 def test_an_unknown_key_that_resembles_none_lists_all():
     assert "allowed: " in problem(changed(HYBRID, "planets = 3", "xyz = 3")).message
+
+
+@pytest.mark.parametrize("place", ["", "position_mm = 1000", "position_mm = 1250"])
+def test_a_missing_place_is_one_problem_wherever_others_stand(place):
+    """What stands for it while the rest is looked through stands in nobody's way."""
+    front, rear = (f'[bearings.{name}]\nshaft = "fast"\nkind = "deep-groove"\n' for name in ("front", "rear"))
+    found = [each for each in problems(f"{PAIR}{front}{place}\n{rear}") if ".rear." in each.path]
+    assert [(each.path, each.message.partition(";")[0]) for each in found] == [
+        ("bearings.rear.position_mm", "is required")
+    ]
 
 
 def test_a_misnamed_table_is_one_problem_not_many():
@@ -143,6 +157,58 @@ def test_what_is_not_toml_is_told_with_its_reason(text):
     assert found.message.endswith("a line reads  key = value  or  [table]")
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("name = 1\n\n[a\n", 3),
+        ('name = 1\ntitle = "unclosed\n', 2),
+        ("name = 1\nschema = 1\nschema = = 2\n", 3),
+        ('name = """never\nclosed', 2),
+    ],
+)
+@pytest.mark.parametrize("reader", [parse, parse_mission, parse_study])
+def test_what_is_not_toml_is_told_with_its_line(reader, text, line):
+    with pytest.raises(DesignError) as caught:
+        reader(text)
+    assert [found.line for found in caught.value.problems] == [line]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x = 1\n" + "a." * 20_000 + "b = 1",
+        "x = 1\n[" + "a." * 20_000 + "b]",
+        'x = 1\ny = {"a".' + "'b' . " * 20_000 + "c = 1}",
+        "x = 1\n" + "".join("a." * 8 + f"b{k} = 1\n" for k in range(2_000)),
+    ],
+)
+@pytest.mark.parametrize("reader", [parse, parse_mission, parse_study])
+def test_a_key_of_more_names_than_any_has_is_refused_before_it_is_read(monkeypatch, reader, text):
+    """TOML's reader takes time with the square of the names of a key."""
+    monkeypatch.setattr(tomllib, "loads", lambda _: pytest.fail("it is read"))
+    with pytest.raises(DesignError, match="has more than 8 names") as caught:
+        reader(text)
+    assert [found.line for found in caught.value.problems] == [2]
+
+
+@pytest.mark.parametrize("entry", ["k{k} = 1\n", "[motors.m{k}]\n", "[[rows]]\na = 1\n", "[a.b{k}]\n", "a.b{k} = 1\n"])
+def test_more_entries_than_any_file_has_are_refused_by_their_number(entry):
+    found = problem("".join(entry.format(k=k) for k in range(6_000)))
+    assert "tables and entries; 5,000 are allowed" in found.message
+
+
+def test_points_in_texts_and_comments_are_no_names():
+    words = ".".join("abcdefghijklmnopqrstuvwxyz")
+    text = f'# {words}\nname = "{words}"\ndescription = """\n{words} \\" {words}\n"""\nx = \'{words}\'\n'
+    assert not [found for found in problems(text) if "names with points" in found.message]
+
+
+def test_what_many_tables_lack_is_named_for_each():
+    text = "".join(f"[motors.m{k}]\n" for k in range(1, 12))
+    lacking = {found.path for found in problems(text) if found.path.startswith("motors.")}
+    assert lacking >= {f"motors.m{k}.power_kw" for k in range(1, 12)}
+
+
 @pytest.mark.parametrize("reader", [parse_mission, parse_study])
 @pytest.mark.parametrize("text", ["[a", "a = " + "[" * 5000, "a = " + "9" * 5000])
 def test_missions_and_studies_are_told_alike(reader, text):
@@ -150,7 +216,7 @@ def test_missions_and_studies_are_told_alike(reader, text):
         reader(text)
 
 
-@pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 2000 + "b = 1", "overrides." + "a." * 2000 + "b = 1"])
+@pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 7 + "b = 1", "overrides." + "a." * 6 + "b = 1"])
 def test_odd_but_legal_toml_is_refused_by_name(text):
     """These need a name and shafts at the least."""
     assert {"name", "shafts"} <= {each.path for each in problems(text)}
@@ -214,7 +280,51 @@ def test_two_machines_have_two_names():
     text = PAIR + '[motors.turbine]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 6000\n'
     found = problem(text)
     assert (found.path, found.line) == ("motors.turbine", 18)
-    assert "turbines has a machine of this name already" in found.message
+    assert found.message.startswith("turbines.turbine is called 'turbine' already")
+
+
+STAGED = """
+schema = 1
+name = "names"
+level = "concept"
+shafts = ["in", "mid", "sun", "out"]
+turbines.{turbine} = {{ shaft = "in", power_kw = 300, speed_rpm = 6000 }}
+rotors.{rotor} = {{ shaft = "out", speed_rpm = 600, diameter_m = 10, blades = 4 }}
+accessories.{accessory} = {{ shaft = "mid", power_kw = 5 }}
+pairs.{pair} = {{ pinion = "in", wheel = "mid", pinion_teeth = 25, wheel_teeth = 50 }}
+clutches.{clutch} = {{ driving = "mid", driven = "sun" }}
+planetaries.{set} = {{ sun = "sun", ring = "ground", carrier = "out", planets = 3, sun_teeth = 24, planet_teeth = 36 }}
+"""
+PARTS = {
+    "turbine": "turbines", "rotor": "rotors", "accessory": "accessories", "pair": "pairs", "set": "planetaries",
+    "clutch": "clutches",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("one", "other"), list(combinations(PARTS, 2)))
+def test_parts_that_lie_along_shafts_by_their_names_have_names_of_their_own(one, other):
+    """Machines, stages and clutches of one name met in places along a shaft: both are told, and where the second is."""
+    names = {part: f"the-{part}" for part in PARTS}
+    text = STAGED.format(**names | {one: "same", other: "same"})
+    found = problem(text)
+    paths = {f"{PARTS[part]}.same" for part in (one, other)}
+    assert found.path in paths
+    first = (paths - {found.path}).pop()
+    assert found.message.startswith(f"{first} is called 'same' already")
+    assert found.line == 1 + next(k for k, line in enumerate(text.splitlines()) if line.startswith(found.path))
+
+
+def test_a_bearing_and_a_machine_have_names_of_their_own():
+    """A bearing called as the engine beside it took its joint, and weighed 0.5 % more."""
+    text = shipped_design("ec120b").read_text(encoding="utf-8")
+    found = problem(text.replace("[bearings.input-axial]", "[bearings.arrius-2f]"))
+    assert found.path == "bearings.arrius-2f"
+    assert found.message.startswith("turbines.arrius-2f is called 'arrius-2f' already")
+
+
+def test_a_stage_may_be_called_as_a_shaft_is():
+    names = {part: f"the-{part}" for part in PARTS}
+    assert parse(STAGED.format(**names | {"pair": "in", "clutch": "sun"})).pairs.keys() == {"in"}
 
 
 def test_two_machines_that_fight_over_one_speed_are_named():

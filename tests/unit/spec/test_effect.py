@@ -64,7 +64,8 @@ def test_a_machine_named_like_a_shaft_is_refused_with_both_places():
     found = problem(changed(PAIR, "[turbines.turbine]", "[turbines.fast]"))
     assert found.path == "turbines.fast"
     assert found.message == (
-        "shafts has a shaft of this name already; results and overrides need different names; give it another"
+        "shafts has a shaft of this name already; results, places along shafts and overrides need different names:"
+        " rename the machine"
     )
 
 

@@ -7,8 +7,7 @@ import resource
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -16,11 +15,10 @@ from gearwright.shipped import shipped_design
 from gearwright.spec import Study, parse_study, read
 from gearwright.study import Table, run
 from gearwright.study.running import resume, rows_of, status
+from sessions import members, until
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}
-PATIENCE = 60.0
-"""Time after which what is waited for will not come any more [s]."""
 TEXT = f"""
 schema = 1
 name = "faults"
@@ -78,20 +76,6 @@ def ended(process: subprocess.Popen[str]) -> Iterator[None]:
         until(lambda: not members(process.pid), "its workers end")
 
 
-def members(session: int) -> list[int]:
-    """Return the processes of a session that still run."""
-    found = []
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                fields = (entry / "stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-            except OSError:
-                continue
-            if int(fields[3]) == session and fields[0] != "Z":
-                found.append(int(entry.name))
-    return found
-
-
 def command_line(process: int) -> str:
     return Path(f"/proc/{process}/cmdline").read_text(encoding="utf-8")
 
@@ -101,14 +85,6 @@ def blocks(process: int, number: signal.Signals) -> bool:
     lines = Path(f"/proc/{process}/status").read_text(encoding="utf-8").splitlines()
     mask = next(int(line.split()[1], 16) for line in lines if line.startswith("SigBlk"))
     return bool(mask >> (number - 1) & 1)
-
-
-def until(holds: Callable[[], bool], what: str) -> None:
-    """Wait until something holds."""
-    last = time.monotonic() + PATIENCE
-    while not holds():
-        assert time.monotonic() < last, f"waited in vain for: {what}"
-        time.sleep(0.02)
 
 
 def done(journal: Path) -> int:

@@ -12,6 +12,7 @@ from gearwright.shipped import shipped_design, shipped_studies, shipped_study
 from gearwright.sizing import named_results, size
 from gearwright.spec import Study, axis_values, case_count, edited, read, read_study
 from gearwright.study import for_engine, run
+from gearwright.study.answers import kind_of
 from gearwright.study.cases import refuse_unknown_paths
 from gearwright.units import RPM
 
@@ -139,3 +140,27 @@ def test_errors_and_layout_may_be_varied_where_the_design_states_none(tmp_path: 
     refuse_unknown_paths(study, designs)
     mass = run(study, designs).column("shaft_mass")
     assert mass[0] == mass[2] > mass[1] == mass[3]
+
+
+@pytest.mark.parametrize(
+    ("reasons", "kind"),
+    [
+        (
+            ["cases.cruise.gas-turbine.power: needs 1469.2 kW, and gives 1468.9 kW",
+             "cases.cruise.gas-turbine.power: needs 900 kW, and gives 850 kW"],
+            "cases.cruise.gas-turbine.power: needs … kW, and gives … kW",
+        ),
+        (["layout.in-line-h2.length_mm: -3 mm", "layout.in-line-h2.length_mm: 1.2e-05 mm"],
+         "layout.in-line-h2.length_mm: … mm"),
+        (["bearing-2a: n = 20000. Take 3 (ISO 6336-3, ISO 281)", "bearing-2a: n = 9. Take 12 (ISO 6336-3, ISO 281)"],
+         "bearing-2a: n = …. Take … (ISO 6336-3, ISO 281)"),
+    ],
+)  # fmt: skip
+def test_reasons_that_differ_by_their_numbers_alone_are_one_and_names_stay_whole(reasons: list[str], kind: str) -> None:
+    assert {kind_of(reason) for reason in reasons} == {kind}
+
+
+def test_a_study_gives_the_same_rows_with_workers(tmp_path: Path) -> None:
+    study = study_of(tmp_path, HEAD + '[axes]\n"carriers.fill" = {values = [0.4, 0.5]}\n')
+    alone, helped = run(study), run(study, workers=1)
+    assert helped == alone and len(helped.rows) == 2

@@ -52,10 +52,7 @@ def test_less_fuel_for_acceleration_takes_longer():
 
 
 def test_a_slam_beyond_the_engine_is_refused_with_path_and_fix():
-    with pytest.raises(
-        DesignError,
-        match=r"engine\.spool: from .* to .* kW the gas generator of gas-turbine has no state: it would turn",
-    ):
+    with pytest.raises(DesignError, match=r"windows: power-slam: gas-turbine: needs .* and gives .*; ask for less"):
         slammed(RULES.model_copy(update={"power": 1e7}))
     with pytest.raises(DesignError, match=r"engine\.spool: .*give other efficiencies"):
         slammed(pressure_ratio=40.0, compressor=0.55, turbine=0.55)

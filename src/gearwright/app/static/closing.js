@@ -9,8 +9,8 @@ let of = ""; // the text that is closed
 new Task(at("close-line"), "Make it pass", told => {
   if (!state.answer) return null;
   at("unmet").replaceChildren();
-  of = state.text;
-  return {...begin("close", of, {variants: at("variants").checked, anew: at("anew").checked}, told), taken: async answer => show(await answer.json())};
+  const mine = of = state.text, {name} = state;
+  return {...begin("close", of, {variants: at("variants").checked, anew: at("anew").checked}, told), taken: async answer => { if (mine === of && name === state.name) show(await answer.json()); }};
 });
 at("close-line").firstChild.title = "gearwright close: choose every free size so that all checks are met";
 
@@ -30,7 +30,7 @@ function show(found) {
     button.addEventListener("click", () => { offered(text, words); at("unmet").replaceChildren(); });
     return button;
   });
-  const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
+  const unmet = found.unmet.map(one => made("li", {}, pick(one.check.part), ` ${one.check.mode}: margin ${ratio(one.check.reserve ?? one.check.ratio)}. What helps: ${one.helps}${one.kept ? `. Given and kept: ${one.kept}` : ""}`));
   const tried = found.tried.map(one => made("li", {className: "hint", textContent: `${one.what} does not meet ${one.why}`}));
   at("unmet").replaceChildren(made("p", {textContent: found.variant ? `A variant meets everything: ${found.variant.what}.` : found.headline}), ...buttons, made("ul", {}, ...unmet, ...tried));
   at("unmet").scrollTop = 0;
@@ -51,3 +51,4 @@ function pick(part) {
 }
 
 on("text", old);
+on("name", () => { of = ""; at("unmet").replaceChildren(); }); // what was found for one file is not opened under the name of another

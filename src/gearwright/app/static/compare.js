@@ -1,5 +1,5 @@
 /* The text and its numbers beside the pinned ones. */
-import {at, change, made, named, number, percent} from "/static/made.js";
+import {at, change, made, named, percent, told} from "/static/made.js";
 import {Dropped, Problems, ask, sent} from "/static/api.js";
 import {on, set, state} from "/static/state.js";
 import {twins} from "/static/twins.js";
@@ -43,7 +43,7 @@ function show() {
     const share = change(now.get(key), then.get(key));
     if (share === 0 && !["mass_kg", "worst_margin"].includes(key)) continue;
     const [words, unit] = named(key);
-    body.append(made("tr", {}, made("th", {scope: "row", textContent: words}), ...[then.get(key), now.get(key)].map(value => made("td", {textContent: value === undefined ? "–" : `${number(value)} ${unit}`})), made("td", {textContent: percent(share)})));
+    body.append(made("tr", {}, made("th", {scope: "row", textContent: words}), ...[then.get(key), now.get(key)].map(value => made("td", {textContent: value === undefined ? "–" : `${told(key, value)} ${unit}`})), made("td", {textContent: percent(share)})));
   }
   at("beside").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["", "pinned", "now", "change"].map(text => made("th", {scope: "col", textContent: text})))), body));
 }

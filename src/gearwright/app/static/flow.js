@@ -9,7 +9,7 @@ let timer = 0;
 function tabs() {
   if (!state.answer) return;
   const names = Object.keys(state.answer.result.cases);
-  if (!names.includes(state.case)) set({case: names[0]});
+  if (!names.includes(state.case)) set({case: state.answer.case});
   at("cases").replaceChildren(...names.map(name => {
     const tab = made("button", {type: "button", role: "tab", textContent: name, tabIndex: name === state.case ? 0 : -1});
     tab.setAttribute("aria-selected", String(name === state.case));

@@ -1,40 +1,38 @@
 /* The form: the same text, table by table. A change here is a change of the text, at the line of its key. */
-import {Dropped, Problems, ask} from "/static/api.js";
-import {replace, goTo} from "/static/editor.js";
+import {change, idOf} from "/static/edits.js";
+import {goTo} from "/static/editor.js";
 import {at, made, number} from "/static/made.js";
-import {on, set, state} from "/static/state.js";
+import {on, state} from "/static/state.js";
 
-let shape = "", busy = false;
-const waiting = new Map(), inputs = new Map();
+let shape = "";
+const inputs = new Map();
 
-const idOf = (path, key) => [...path, key].join("/");
-
-/* Changes wait while one is on its way; of each entry the last value is taken. */
-async function change(path, key, options) {
-  waiting.set(idOf(path, key), {path: [...path, key], ...options});
-  if (busy) return;
-  busy = true;
-  try {
-    while (waiting.size) {
-      const [id, asked] = waiting.entries().next().value;
-      waiting.delete(id);
-      const {text} = await (await ask("edit", state.text, asked)).json();
-      state.entered = true;
-      replace(text);
-      state.entered = false;
-    }
-  } catch (reason) {
-    if (reason instanceof Problems) at("help").textContent = reason.message;
-    else if (!(reason instanceof Dropped)) at("status").textContent = reason.message;
-  } finally {
-    busy = false;
-  }
-}
+const isNumeric = field => field.kind === "number" || field.kind === "integer";
 
 function valueOf(field, text) {
   if (text.trim() === "") return null;
-  if (field.kind === "number" || field.kind === "integer") return Number(text.replace(",", "."));
-  return text;
+  return isNumeric(field) ? Number(text.replace(",", ".")) : text;
+}
+
+/* A number that is being typed: what is none, or not yet, is marked and stays out of the text. */
+function typed(group, id) {
+  const {input, field} = inputs.get(id), value = valueOf(field, input.value), wrong = value !== null && !Number.isFinite(value);
+  const empty = value === null && field.value !== null;
+  input.classList.toggle("empty", empty);
+  input.setAttribute("aria-invalid", String(wrong));
+  if (wrong) at("help").textContent = `${[...group.path, field.key].join(".")}: ${input.value} is no number that can be computed with; the text keeps ${field.value ?? "it left out"}`;
+  else if (empty) at("help").textContent = `${[...group.path, field.key].join(".")}: empty; it is left out of the text when you leave it`;
+  else if (value !== null) change(group.path, field.key, {value});
+}
+
+/* Whoever leaves an empty number leaves it out; one that is wrong becomes again what the text says. */
+function left(group, id) {
+  if (!inputs.has(id)) return; // it is made anew
+  const {input, field} = inputs.get(id), value = valueOf(field, input.value);
+  if (value === null && field.value !== null) change(group.path, field.key, {value}, {});
+  else if (value !== null && !Number.isFinite(value)) input.value = field.value ?? "";
+  input.classList.remove("empty");
+  input.setAttribute("aria-invalid", "false");
 }
 
 function tell(group, field) {
@@ -47,13 +45,11 @@ function tell(group, field) {
 }
 
 function entry(group, field) {
-  const id = idOf(group.path, field.key), numeric = field.kind === "number" || field.kind === "integer";
+  const id = idOf(group.path, field.key), numeric = isNumeric(field);
   const label = made("label", {textContent: field.name, title: field.help});
   const asked = text => {
     const value = valueOf(field, text);
-    if (numeric && value !== null && !Number.isFinite(value)) return;
-    if (value === null && field.value === null) return;
-    change(group.path, field.key, {value});
+    if (value !== null || field.value !== null) change(group.path, field.key, {value});
   };
   let input;
   if (field.choices.length) {
@@ -68,8 +64,11 @@ function entry(group, field) {
   } else {
     input = made("input", {type: "text", inputMode: numeric ? "decimal" : "text", autocomplete: "off", spellcheck: false});
     if (field.default !== null) input.placeholder = String(field.default);
-    input.addEventListener(numeric ? "input" : "change", () => asked(input.value));
-    if (numeric) input.addEventListener("keydown", event => nudge(event, input, field, asked));
+    if (numeric) {
+      input.addEventListener("input", () => typed(group, id));
+      input.addEventListener("blur", () => left(group, id));
+      input.addEventListener("keydown", event => (event.key === "Enter" ? left(group, id) : nudge(event, group, id)));
+    } else input.addEventListener("change", () => asked(input.value));
   }
   input.id = `entry:${id}`;
   label.htmlFor = input.id;
@@ -82,7 +81,7 @@ function entry(group, field) {
     slider.addEventListener("input", () => {
       const value = field.kind === "integer" ? Math.round(slider.value) : Number(Number(slider.value).toPrecision(4));
       input.value = value;
-      asked(String(value));
+      typed(group, id);
     });
     slider.addEventListener("change", () => range(slider, inputs.get(id).field));
     slider.addEventListener("focus", () => tell(group, field));
@@ -93,13 +92,13 @@ function entry(group, field) {
 }
 
 /* Up and down change a number by a hundredth, with Shift by a tenth, as wheels of instruments do. */
-function nudge(event, input, field, asked) {
-  const way = {ArrowUp: 1, ArrowDown: -1}[event.key], value = Number(input.value);
-  if (!way || !Number.isFinite(value) || input.value === "") return;
+function nudge(event, group, id) {
+  const {input, field} = inputs.get(id), way = {ArrowUp: 1, ArrowDown: -1}[event.key], value = valueOf(field, input.value);
+  if (!way || value === null || !Number.isFinite(value)) return;
   event.preventDefault();
   const step = field.kind === "integer" ? 1 : Math.abs(value) * (event.shiftKey ? 0.1 : 0.01) || 0.01;
   input.value = Number((value + way * step).toPrecision(6));
-  asked(input.value);
+  typed(group, id);
 }
 
 function unit(group, field) {

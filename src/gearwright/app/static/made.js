@@ -18,12 +18,21 @@ export function number(value, digits = 4) {
   return value.toExponential(digits - 1);
 }
 
-/* A factor of which 1 is just enough: two digits behind the point, and never rounded up to 1. */
-export function ratio(value) {
+const NOISE = 1e-9; // of a margin, below which a difference is rounding [1]
+
+/* A margin as reports and the command line have it: to the nearest, and what is below 1 never reads as 1. */
+export function ratio(value, digits = 3) {
   if (value === null || value === undefined) return "–";
-  const shown = value < 1 - 1e-9 ? Math.floor(value * 100) / 100 : value;
-  return shown.toFixed(2);
+  if (value < 0) return `−${ratio(-value, digits)}`;
+  if (value < NOISE) return "0";
+  const exact = Number(value.toPrecision(12)); // a half is decided by these
+  while (value < 1 - NOISE && Number(exact.toPrecision(digits)) >= 1) digits++;
+  if (exact < 1e-3) return exact.toExponential(digits - 1).replace(/e-(\d)$/, "e-0$1");
+  return exact >= 10 ** (digits - 1) ? exact.toFixed(0) : exact.toPrecision(digits);
 }
+
+/* A result by its name: margins as margins. */
+export const told = (name, value) => (typeof value === "number" && /margin/.test(name) ? ratio(value, 4) : number(value));
 
 const UNITS = {
   kg: "kg", mm: "mm", m: "m", l: "l", kw: "kW", w: "W", nm: "N m", knm: "kN m", n: "N", kn: "kN", mpa: "MPa", rpm: "rpm", deg: "°", um: "µm", h: "h", hz: "Hz",

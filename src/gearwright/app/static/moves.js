@@ -6,7 +6,7 @@ import {made, number, percent, ratio} from "/static/made.js";
 import {state} from "/static/state.js";
 
 const MOST = 8; // of each way
-const ENOUGH = 5e-3; // a margin that rounds to 1 [1]
+const NOISE = 1e-6; // of a share, below which it is rounding [1]
 const MORE = /margin|density|life|safety/; // of such a number more is better: what raises it stands first
 let text = "", found = null, asked = null;
 
@@ -42,7 +42,7 @@ function told_of([way, list]) {
 }
 
 /* What does not pass alone: other sizes have to follow it. */
-const failing = one => (one.margin < 1 - ENOUGH ? [made("small", {className: "hint", textContent: `margin ${ratio(one.margin)}`})] : []);
+const failing = one => (one.margin < 1 - NOISE ? [made("small", {className: "hint", textContent: `margin of sizing ${ratio(one.margin)}`})] : []);
 
 /* Leads to its entry in the form. */
 function handle(one) {

@@ -4,10 +4,11 @@ import {at, change, made, named, number, percent, ratio} from "/static/made.js";
 import {on, set, state} from "/static/state.js";
 
 const KEYS = [
-  ["mass_kg", "Gears, shafts, carriers", false], ["complete_total_kg", "Complete gearbox", false], ["worst_margin", "Worst margin", true],
+  ["mass_kg", "Train as sized", false], ["complete_total_kg", "Complete gearbox", false], ["worst_margin", "Worst margin of sizing", true],
   ["power_density_kw_kg", "Power density", true], ["envelope.length_mm", "Length", false], ["envelope.width_mm", "Width", false],
 ];
 const read = (result, key) => key.split(".").reduce((part, name) => part?.[name], result);
+const reviewed = () => (state.answer && state.review?.text === state.answer.text ? state.review : null);
 
 function keys() {
   const {answer, pinned} = state;
@@ -18,33 +19,40 @@ function keys() {
     const delta = made("span", {className: `change ${better}`, textContent: percent(share), title: better ? `${better} than the pinned one` : "against the pinned one"});
     delta.dataset.key = key;
     const unit = named(key.split(".").at(-1))[1];
-    const why = made("button", {type: "button", className: "why-button", title: "Why?", ariaLabel: `${title}: why?`}, made("b", {textContent: key === "worst_margin" ? ratio(value) : number(value)}));
+    const why = made("button", {type: "button", className: "why-button", title: "Why?", ariaLabel: `${title}: why?`}, made("b", {className: key === "worst_margin" ? outcome(answer.result.margins) : "", textContent: key === "worst_margin" ? ratio(value) : number(value)}));
     why.addEventListener("click", () => set({asked: state.asked === key ? "" : key}));
     const shown = made("dd", {}, why, made("span", {className: "unit", textContent: ` ${unit} `}), delta);
     shown.dataset.key = key;
     return made("div", {}, made("dt", {textContent: title}), shown);
-  }));
+  }), ...worst());
 }
 
+/* What a full review says of all checks stands beside what sizing says of its own. */
+function worst() {
+  const row = reviewed()?.checks.find(one => one.status !== "not assessed" && one.status !== "waived");
+  if (!row) return [];
+  const shown = made("dd", {}, made("b", {className: outcome(reviewed().checks), textContent: said(row)}));
+  shown.dataset.key = "review";
+  return [made("div", {title: `${row.part}: ${row.check}`}, made("dt", {textContent: "Worst of the full review"}), shown)];
+}
+
+const outcome = checks => (checks.some(row => row.status === "fails") ? "bad" : "good");
+
 function verdict() {
-  const box = at("verdict"), {answer, stale, problems} = state, reviewed = answer && state.review?.text === answer.text ? state.review : null;
+  const box = at("verdict"), {answer, stale, problems} = state, full = reviewed();
   if (stale) box.textContent = `${problems.length === 1 ? "One problem" : `${problems.length} problems`} in the text. What stands below is of the last valid text.`;
-  else box.textContent = reviewed ? `Full review: ${reviewed.headline}` : answer ? answer.headline.replace("gearwright review", "Full review") : "";
-  const holds = reviewed ? !reviewed.checks.some(row => row.status === "fails") : answer?.holds;
-  box.className = `verdict ${stale ? "stale" : !answer ? "" : holds ? "holds" : "fails"}`;
+  else box.textContent = full ? `Full review: ${full.headline}` : answer ? answer.headline.replace("gearwright review", "Full review") : "";
+  const fails = full ? outcome(full.checks) === "bad" : answer && !answer.holds; // what nobody has reviewed is not said to hold
+  box.className = `verdict ${stale ? "stale" : fails ? "fails" : full ? "holds" : ""}`;
   document.body.classList.toggle("stale", stale);
 }
 
 /* The checks of the full review of this text, where there is one; else those of sizing. */
-function shownChecks() {
-  return state.review?.text === state.answer.text ? state.review.checks : state.answer.result.margins;
-}
+const shownChecks = () => (reviewed() || {checks: state.answer.result.margins}).checks;
 
 const MARK = 3; // margins from here on fill the bar
 
-/* A check without a margin, as of a frequency that has to stay away, says what was found beside what is wanted. */
-const said = row => (row.margin !== null ? ratio(row.margin) : row.value === null ? row.status : `${number(row.value, 3)} / ${number(row.limit, 3)} ${row.unit}`);
-const share = row => row.margin ?? row.ratio ?? 0;
+const said = row => (row.margin === null ? row.status : ratio(row.margin));
 
 function unassessed(rows) {
   const box = at("unassessed"), list = rows.filter(row => row.status === "not assessed");
@@ -55,10 +63,11 @@ function unassessed(rows) {
 
 function margins() {
   if (!state.answer) return;
+  at("margins-title").textContent = `${reviewed() ? "Checks of the full review" : "Margins of sizing"}, worst first`;
   const all = shownChecks(), rows = all.filter(row => row.status !== "not assessed");
   unassessed(all);
   at("margins").replaceChildren(...rows.map(row => {
-    const filled = Math.max(0, Math.min(1, share(row) / MARK)), fails = row.status === "fails";
+    const filled = Math.max(0, Math.min(1, (row.margin ?? 0) / MARK)), fails = row.status === "fails";
     const bar = made("span", {className: "bar", ariaHidden: "true"}, made("span", {className: fails ? "fails" : "room"}));
     bar.firstChild.style.width = `${100 * filled}%`;
     const button = made("button", {type: "button", title: `${row.source}${row.case ? `, case ${row.case}` : ""}: ${number(row.value)} ${row.unit}, limit ${number(row.limit)} ${row.unit}`},
@@ -89,7 +98,7 @@ async function review() {
     at("reviewed").textContent = counted(answer.result.checks);
     at("reviewed").dataset.text = text;
     at("reviewed").title = "gearwright review";
-    set({review: {text, headline: answer.headline, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve}))}});
+    set({review: {text, headline: answer.headline, checks: answer.result.checks.map(row => ({...row, check: row.mode, margin: row.reserve ?? row.ratio}))}});
   } catch (reason) {
     if (mine === job) at("reviewed").textContent = reason.message || "stopped";
   } finally {
@@ -97,7 +106,7 @@ async function review() {
   }
 }
 
-on("answer pinned", keys);
+on("answer pinned review", keys);
 on("answer stale problems review", verdict);
 on("answer review", margins);
 on("selected", chosen);

@@ -24,3 +24,15 @@ export async function solids(text, options = {}) {
 }
 
 export const ground = () => (matchMedia("(prefers-color-scheme: dark)").matches ? 0x171b21 : 0xf4f6f8);
+
+/* What is upright of another gearbox is upright on the picture; true where it was another way before. */
+export function stand(view, up) {
+  const now = new THREE.Vector3().fromArray(up);
+  if (now.distanceTo(view.up) < 1e-9) return false;
+  view.up.copy(now);
+  view.camera.up.copy(now);
+  view.orbit.dispose(); // it keeps what was upright as it was made
+  view.orbit = new THREE.OrbitControls(view.camera, view.canvas);
+  view.orbit.addEventListener("change", () => view.draw());
+  return true;
+}

@@ -3,7 +3,7 @@
 import {Dropped, Problems, ask} from "/static/api.js";
 import {at} from "/static/made.js";
 import {drawing} from "/static/svg.js";
-import {ground, solids} from "/static/solids.js";
+import {ground, solids, stand} from "/static/solids.js";
 
 const sides = {pinned: {}, now: {}};
 let leading = null;
@@ -33,6 +33,7 @@ async function shown(side, text, name) {
     for (const shape of one.view.gearbox.shapes) shape.geometry.dispose();
     one.view.scene.add(gearbox.root);
     one.view.gearbox = gearbox;
+    if (stand(one.view, model.facts.up)) one.view.orbit.addEventListener("change", () => follow(side));
   }
   one.view.scene.background = new THREE.Color(ground());
   one.text = text;

@@ -4,10 +4,10 @@ import {Dropped, Problems} from "/static/api.js";
 import {at, made} from "/static/made.js";
 import {legend, painted} from "/static/colours.js";
 import {shake} from "/static/shaking.js";
-import {ground, solids} from "/static/solids.js";
+import {ground, solids, stand} from "/static/solids.js";
 import {on, set, state} from "/static/state.js";
 
-let view = null, motion = null, panel = null, facts = null, shown = "", by = "part";
+let view = null, motion = null, panel = null, facts = null, shown = "", of = "", by = "part";
 
 async function load() {
   if (state.view !== "gearbox-view" || !state.answer || shown === state.answer.text) return;
@@ -26,7 +26,10 @@ async function load() {
   }
 }
 
-/* Put another gearbox in the place of the one that is seen; camera, section and time stay. */
+const FITS = 1.5; // so much larger or smaller, a gearbox is seen from where the other one was
+const length = gearbox => gearbox.box.getSize(new THREE.Vector3()).length();
+
+/* Put another gearbox in the place of the one that is seen; section and time stay, and of the same design the camera. */
 function take(gearbox) {
   for (const body of gearbox.bodies) body.label = facts.labels[body.name] || body.part;
   if (view === null) {
@@ -37,7 +40,10 @@ function take(gearbox) {
     for (const shape of view.gearbox.shapes) shape.geometry.dispose();
     view.scene.add(gearbox.root);
     view.gearbox = motion.gearbox = gearbox;
+    const other = of !== state.name || Math.abs(Math.log(length(gearbox) / view.size_)) > Math.log(FITS);
+    if (stand(view, facts.up) || other) view.home();
   }
+  of = state.name;
   shake(gearbox, motion);
   paper();
   at("parts").replaceChildren();

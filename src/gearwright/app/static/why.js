@@ -66,7 +66,7 @@ async function part(box) {
 async function whole(box) {
   const key = state.asked, definitions = await meanings(), {result} = state.answer;
   if (key !== state.asked) return;
-  const [words, unit] = named(key.split(".").at(-1)), value = key.split(".").reduce((from, name) => from?.[name], result);
+  const [plain, unit] = named(key.split(".").at(-1)), words = key === "worst_margin" ? "worst margin of sizing" : plain, value = key.split(".").reduce((from, name) => from?.[name], result);
   const one = key.startsWith("envelope.") ? definitions.Envelope?.properties?.[key.slice(9)] : definitions.SizeAnswer?.properties?.[key];
   const back = made("button", {type: "button", textContent: "Close"});
   back.addEventListener("click", () => set({asked: ""}));

@@ -10,8 +10,41 @@ from typing import Any
 import numpy as np
 
 from gearwright.catalogue.tables import data_text
-from gearwright.errors import SolveError
+from gearwright.errors import Problem, SolveError
 from gearwright.machines import Blades, Charts, performance
+from gearwright.machines.propellers import BladeShape
+
+_CHARTED: tuple[tuple[str, float, float], ...] = (
+    ("number", 2, 8), ("activity_factor", 80.0, 200.0), ("design_lift", 0.3, 0.8)
+)  # fmt: skip
+"""What the charts know of blades."""
+
+
+def charted_problems(blades: Blades | BladeShape) -> list[Problem]:
+    """Return why the charts say nothing of a propeller.
+
+    Args:
+        blades: The propeller.
+    """
+    if not isinstance(blades, Blades):
+        return [Problem("by", "charts know no stations of a blade; give activity factor and design lift")]
+    return spanned(blades, _CHARTED)
+
+
+def spanned(blades: Blades | BladeShape, spans: Iterable[tuple[str, float, float]]) -> list[Problem]:
+    """Return what of generic blades lies outside its span.
+
+    Args:
+        blades: The propeller.
+        spans: Name, least and most.
+    """
+    given = spans if isinstance(blades, Blades) else ()
+    values = [(name, getattr(blades, name), low, high) for name, low, high in given]
+    return [
+        Problem(f"blades.{name}", f"{value:g}: give {low:g} to {high:g}, or a blade file")
+        for name, value, low, high in values
+        if not low <= value <= high
+    ]
 
 
 @cache

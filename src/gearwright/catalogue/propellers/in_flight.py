@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 
 from gearwright.air import air_at
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.machines import Blades
+from gearwright.catalogue.propellers.charts import charted_point, charted_problems, hamilton_standard_charts
+from gearwright.errors import DesignError, Problem, SolveError, refuse
+from gearwright.machines import Blades, performance
 from gearwright.machines.propellers import BladeShape, generic_blade, inclined, loads
 from gearwright.showing import Shown
 from gearwright.units import Angle, Force, Origin, Power, Quantity, Ratio, Torque
@@ -20,7 +21,7 @@ SEARCHED = np.radians(np.linspace(-10.0, 88.0, 197))
 """Blade angles among which one is looked for that takes a power [rad]."""
 HALVINGS = 32
 """Of the bracket in which the blade angle is looked for."""
-_ELEMENTS = "blade elements and momentum"
+_ELEMENTS = "blade elements and momentum, or the charts of NASA CR-114399"
 _AROUND = "mean over the turn of blade elements, V sin α along the disc"
 
 
@@ -64,8 +65,9 @@ class PropellerLoads(Shown):
 
 @verb
 def propeller_loads(
-    blades: Blades | BladeShape, point: FlightPoint, *, power: float | None = None, blade_angle: float | None = None
-) -> PropellerLoads:
+    blades: Blades | BladeShape, point: FlightPoint, *, power: float | None = None, blade_angle: float | None = None,
+    by: Literal["elements", "charts"] = "elements",
+) -> PropellerLoads:  # fmt: skip
     """Return thrust, torque and the loads of incidence on its shaft, of a propeller at a point of flight.
 
     Args:
@@ -73,8 +75,10 @@ def propeller_loads(
         point: Where it turns.
         power: Of its shaft; the blade angle that takes it is looked for [W].
         blade_angle: At three quarters of the radius, in its place [rad].
+        by: Blade elements, or the Hamilton Standard charts, which know no incidence.
 
-    Source: `machines.propellers.loads` and `inclined`, with compressibility.
+    Source: `machines.propellers.loads` and `inclined`, or Worobel and Mayo, NASA CR-114399 (1971); with the air's
+        compressibility.
 
     Valid for: steady flight to 30° of incidence; without wing and nacelle, whose upwash adds to the incidence.
 
@@ -84,12 +88,16 @@ def propeller_loads(
     problems = _problems(point)
     if (power is None) == (blade_angle is None):
         problems.append(Problem("power", "give either power or blade_angle"))
+    if by == "charts":
+        problems += charted_problems(blades)
+    if by == "charts" and point.incidence:
+        problems.append(Problem("incidence", 'the charts know none; leave it out, or take by = "elements"'))
     refuse(problems, "propeller")
+    if by == "charts":
+        assert isinstance(blades, Blades)  # refused otherwise
+        return _charted(blades, point, power, blade_angle)
     shape = generic_blade(blades) if isinstance(blades, Blades) else blades
-    air, turns = air_at(point.altitude), point.speed / (2.0 * math.pi)
-    ratio, tip_mach = point.airspeed / (turns * point.diameter), 0.5 * point.speed * point.diameter / air.sound_speed
-    unit = air.density * turns**2 * point.diameter**4
-    scale = unit * turns * point.diameter
+    ratio, tip_mach, unit, scale = _scales(point)
     try:
         if blade_angle is None:
             assert power is not None  # refused otherwise
@@ -111,6 +119,46 @@ def propeller_loads(
         hub_moment=abs(found.yaw) * unit * point.diameter,
         blade_bending=found.once_a_turn * unit * point.diameter,
     )
+
+
+def _scales(point: FlightPoint) -> tuple[float, float, float, float]:
+    """Return J, tip Mach number [-], ρ n² D⁴ [N] and ρ n³ D⁵ [W]."""
+    air, turns = air_at(point.altitude), point.speed / (2.0 * math.pi)
+    ratio, tip_mach = point.airspeed / (turns * point.diameter), 0.5 * point.speed * point.diameter / air.sound_speed
+    unit = air.density * turns**2 * point.diameter**4
+    return ratio, tip_mach, unit, unit * turns * point.diameter
+
+
+def _charted(blades: Blades, point: FlightPoint, power: float | None, blade_angle: float | None) -> PropellerLoads:
+    """Return what the charts say of a propeller whose axis lies in the stream."""
+    ratio, tip_mach, unit, scale = _scales(point)
+    if power is None:
+        assert blade_angle is not None  # refused otherwise
+        at_angle = charted_point(blades, ratio, blade_angle)
+        coefficient = 0.0 if at_angle is None else at_angle[0]
+    else:
+        coefficient = power / scale
+    mach = point.airspeed / air_at(point.altitude).sound_speed
+    try:
+        found = performance(
+            hamilton_standard_charts(), blades, ratio, power_coefficient=coefficient, mach=mach, tip_mach=tip_mach
+        )
+        left = found.held if coefficient > 0.0 else ("power coefficient",)
+    except SolveError:
+        left = ("thrust coefficient",)
+    if left:
+        message = (
+            f"the charts do not hold this point, as its {' and '.join(left)} lies outside; fly another one, or take"
+            ' by = "elements"'
+        )
+        raise DesignError([Problem("by", message)], "propeller")
+    taken = coefficient * scale
+    return PropellerLoads(
+        advance_ratio=ratio, tip_mach=tip_mach, blade_angle=found.blade_angle, power=taken,
+        torque=taken / point.speed, thrust=found.thrust_coefficient * unit,
+        efficiency=ratio * found.thrust_coefficient / coefficient, in_plane_force=0.0, hub_moment=0.0,
+        blade_bending=0.0,
+    )  # fmt: skip
 
 
 def _problems(point: FlightPoint) -> list[Problem]:

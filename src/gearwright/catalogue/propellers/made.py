@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from gearwright.catalogue.propellers.charts import charted_point
+from gearwright.catalogue.propellers.charts import charted_point, charted_problems, spanned
 from gearwright.catalogue.propellers.maps import COLUMNS, MOST_POINTS, map_of
 from gearwright.catalogue.propellers.shipped import MAPS, propeller_map
 from gearwright.errors import DesignError, Problem, refuse
@@ -30,10 +30,6 @@ RATIOS = tuple(round(0.1 * k, 1) for k in range(41))
 """Advance ratios of a map where none are asked for [-]."""
 ANGLES = tuple(math.radians(angle) for angle in range(-30, 91, 2))
 """Blade angles of it [rad]."""
-_CHARTED: tuple[tuple[str, float, float], ...] = (
-    ("number", 2, 8), ("activity_factor", 80.0, 200.0), ("design_lift", 0.3, 0.8)
-)  # fmt: skip
-"""What the charts know of blades."""
 _GENERIC: tuple[tuple[str, float, float], ...] = (
     ("number", 2, 12), ("activity_factor", 50.0, 250.0), ("design_lift", 0.0, 0.9)
 )  # fmt: skip
@@ -140,14 +136,7 @@ def _charted(blades: Blades, ratios: list[float], angles: list[float]) -> Propel
 
 
 def _problems(blades: Blades | BladeShape, axes: tuple[Sequence[float], ...], by: str) -> list[Problem]:
-    problems = []
-    if isinstance(blades, Blades):
-        for name, low, high in _CHARTED if by == "charts" else _GENERIC:
-            value = getattr(blades, name)
-            if not low <= value <= high:
-                problems.append(Problem(f"blades.{name}", f"{value:g}: give {low:g} to {high:g}, or a blade file"))
-    elif by == "charts":
-        problems.append(Problem("by", "charts know no stations of a blade; give activity factor and design lift"))
+    problems = charted_problems(blades) if by == "charts" else spanned(blades, _GENERIC)
     limits = (("advance_ratios", 0.0, 20.0), ("blade_angles", -math.pi / 2, math.pi / 2), ("tip_machs", 0.0, 1.0))
     for (name, low, high), axis in zip(limits, axes, strict=True):
         values = np.array(axis, dtype=float)

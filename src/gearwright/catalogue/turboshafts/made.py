@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.catalogue.turboshafts.decks import deck_of
@@ -33,6 +33,10 @@ MACHS = (0.0, 0.3, 0.6)
 """The same [-]."""
 PARTS = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0)
 """Of the highest power at each [-]."""
+HOT_DAYS = (10.0, 20.0, 30.0, 40.0)
+"""Over the standard day at sea level, on which the exponent of hot air is fitted [K]."""
+TEMPERATURE_EXPONENT = -2.5
+"""Where a deck has no air that is colder than the standard sea level's; as of a mission that states none [-]."""
 _CYCLE = "gas generator by its components; docs/theory/power.md"
 _RANGES = {
     "power": (1e3, 1e8), "fuel_per_energy": (1e-8, 1e-6), "air_flow": (1e-3, 1e3), "pressure_ratio": (3.0, 40.0),
@@ -79,12 +83,15 @@ class DeckRow:
 
 @dataclass(frozen=True)
 class MissionKeys:
-    """What a mission's [engine] says of such an engine without a deck, and by how much it then errs."""
+    """What a mission's [engine] says of such an engine, and by how much it errs without a deck."""
 
     idle_fuel: Annotated[Ratio, Origin("least squares of the Willans line over the deck", _CYCLE)]
-    temperature_exponent: Annotated[float, Quantity("ratio"), Origin("least squares of n in δ_t θ_t^n", _CYCLE)]
+    temperature_exponent: Annotated[
+        float, Quantity("ratio"), Origin("least squares of n in δ_t θ_t^n, θ_t up to 1", _CYCLE)
+    ]
+    hot_exponent: Annotated[float, Quantity("ratio"), Origin("the same on hot days at sea level", _CYCLE)]
     worst_fuel: Annotated[Ratio, Origin("largest |Willans line/deck - 1|", "definition")]
-    worst_power: Annotated[Ratio, Origin("largest |P_0 δ_t θ_t^n/P_max - 1|", "definition")]
+    worst_power: Annotated[Ratio, Origin("largest |P_0 δ_t θ_t^n/P_max - 1|, hot days too", "definition")]
 
 
 @dataclass(frozen=True, repr=False)
@@ -129,7 +136,8 @@ def turboshaft(
     rows = tuple(
         row for altitude in altitudes for mach in machs for row in _rows(engine, altitude, mach, rest.between, parts)
     )
-    return MadeEngine(design, engine.power_efficiency, rest.between, _keys(design, rows), rows)
+    hot = [_hot(engine, offset, rest.between) for offset in HOT_DAYS]
+    return MadeEngine(design, engine.power_efficiency, rest.between, _keys(design, rows, hot), rows)
 
 
 def turboshaft_engine(design: DesignPoint) -> Turboshaft:
@@ -223,30 +231,56 @@ def _row(at: tuple[float, float, float], speed: float, state: EngineState) -> De
     )  # fmt: skip
 
 
-def _keys(design: DesignPoint, rows: Sequence[DeckRow]) -> MissionKeys:
-    """Fit the line and the exponent of a mission, both relative, so that every altitude counts alike.
+class _Top(NamedTuple):
+    """The highest power of an engine in some air."""
+
+    theta: float
+    """Stagnation temperature over that of the standard sea level θ_t [-]."""
+    power: float
+    """Over δ_t [W]."""
+
+
+def _top(row: DeckRow) -> _Top:
+    theta, delta = stagnation_ratios(air_at(row.altitude), row.mach)
+    return _Top(theta, row.power / delta)
+
+
+def _hot(engine: Turboshaft, offset: float, hottest: float) -> _Top:
+    """Return the highest power at sea level on a hot day."""
+    inlet = inlet_at(0.0, 0.0, offset)
+    return _Top(inlet.temperature / STANDARD_TEMPERATURE, highest_state(engine, inlet, hottest)[1].power)
+
+
+def _keys(design: DesignPoint, rows: Sequence[DeckRow], days: Sequence[_Top]) -> MissionKeys:
+    """Fit the line and the exponents of a mission, all relative, so that every altitude counts alike.
 
     Source: normal equations of one unknown each: m_f/m_0 = i δ_t √θ_t + (1 - i) P/P_0; ln(P_max/(P_0 δ_t)) = n ln θ_t.
     """
-    upper = lower = high = deep = 0.0
+    upper = lower = 0.0
     ratios = [stagnation_ratios(air_at(row.altitude), row.mach) for row in rows]
     burnt = design.fuel_per_energy * design.power
     for row, (theta, delta) in zip(rows, ratios, strict=True):
         part, fuel = row.power / design.power, row.fuel_flow / burnt
         lever = (delta * math.sqrt(theta) - part) / fuel
         upper, lower = upper + lever * (1.0 - part / fuel), lower + lever * lever
-        if row.part == 1.0:
-            high += math.log(theta) * math.log(part / delta)
-            deep += math.log(theta) ** 2
     idle = min(max(upper / lower, 0.0), 0.99) if lower else 0.2
-    exponent = high / deep if deep > 1e-12 else -0.5
-    worst = most = 0.0
-    for row, (theta, delta) in zip(rows, ratios, strict=True):
-        line = burnt * (idle * delta * math.sqrt(theta) + (1.0 - idle) * row.power / design.power)
-        worst = max(worst, abs(line / row.fuel_flow - 1.0))
-        if row.part == 1.0:
-            most = max(most, abs(design.power * delta * theta**exponent / row.power - 1.0))
-    return MissionKeys(idle, exponent, worst, most)
+    tops = [_top(row) for row in rows if row.part == 1.0]
+    cold, hot = _exponent(design, [top for top in tops if top.theta < 1.0]), _exponent(design, days)
+    worst = max(
+        abs(burnt * (idle * delta * math.sqrt(theta) + (1.0 - idle) * row.power / design.power) / row.fuel_flow - 1.0)
+        for row, (theta, delta) in zip(rows, ratios, strict=True)
+    )
+    most = max(
+        abs(design.power * theta ** (hot if theta > 1.0 else cold) / power - 1.0) for theta, power in (*tops, *days)
+    )
+    return MissionKeys(idle, cold, hot, worst, most)
+
+
+def _exponent(design: DesignPoint, tops: Sequence[_Top]) -> float:
+    """Return n by least squares; a mission's own where no air is colder than the standard sea level."""
+    high = sum(math.log(top.theta) * math.log(top.power / design.power) for top in tops)
+    deep = sum(math.log(top.theta) ** 2 for top in tops)
+    return high / deep if deep > 1e-12 else TEMPERATURE_EXPONENT
 
 
 def _problems(

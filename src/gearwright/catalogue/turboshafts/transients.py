@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.catalogue.turboshafts.made import DesignPoint, inlet_at, turboshaft_engine
+from gearwright.catalogue.turboshafts.made import DesignPoint, highest_state, inlet_at, turboshaft_engine
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines.power import (
     FuelControl,
@@ -26,11 +26,11 @@ from gearwright.machines.power import (
     steady_state,
 )
 from gearwright.showing import Shown
-from gearwright.units import Energy, Inertia, Origin, Power, Quantity, Ratio, Speed, Time, Torque
+from gearwright.units import CELSIUS, Energy, Inertia, Origin, Power, Quantity, Ratio, Speed, Time, Torque
 from gearwright.verbs import verb
 
 SPARE = 1.05
-"""Limits of T_45 and N1 over those of the design point [-]; an assumption."""
+"""Limits of T_45 and N1 on the way over those of the design point, which hold at rest [-]; an assumption."""
 STIFF = 16.0
 """Gain of the governor on N1, part of the rated fuel over part of the rated speed [-]; an assumption."""
 STEP = 0.02
@@ -144,7 +144,8 @@ def engine_slam(design: DesignPoint, slam: Slam) -> EngineTransient:
         slam: What changes, where.
 
     Raises:
-        DesignError: The engine has no state for one of the powers, or it burns out on the way.
+        DesignError: One of the powers is more than the engine gives there at rest, or less than it has a state for; it
+            burns out on the way.
     """
     refuse(_slam_problems(slam))
     engine, inlet = turboshaft_engine(design), inlet_at(slam.altitude, slam.mach, slam.isa_offset)
@@ -157,10 +158,12 @@ def engine_slam(design: DesignPoint, slam: Slam) -> EngineTransient:
 
 def _slammed(engine: Turboshaft, inlet: Inlet, slam: Slam) -> EngineTransient:
     rated, control = engine.rated, control_of(engine, slam)
+    most = highest_state(engine, inlet, control.hottest / SPARE)[1].power
+    if max(slam.before, slam.after) > most * (1.0 + 1e-6):
+        limits = "N1 and T_45 of the design point"
+        raise ValueError(f"{limits} leave {most / 1e3:.4g} kW in air of {inlet.temperature - CELSIUS:.1f} °C")
     guess = (0.9 * rated.speed, 1150.0)
     (slow, rest), (fast, _) = (state_for(engine, inlet, power, guess) for power in (slam.before, slam.after))
-    if max(slow, fast) > control.highest_speed:
-        raise ValueError(f"it would turn at {max(slow, fast) / rated.speed:.3g} of its rated N1, at most {SPARE:g}")
     start, times = at_rest(engine, inlet, slow, rest, control), (slam.duration, STEP)
     if slam.rotor is not None:
         return _held(engine, inlet, slam, control, start=start, times=times)

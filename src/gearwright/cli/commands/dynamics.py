@@ -39,7 +39,7 @@ def campbell(
     ] = None,
     json: JsonOption = False,
 ) -> None:
-    """Show critical speeds with their margins to the operating speed, worst first, and draw the Campbell diagram."""
+    """List critical speeds with their separation margins, worst first, and draw the Campbell diagram."""
     from gearwright.dynamics.assembly import assumptions
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.figures.dynamics import campbell_figure
@@ -75,23 +75,24 @@ def response(
     from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.vibration import answer, first_meshes, peaks
     from gearwright.render.figures.dynamics import response_figure
-    from gearwright.render.tables.dynamics import peak_table
+    from gearwright.render.tables.dynamics import excited_by, peak_table
+    from gearwright.sizing import governing_case
 
     sizing = sized(design)
+    case = case or governing_case(sizing)
     system = assemble(sizing, case)
     row = mesh or sizing.train.meshes[0].name
-    answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
-    lines = first_meshes(sizing, system)
+    answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3, case=case)
+    lines, excited = first_meshes(sizing, system), excited_by(row, error_um * 1e-6, case)
     if json:
         from gearwright.render.answers.vibration import ResponseAnswer
 
-        told = ResponseAnswer(row, error_um * 1e-6, tuple(peaks(answered, lines)))
+        told = ResponseAnswer(case, row, error_um * 1e-6, tuple(peaks(answered, lines)))
         show_answer("response", told, design=sizing.design.name)
     else:
-        _show(peak_table(answered, lines))
+        _show(peak_table(answered, lines, excited=excited))
     if figure is not None:
-        title = f"Answer to a transmission error of {error_um:g} µm in {row}"
-        _draw(response_figure(answered, lines, title=title), figure, quiet=json)
+        _draw(response_figure(answered, lines, title=f"Answer to a {excited}"), figure, quiet=json)
 
 
 def runup(
@@ -107,26 +108,27 @@ def runup(
     """Run at many speeds and show where each mesh is loudest, and its waterfall with orders."""
     import numpy as np
 
-    from gearwright.dynamics.assembly import assemble, default_case
+    from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.vibration import first_meshes, loudest_speeds, run_up, turning_shaft
     from gearwright.render.figures.maps import waterfall_figure
     from gearwright.render.tables.dynamics import loudest_table
+    from gearwright.sizing import governing_case
 
     sizing = sized(design)
+    case = case or governing_case(sizing)
     system = assemble(sizing, case)
     lines = [*first_meshes(sizing, system), *([line] if line is not None else [])]
     with progress("running") as update:
         factors = [float(factor) for factor in np.linspace(lowest, highest, speeds)]
         swept = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
-    running = case or default_case(sizing)
-    shaft = turning_shaft(sizing, running) or sizing.machines[0].shaft
-    speed = abs(sizing.flows[running].speeds[shaft])
-    table = loudest_table(swept, speed)
+    shaft = turning_shaft(sizing, case) or sizing.machines[0].shaft
+    speed = abs(sizing.flows[case].speeds[shaft])
+    table = loudest_table(swept, speed, case=case)
     if json:
         from gearwright.render.answers.vibration import RunUpAnswer
 
         errors = float(np.max(swept.error)), float(np.max(swept.rms_error))
-        told = RunUpAnswer(shaft, speed, tuple(loudest_speeds(swept, speed)), *errors, swept.notes)
+        told = RunUpAnswer(case, shaft, speed, tuple(loudest_speeds(swept, speed)), *errors, swept.notes)
         show_answer("runup", told, design=sizing.design.name)
     else:
         _show(table)

@@ -164,14 +164,12 @@ def _requirement(
 def _of_parts(sizing: Sizing) -> StatedMass:
     """Return the sum of all parts of a sizing, with its band and what gears, shafts and carriers are of it."""
     from gearwright.sizing.mass import complete_mass
-    from gearwright.spec.design import PRELIMINARY
     from gearwright.units import text
     from gearwright.weights import StatedMass
 
     mass = complete_mass(sizing)
-    low, high, solid = (text(value, "mass", 3) for value in (*mass.band, sizing.parts_mass))
-    gears = "gears as made" if sizing.level == PRELIMINARY else "gears as solid bodies"
-    words = f"sum of its parts, 68 % from {low} to {high}; its {gears}, shafts and carriers {solid}"
+    low, high, train = (text(value, "mass", 3) for value in (*mass.band, mass.train))
+    words = f"sum of its parts, 68 % from {low} to {high}; of it gears, shafts and carriers {train}"
     return StatedMass(mass.total, words)
 
 

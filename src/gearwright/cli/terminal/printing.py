@@ -10,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from gearwright.errors import DesignError, Problem
+from gearwright.processes import run_program
 from gearwright.writing import write_bytes, write_text
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge",
@@ -57,7 +58,7 @@ def print_pdf(page: str, target: Path) -> None:
         profile, output = f"--user-data-dir={folder}/profile", f"--print-to-pdf={made}"
         command = [browser, *_OPTIONS, *unguarded, profile, output, source.as_uri()]
         try:
-            subprocess.run(command, capture_output=True, timeout=PATIENCE, check=False)
+            run_program(command, seconds=PATIENCE)
         except (OSError, subprocess.TimeoutExpired) as reason:
             raise DesignError([Problem("--pdf", f"{browser} does not print: {reason}")]) from None
         if not made.is_file():

@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 from gearwright.parts.gears import ISO53_A
 from gearwright.sizing import Sizing
-from gearwright.sizing.blanks import BACKUP
 from gearwright.sizing.mass.bodies import gear_blanks
-from gearwright.sizing.rating import LEAST_RING
+from gearwright.sizing.rating import BACKUP, LEAST_RING
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS
 from gearwright.spec.edit import Value

@@ -3,7 +3,7 @@
 The builder that it fills is in `model`.
 """
 
-from gearwright.dynamics.assembly.assemble import Driving, assemble, default_case, loaded_bodies
+from gearwright.dynamics.assembly.assemble import Driving, assemble, loaded_bodies
 from gearwright.dynamics.assembly.assumptions import Assumption, assumptions
 from gearwright.dynamics.assembly.compound_sets import compound_phases
 from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
@@ -18,7 +18,6 @@ __all__ = [
     "bodies_of",
     "compound_phases",
     "contacts_of",
-    "default_case",
     "gear_pairs",
     "loaded_bodies",
     "mesh_curve",

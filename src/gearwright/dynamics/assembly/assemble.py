@@ -32,8 +32,7 @@ from gearwright.dynamics.model import (
 )
 from gearwright.errors import by_name
 from gearwright.identity import Kind, PartId
-from gearwright.sizing import Sizing
-from gearwright.spec import RATED
+from gearwright.sizing import Sizing, governing_case
 from gearwright.verbs import verb
 
 
@@ -62,7 +61,7 @@ def assemble(
 
     Args:
         sizing: What was sized.
-        case: Load case; left out: the design's first one, or ``rated``.
+        case: Load case; left out: the governing one, which has the least margin.
         stiffness: ``"constant"`` or ``"varying"`` mesh stiffness; left out: as the design says.
         driving: Drives in place of the case's torques; the case's speeds stay the reference.
 
@@ -72,7 +71,7 @@ def assemble(
     Source: Pulvirenti 2023, chapter 3, with the corrections of its errata (absolute planet angles, carrier inertia with
         planets, damping by effective mass, ISO 6336-1 mesh stiffness, phases of Parker & Lin 2004).
     """
-    flow = by_name(case or default_case(sizing), sizing.flows, "case")
+    flow = by_name(case or governing_case(sizing), sizing.flows, "case")
     varying = (stiffness or sizing.design.dynamics.stiffness) == "varying"
     assembly = Assembly(sizing, flow, harmonics=None if varying else 0)
     model = assembly.model
@@ -107,15 +106,6 @@ def assemble(
     return with_preload(model.build(), sizing, flow)
 
 
-def default_case(sizing: Sizing) -> str:
-    """Return the case that is looked at if none is named: the design's first one, or ``rated``.
-
-    Args:
-        sizing: What was sized.
-    """
-    return next(iter(sizing.design.cases), RATED)
-
-
 def loaded_bodies(sizing: Sizing, case: str | None = None) -> dict[str, str]:
     """Return machine → body of the assembled train that feels its torque.
 
@@ -123,7 +113,7 @@ def loaded_bodies(sizing: Sizing, case: str | None = None) -> dict[str, str]:
         sizing: What was sized.
         case: As in `assemble`.
     """
-    assembly = Assembly(sizing, by_name(case or default_case(sizing), sizing.flows, "case"), harmonics=0)
+    assembly = Assembly(sizing, by_name(case or governing_case(sizing), sizing.flows, "case"), harmonics=0)
     add_bodies(assembly)
     return {machine.name: assembly.loaded_body(machine) for machine in sizing.machines}
 

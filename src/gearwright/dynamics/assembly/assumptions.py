@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from gearwright.dynamics.assembly.meshes import gear_pairs, stiffness_model
 from gearwright.dynamics.assembly.orders import untold_orders
 from gearwright.dynamics.assembly.translational import pin_stiffness
 from gearwright.dynamics.model import System
@@ -77,6 +78,13 @@ def _curves(sizing: Sizing) -> Iterator[Assumption]:
     for mesh, curve in sizing.design.dynamics.curves.items():
         words = curve.file or f"{len(curve.phase_cycles)} points"
         yield Assumption(f"stiffness of {mesh}", words, "given", f"dynamics.curves.{mesh}")
+    stated, pairs = sizing.design.dynamics, gear_pairs(sizing)
+    for row in sizing.meshes:
+        if row.name in stated.curves or row.stage in stated.curves:
+            continue
+        if (model := stiffness_model(sizing, row, pairs[row.name])) != stated.mesh_stiffness:
+            words = f"{model}: its teeth are beyond those that {stated.mesh_stiffness} is for"
+            yield Assumption(f"stiffness of {row.name}", words, "default", "dynamics.mesh_stiffness")
 
 
 def _backlash(sizing: Sizing) -> Iterator[Assumption]:

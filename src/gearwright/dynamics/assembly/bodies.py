@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
 from gearwright.dynamics.assembly.compound_sets import compound_phases, own_gears, planet_bodies
-from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
+from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve, variation_left
 from gearwright.dynamics.model import Model
 from gearwright.identity import SIDES, Kind, PartId, Role, gear_part
 from gearwright.parts.gears import GearPair
@@ -79,13 +79,16 @@ class Assembly:
         return tuple(machine for machine in self.sizing.machines if self.machines_turn and machine.inertia)
 
     def curve(self, row: str) -> StiffnessCurve:
-        """Return the stiffness of one mesh of a row along its line of action.
+        """Return the stiffness of one mesh of a row along its line of action, as tip relief leaves it in the case.
 
         Args:
             row: Its name.
         """
         sized = next(mesh for mesh in self.sizing.meshes if mesh.name == row)
-        return mesh_curve(self.sizing, sized, self.pairs[row], harmonics=self.harmonics)
+        curve = mesh_curve(self.sizing, sized, self.pairs[row], harmonics=self.harmonics)
+        left = variation_left(self.sizing, sized, self.flow)
+        cosine, sine = (tuple(left * value for value in values) for values in (curve.cosine, curve.sine))
+        return curve if left == 1.0 else replace(curve, cosine=cosine, sine=sine)
 
     def put(self, body: PartId, shaft: str, inertia: float) -> None:
         """Put a body on a shaft; the ground takes none.

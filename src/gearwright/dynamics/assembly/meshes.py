@@ -10,6 +10,7 @@ import numpy as np
 from gearwright.errors import DesignError, Problem
 from gearwright.parts import Material
 from gearwright.parts.gears import CylindricalGear, GearPair
+from gearwright.parts.iso6336 import relief_term
 from gearwright.parts.stiffness import (
     MeshStiffness,
     StiffnessCurve,
@@ -24,7 +25,7 @@ from gearwright.sizing import GearSizing, MeshSizing, Sizing, cylindrical_gear
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.spec import Pair
 from gearwright.spec.design import MeshCurve
-from gearwright.train import INTERNAL
+from gearwright.train import INTERNAL, PowerFlow
 
 _OF_SHAPE = ("profile_shift", "helix_angle", "teeth")
 """Arguments at whose ends a model of stiffness ends, and strain energy does not."""
@@ -94,6 +95,37 @@ def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: i
     return _known(curve, stage) if isinstance(stage, Pair) else curve
 
 
+def variation_left(sizing: Sizing, mesh: MeshSizing, flow: PowerFlow) -> float:
+    """Return what tip relief leaves of the variation of a mesh's stiffness in a load case, B_k, at most 1 [-].
+
+    Relief makes up for the deflection of one load, that of K_A and K_γ included; B_k says what is left at another. A
+    stated stiffness is taken as it is, and so are teeth whose method of rating knows no relief.
+
+    Args:
+        sizing: What was sized.
+        mesh: A row of it.
+        flow: The load case.
+
+    Source: ISO 6336-1:2006, clause 6.5.5.
+    """
+    design, rated, stage = sizing.design, mesh.rating, sizing.design.stages[mesh.stage]
+    stated = mesh.name in design.dynamics.curves or mesh.stage in design.dynamics.curves
+    if (
+        stated
+        or not isinstance(rated, Iso6336Rating)
+        or (isinstance(stage, Pair) and stage.stiffness_swing is not None)
+    ):
+        return 1.0
+    first = gear_of(sizing, mesh.gears[0])
+    radius = 0.5 * first.pitch_diameter / first.teeth
+    width = min(gear_of(sizing, gear).face_width for gear in mesh.gears)
+    load = abs(flow.meshes[mesh.name].multiplier) / mesh.count / radius / width
+    load *= design.service.application_factor * mesh.load_factor
+    if load <= 0.0:
+        return 1.0
+    return min(float(relief_term(rated.factors.relief, load, grade=rated.made.grade)), 1.0)
+
+
 def _other_model(model: str) -> str:
     """Return what a user writes where a model ends at the shape of the teeth."""
     if model == "energy":
@@ -106,9 +138,28 @@ def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
     return sampled_curve(phase, stated.stiffness_n_m, harmonics=harmonics, source=stated.file or "design")
 
 
+def stiffness_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair) -> str:
+    """Return by which model a mesh is as stiff as it is: strain energy where no model is asked and the usual one ends.
+
+    Args:
+        sizing: What was sized.
+        mesh: The row at its worst case.
+        pair: Its geometry.
+    """
+    rules = sizing.design.dynamics
+    if "mesh_stiffness" in rules.model_fields_set:
+        return rules.mesh_stiffness
+    try:
+        _iso(mesh, pair, _materials(sizing, mesh))
+    except DesignError as error:
+        if any(problem.path in _OF_SHAPE for problem in error.problems):
+            return "energy"
+    return rules.mesh_stiffness
+
+
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
     made = _materials(sizing, mesh)
-    match sizing.design.dynamics.mesh_stiffness:
+    match stiffness_model(sizing, mesh, pair):
         case "energy":
             return mesh_stiffness_energy(pair, materials=made, harmonics=harmonics)
         case "kuang-yang":

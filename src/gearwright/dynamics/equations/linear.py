@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
-from gearwright.dynamics.equations.modes import stiffness_matrix
-from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix, planned
+from gearwright.dynamics.equations.modes import Natural, natural, stiffness_matrix
+from gearwright.dynamics.model import Arrays, entry_matrix, holding, line_matrix, planned
+from gearwright.train.algebra import row_and_null_space
 
 
 class Linear(NamedTuple):
@@ -29,13 +30,23 @@ def linear(arrays: Arrays, factor: float = 1.0) -> Linear:
         arrays: The system's numbers.
         factor: Speed over reference speed [-].
     """
-    size, matrix, loads = len(arrays.mass), line_matrix(arrays), arrays.loads
-    damping = matrix.T @ (arrays.damping[:, None] * matrix)
-    damping += np.diag(loads.damping + 2.0 * loads.quadratic * np.abs(arrays.speed * factor))
-    damping += factor * entry_matrix(arrays.gyroscopic, size) + entry_matrix(arrays.following.damping, size)
-    stiffness = stiffness_matrix(arrays, arrays.stiffness) - factor**2 * entry_matrix(arrays.centripetal, size)
-    stiffness += entry_matrix(arrays.following.stiffness, size)
+    matrix = line_matrix(arrays)
+    damping = matrix.T @ (arrays.damping[:, None] * matrix) + _turned_damping(arrays, factor)
+    stiffness = stiffness_matrix(arrays, arrays.stiffness) + _turned_stiffness(arrays, factor)
     return Linear(arrays.mass, damping, stiffness)
+
+
+def _turned_stiffness(arrays: Arrays, factor: float) -> Floats:
+    """Return the stiffness that no line has: centripetal terms, and films that follow [N/m or N m/rad]."""
+    size = len(arrays.mass)
+    return entry_matrix(arrays.following.stiffness, size) - factor**2 * entry_matrix(arrays.centripetal, size)
+
+
+def _turned_damping(arrays: Arrays, factor: float) -> Floats:
+    """Return the damping that no line has: loads against speed, gyroscopic terms, films that follow [N s/m]."""
+    size, loads = len(arrays.mass), arrays.loads
+    against = np.diag(loads.damping + 2.0 * loads.quadratic * np.abs(arrays.speed * factor))
+    return against + factor * entry_matrix(arrays.gyroscopic, size) + entry_matrix(arrays.following.damping, size)
 
 
 def state_matrix(system: Linear) -> Floats:
@@ -61,18 +72,63 @@ class DampedModes(NamedTuple):
     """Their shapes in q, of unit length in the mass matrix, shape (coordinates, modes)."""
 
 
-def damped_modes(system: Linear) -> DampedModes:
-    """Return the damped modes of the linear system.
+ROUNDING = 1e-13
+"""Rate over the fastest one below which a rate is the rounding of a motion that does not oscillate [-]."""
+FELT = 1e-12
+"""Force over the sum of its terms without signs above which it is none of their rounding [-]."""
+
+
+@planned
+def damped_modes(arrays: Arrays, factor: float = 1.0) -> DampedModes:
+    """Return the damped modes at one speed.
+
+    They are found in the natural modes of the lines, each position times its rate: the matrix then holds rates where
+    that of `state_matrix` holds their squares, and a mode keeps its digits beside one that is ten million times faster.
+    Rigid motions have no position there, unless what turns or follows holds them.
 
     Args:
-        system: Mass, damping, stiffness.
+        arrays: The system's numbers.
+        factor: Speed over reference speed [-].
+
+    Source: Tisseur & Meerbergen 2001, SIAM Review 43, 235-286, section 3: linearisations of M λ² + B λ + K, and why
+        their scaling decides what is kept of small eigenvalues.
     """
-    values, vectors = np.linalg.eig(state_matrix(system))
-    chosen = np.flatnonzero(values.imag > 1e-6 * np.max(np.abs(values)))
+    found = natural(arrays)
+    shapes, rigid = np.hstack([found.rigid, found.elastic]), found.rigid.shape[1]
+    held = _held(arrays, factor, found.rigid)
+    positions = np.hstack([shapes[:, :rigid] @ held, found.elastic / found.rate])
+    rate = np.vstack([np.zeros((rigid, len(found.rate))), np.diag(found.rate)])
+    turning = np.vstack([held, np.zeros((len(found.rate), held.shape[1]))])
+    places, count = positions.shape[1], shapes.shape[1]
+    matrix = np.zeros((places + count, places + count))
+    matrix[:places, places:] = np.hstack([turning, rate]).T
+    matrix[places:, held.shape[1] : places] = -rate
+    matrix[places:, :places] -= shapes.T @ (_turned_stiffness(arrays, factor) @ positions)
+    matrix[places:, places:] = -_modal_damping(arrays, factor, found, shapes)
+    values, vectors = np.linalg.eig(matrix)
+    chosen = np.flatnonzero(values.imag > ROUNDING * np.max(np.abs(values), initial=0.0))
     chosen = chosen[np.argsort(np.abs(values[chosen]))]
-    shapes = vectors[: len(system.mass), chosen]
-    length = np.sqrt(np.sum(system.mass[:, None] * np.abs(shapes) ** 2, axis=0))
-    return DampedModes(values[chosen], shapes / length)
+    moved = vectors[places:, chosen] / values[chosen]
+    return DampedModes(values[chosen], shapes @ (moved / np.linalg.norm(moved, axis=0)))
+
+
+def _held(arrays: Arrays, factor: float, rigid: Floats) -> Floats:
+    """Return the rigid motions, as parts of all of them, that stretch no line and meet a force all the same."""
+    stiffness = _turned_stiffness(arrays, factor)
+    force, terms = stiffness @ rigid, np.abs(stiffness) @ np.abs(rigid)
+    felt = np.where(np.abs(force) > FELT * terms, force, 0.0)
+    lengths = np.linalg.norm(felt, axis=1, keepdims=True)
+    return row_and_null_space(felt[lengths[:, 0] > 0.0] / lengths[lengths > 0.0][:, None])[0]
+
+
+def _modal_damping(arrays: Arrays, factor: float, found: Natural, shapes: Floats) -> Floats:
+    """Return the damping that modes feel [rad/s]: of lines by their strain, which keeps its digits, and of all else."""
+    holds, damping = holding(arrays), arrays.damping
+    stiffness = np.where(holds, arrays.stiffness, 1.0)
+    still = np.zeros((len(holds), found.rigid.shape[1]))
+    strain = np.hstack([still, found.strain * found.rate]) / np.sqrt(stiffness)[:, None]
+    stretch = np.where(holds[:, None], strain, line_matrix(arrays) @ shapes)
+    return stretch.T @ (damping[:, None] * stretch) + shapes.T @ _turned_damping(arrays, factor) @ shapes
 
 
 @planned
@@ -83,4 +139,4 @@ def damped_rates(arrays: Arrays, factor: float) -> Complexes:
         arrays: The system's numbers.
         factor: Speed over reference speed [-].
     """
-    return damped_modes(linear(arrays, factor)).rate
+    return damped_modes(arrays, factor).rate

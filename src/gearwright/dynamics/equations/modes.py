@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -80,6 +81,39 @@ def split_rigid(arrays: Arrays) -> tuple[Floats, Floats]:
     return rigid / root[:, None], elastic / root[:, None]
 
 
+class Natural(NamedTuple):
+    """Undamped motions of the mean stiffness, all lines in contact, without what turns and follows."""
+
+    rate: Floats
+    """ω, rising [rad/s], shape (elastic modes,)."""
+    rigid: Floats
+    """Mass-normalised motions that stretch no line, shape (coordinates, rigid modes)."""
+    elastic: Floats
+    """Mass-normalised mode shapes, shape (coordinates, elastic modes)."""
+    strain: Floats
+    """√(k/ω²) times how far each mode stretches each line [-], shape (lines, elastic modes): squares are shares of its
+    elastic energy."""
+
+
+@planned
+def natural(arrays: Arrays) -> Natural:
+    """Return the natural modes from the stretches of the lines, so that soft lines beside stiff ones keep their digits.
+
+    With K = Gᵀ G and G = √k D the singular values of G are the rates themselves: of stiffnesses that span 14 decades
+    they span seven, where the soft ones would be lost in the rounding of K.
+
+    Args:
+        arrays: The system's numbers.
+
+    Source: Golub & Van Loan 2013, Matrix Computations, section 8.6: singular values and the symmetric eigenproblem.
+    """
+    rigid, basis = split_rigid(arrays)
+    felt = np.sqrt(arrays.stiffness)[:, None] * (line_matrix(arrays) @ basis)
+    strain, rates, turned = np.linalg.svd(felt, full_matrices=False)
+    rising = np.arange(len(rates))[::-1]
+    return Natural(rates[rising], rigid, basis @ turned[rising].T, strain[:, rising])
+
+
 def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:
     """Return K = Σ d k d.
 
@@ -108,7 +142,7 @@ def modes(system: System, count: int | None = None) -> Modes:
         SolveError: If a number of the system or of its modes is not finite; with the part.
 
     Source:
-        Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand.
+        Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand, by `natural`.
     """
     if count is not None and count < 1:
         raise DesignError([Problem("count", f"{count} modes; ask for one or more, or leave it out")])
@@ -136,16 +170,9 @@ def _lowest(system: System, count: int) -> Modes:
 
 
 def _modes(system: System, count: int | None) -> Modes:
-    arrays = system.arrays
-    rigid, elastic = split_rigid(arrays)
-    matrix = line_matrix(arrays)
-    reduced = elastic.T @ stiffness_matrix(arrays, arrays.stiffness) @ elastic
-    square, vectors = np.linalg.eigh(0.5 * (reduced + reduced.T))
-    square, vectors = square[:count], vectors[:, :count]
-    shapes = np.hstack([rigid, elastic @ vectors])
-    frequency = np.concatenate([np.zeros(rigid.shape[1]), np.sqrt(np.maximum(square, 0.0))]) / (2.0 * np.pi)
-    energy = arrays.stiffness[:, None] * (matrix @ shapes) ** 2
-    energy[:, : rigid.shape[1]] = 0.0
-    total = np.sum(energy, axis=0)
-    share = np.divide(energy, total, out=np.zeros_like(energy), where=total > 0.0)
+    found = natural(system.arrays)
+    rigid, lines = found.rigid.shape[1], len(system.labels.lines)
+    frequency = np.concatenate([np.zeros(rigid), found.rate[:count]]) / (2.0 * np.pi)
+    shapes = np.hstack([found.rigid, found.elastic[:, :count]])
+    share = np.hstack([np.zeros((lines, rigid)), found.strain[:, :count] ** 2])
     return Modes(frequency, shapes, share, system.labels)

@@ -81,9 +81,10 @@ def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy
 def _states(matrix: Floats, held: Bools) -> Floats:
     """Return a basis of the forces of lines that hold, such that they balance on every coordinate, Dᵀ s = 0."""
     length = np.linalg.norm(matrix[held], axis=1, keepdims=True)
-    basis = null_space((matrix[held] / length).T) / length
+    basis = null_space((matrix[held] / length).T)
+    basis[np.linalg.norm(basis, axis=1) < RANK_TOLERANCE] = 0.0  # in no loop, however stiff
     states = np.zeros((len(held), basis.shape[1]))
-    states[held] = basis
+    states[held] = basis / length
     return states
 
 
@@ -141,7 +142,7 @@ def _gaps(train: Redundancy, force: Floats) -> Floats:
     error of the other sign, f − R λ, and −R has no negative eigenvalue, so that the rounds settle.
     """
     stiffness = -train.gain
-    movable = np.diag(stiffness) > RANK_TOLERANCE * np.max(np.abs(stiffness), initial=1e-300)
+    movable = np.diag(stiffness) > 0.0
     pressed, gap = force.copy(), np.zeros_like(force)
     for _ in range(ROUNDS):
         largest = 0.0

@@ -15,6 +15,8 @@ from gearwright.errors import DesignError, Problem
 
 SPEED_TOLERANCE = 1e-6
 """Largest stretch rate of a line at the reference speeds over the sum of its parts [-]: room for rounded radii."""
+ROUNDING = 1e-12
+"""Rate of a line over the fastest part of any that is rounding [-]."""
 
 
 class Rows(NamedTuple):
@@ -98,7 +100,8 @@ def _spread(rows: Rows, speed: Floats, stated: Bools) -> Bools:
 def _stretching(lines: Sequence[Line], rows: Rows, speed: Floats) -> list[Problem]:
     rate = rows.rates(speed)
     size = rows._replace(weight=np.abs(rows.weight)).rates(np.abs(speed))
-    wrong = np.flatnonzero(np.abs(rate) > SPEED_TOLERANCE * np.max(size, initial=0.0)).tolist()
+    allowed = SPEED_TOLERANCE * size + ROUNDING * np.max(size, initial=0.0)
+    wrong = np.flatnonzero(np.abs(rate) > allowed).tolist()
     return [
         Problem(
             f"lines.{lines[row].name}",

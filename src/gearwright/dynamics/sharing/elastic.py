@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.dynamics.assembly import assemble, default_case
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import statics
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, governing_case
 from gearwright.units import Origin, Quantity
 from gearwright.verbs import verb
 
@@ -37,12 +37,12 @@ def elastic_shares(sizing: Sizing, case: str | None = None) -> dict[str, dict[st
 
     Args:
         sizing: What was sized.
-        case: Load case; left out: the design's first one, or ``rated``.
+        case: Load case; left out: the governing one, which has the least margin.
 
     Returns:
         Pair -> mesh -> share; the shares of a pair add up to 1.
     """
-    case = case or default_case(sizing)
+    case = case or governing_case(sizing)
     system = assemble(sizing, case, stiffness="constant")
     force = dict(zip(system.labels.lines, statics(system).force, strict=True))
     shares = {}
@@ -55,14 +55,14 @@ def elastic_shares(sizing: Sizing, case: str | None = None) -> dict[str, dict[st
 
 
 def path_shares(sizing: Sizing) -> tuple[PathShare, ...]:
-    """Return the shares of all parallel meshes in the design's first case; none where no pair has several meshes.
+    """Return the shares of all parallel meshes in the governing case; none where no pair has several meshes.
 
     Args:
         sizing: What was sized.
     """
     if all(len(_rows(sizing, stage)) < 2 for stage in sizing.design.pairs):
         return ()
-    case = default_case(sizing)
+    case = governing_case(sizing)
     meshes, paths = sizing.flows[case].meshes, []
     for stage, shares in elastic_shares(sizing, case).items():
         total = sum(meshes[mesh].multiplier for mesh in _rows(sizing, stage))

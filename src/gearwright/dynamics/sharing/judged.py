@@ -72,7 +72,9 @@ def sharing_checks(sizing: Sizing) -> Iterator[Check]:
         yield Check(PartId(Kind.STAGE, stage), MODE, _CLAUSE, factor, rated, at_most=True, symbol="K_γ")
     silent = [stage for stage in stages_in_parallel(sizing) if stage not in factors and not _states(sizing, stage)]
     if silent:
-        why = f"no [errors] and no gears.mesh_load_factor of {', '.join(silent)}: meshes share equally, K_γ = 1"
+        sized = {mesh.stage: mesh.load_factor for mesh in sizing.meshes}
+        taken = ", ".join(f"{stage} {sized[stage]:.3g}" for stage in silent)
+        why = f"no [errors] and no gears.mesh_load_factor; taken by the usual level of sharing: K_γ of {taken}"
         yield not_assessed(GEARBOX, MODE, _CLAUSE, why)
 
 

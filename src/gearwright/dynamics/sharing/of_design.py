@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.assembly import assemble, contacts_of, default_case
+from gearwright.dynamics.assembly import assemble, contacts_of
 from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy
 from gearwright.dynamics.model import Contact, System
 from gearwright.dynamics.motion import line_numbers
@@ -27,7 +27,7 @@ from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocat
 from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.identity import Kind, Row, mesh_part
 from gearwright.showing import Shown
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, governing_case
 from gearwright.spec import Epicyclic, Pair, Planetary
 from gearwright.verbs import verb
 
@@ -108,7 +108,7 @@ def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | Non
     Args:
         sizing: What was sized; its design's errors count. Teeth that errors pull apart carry nothing.
         stage: Left out: the last stage with parallel meshes, where the paths join.
-        case: Load case; left out: the design's first one, or ``rated``.
+        case: Load case; left out: the governing one, which has the least margin.
 
     Raises:
         DesignError: If no mesh is parallel to another.
@@ -119,7 +119,7 @@ def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | Non
     if stage is not None and stage not in groups:
         raise DesignError([Problem("stage", f"{stage!r} has no parallel meshes; {near(stage, groups)}")])
     name = stage or list(groups)[-1]
-    case = case or default_case(sizing)
+    case = case or governing_case(sizing)
     system, contacts = one_sided(assemble(sizing, case)), contacts_of(sizing, sizing.flows[case])
     sources = error_sources(system, contacts, sizing.design.errors)
     rule = sizing.design.stages[name]

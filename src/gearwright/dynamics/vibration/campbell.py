@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations import DampedModes, damped_modes, linear
+from gearwright.dynamics.equations import DampedModes, damped_modes
 from gearwright.dynamics.model import Excitation, System, Tone, entry_matrix, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
@@ -121,9 +121,9 @@ def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Cam
 
 def _tracked(system: System, speeds: Floats) -> list[DampedModes]:
     """Return the modes at each speed, each in its own place."""
-    rows = [damped_modes(linear(system.arrays, float(speeds[0])))]
+    rows = [damped_modes(system.arrays, float(speeds[0]))]
     for factor in speeds[1:].tolist():
-        later = damped_modes(linear(system.arrays, factor))
+        later = damped_modes(system.arrays, factor)
         order = _pairing(system.arrays.mass, rows[-1], later)
         rows.append(DampedModes(later.rate[order], later.shape[:, order]))
     return rows
@@ -182,7 +182,7 @@ def _new(order: Order, seen: list[float]) -> Iterator[Order]:
 def _crossings(factor: Floats, frequency: Floats, orders: Sequence[Order]) -> Iterator[Crossing]:
     for order in orders:
         gap = order.frequency * factor - frequency.T
-        for mode, i in np.argwhere(gap[:, :-1] * gap[:, 1:] < 0.0).tolist():
+        for mode, i in np.argwhere(np.sign(gap[:, :-1]) * np.sign(gap[:, 1:]) < 0.0).tolist():
             before, after = gap[mode, i : i + 2].tolist()
             place = float(factor[i] + (factor[i + 1] - factor[i]) * before / (before - after))
             yield Crossing(order, mode, place, order.frequency * place)

@@ -13,10 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats, Ints
+from gearwright.checks import ROUNDING
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import Excitation, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, Order, campbell
+from gearwright.dynamics.vibration.forced import UNLOADED
 from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
 from gearwright.showing import Shown
@@ -24,15 +26,35 @@ from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
 from gearwright.verbs import verb
 
-RESONANCE = (0.85, 1.15)
-"""Operating over critical speed within which a gear runs in its main resonance range [-].
 
-Source: ISO 6336-1:2006, clause 6: N_S = 0.85 for F_t K_A/b ≥ 100 N/mm, to 1.15.
+class Criterion(NamedTuple):
+    """How far a machine keeps from a critical speed, and who asks for it."""
+
+    clause: str
+    """Standard and what it asks for."""
+    limit: Ratio
+    """Least separation margin, above the critical speed as below it [-]."""
+
+    def around(self, speed: float) -> tuple[float, float]:
+        """Return the lowest and the highest critical speed that lie too near to an operating speed [as it is].
+
+        Args:
+            speed: Operating speed, in any unit.
+        """
+        return speed / (1.0 + self.limit), speed / (1.0 - self.limit)
+
+
+RESONANCE = Criterion("modes of the train: 15 % from meshes", 0.15)
+"""Of the mesh frequency and its multiples, from natural frequencies of the whole train: as far as ISO 6336-1 keeps one
+mesh alone from its own main resonance, whose N the rating of gears judges.
+
+Source: ISO 6336-1:2006, clause 6, the width of the main resonance range, 0.85 to 1.15; method A asks for the train.
 """
-SEPARATION = (0.9, 1.1)
-"""Operating over critical speed within which an order of a machine lies too near a torsional frequency [-].
+SEPARATION = Criterion("API 617: 10 %", 0.1)
+"""Of what comes once or several times in a turn of a shaft, and of what it modulates.
 
-Source: API 617, 10 %, in Wang, Feese & Pettinato 2012, Proc. 41st Turbomachinery Symposium, table 1.
+Source: API 617, 10 %, in Wang, Feese & Pettinato 2012, Proc. 41st Turbomachinery Symposium, table 1; taken of the
+    critical speed, as ISO 6336-1 has it, where API 617 takes it of the exciting frequency: 1 % apart at most.
 """
 SWING = 0.01
 """Share of its mean torque or force by which an order is taken to swing whose strength nobody states [-]."""
@@ -57,10 +79,12 @@ class CriticalSpeed:
     """[Hz]"""
     speed: Speed
     """Of the shaft of the first machine [rad/s]."""
-    margin: Ratio
-    """Critical speed over operating speed, less 1 [-]: positive lies above."""
+    separation_margin: Ratio
+    """Operating over critical speed, less 1 [-]: n/n_crit − 1; positive where the machine runs above it."""
     dynamic_force: Ratio
     """Estimated amplitude of the worst mesh force at this resonance over its mean [-], from stiffness and errors."""
+    criterion: Criterion | None
+    """What its separation margin is held against; None of an order for which no standard asks for one."""
     why: str = ""
     """What makes an order that no line makes, such as ``6 blades``; its strength is `SWING`, by assumption."""
 
@@ -75,10 +99,14 @@ class CriticalSpeed:
         return self.dynamic_force >= SILENT
 
     @property
+    def over_limit(self) -> float:
+        """Amount of the separation margin over its limit [-]: 1 is just enough; infinite where no criterion is made."""
+        return math.inf if self.criterion is None else abs(self.separation_margin) / self.criterion.limit
+
+    @property
     def in_resonance(self) -> bool:
-        """Whether the operating speed lies in the main resonance range of this critical speed."""
-        lower, upper = SEPARATION if self.why else RESONANCE
-        return lower <= 1.0 / (1.0 + self.margin) <= upper
+        """Whether the operating speed lies nearer than the criterion allows; how hard the order shakes aside."""
+        return self.over_limit < 1.0 - ROUNDING
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -94,16 +122,25 @@ class SpeedCase(Shown):
     campbell: Campbell
     """Against speed over operating speed."""
     critical: tuple[CriticalSpeed, ...]
-    """Excited ones first, then by distance to the operating speed."""
+    """Excited ones first, then by their separation margins over their limits."""
     assumed: tuple[CriticalSpeed, ...]
     """Those of orders whose strength nobody states, sorted alike: blades, poles, slots, teeth and planets that pass."""
+
+    @property
+    def nearest(self) -> tuple[CriticalSpeed, ...]:
+        """Of every order that excites and has a criterion its nearest critical speed, the worst first."""
+        nearest = dict[str, CriticalSpeed]()
+        for critical in sorted((*self.critical, *self.assumed), key=lambda critical: critical.over_limit):
+            if critical.excited and critical.criterion is not None:
+                nearest.setdefault(critical.order, critical)
+        return tuple(nearest.values())
 
 
 @verb
 def critical_speeds(
     sizing: Sizing, *, cases: Sequence[str] | None = None, factors: Sequence[float] = FACTORS
 ) -> tuple[SpeedCase, ...]:
-    """Return the Campbell diagrams of a sizing and the margins of every load case, cases of equal speeds together.
+    """Return the Campbell diagrams and the critical speeds of every load case, cases of equal speeds together.
 
     A case in which a brake holds every machine has none.
 
@@ -155,15 +192,23 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
             (first.mode + before, last.mode + before),
             first.frequency,
             first.factor * speed,
-            first.factor - 1.0,
+            1.0 / first.factor - 1.0,
             max(shaker.force(first) for shaker in shakers),
+            _criterion(sizing, first.order),
             first.order.excitation.why if first.order.excitation else "",
         )
         for first, last in _together(diagram.crossings)
     ]
-    critical.sort(key=lambda speed: (not speed.excited, abs(speed.margin)))
+    critical.sort(key=lambda speed: (not speed.excited, speed.over_limit))
     stated, assumed = (tuple(row for row in critical if bool(row.why) is told) for told in (False, True))
     return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, stated, assumed)
+
+
+def _criterion(sizing: Sizing, order: Order) -> Criterion | None:
+    """Return what an order is held against; one that comes less than once in a turn of its shafts has nothing."""
+    if order.excitation is None:
+        return RESONANCE if order_name(sizing, order.tone).stage else SEPARATION
+    return SEPARATION if all(times == round(times) for _, times in order.excitation.turns) else None
 
 
 def _words(sizing: Sizing, order: Order) -> str:
@@ -237,7 +282,7 @@ class Shaker:
         self.mean = statics(system, balance="accelerate").force
         arrays, mean = system.arrays, np.abs(self.mean)
         meshes = np.array([kind == "mesh" for kind in system.labels.line_kinds])
-        self.carrying = meshes & (mean > SAME * np.max(mean[meshes], initial=0.0))
+        self.carrying = meshes & (mean > UNLOADED * np.max(mean[meshes], initial=0.0))
         self.load = mean[self.carrying]
         self.pushes: dict[Order, Complexes] = {}
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
@@ -293,7 +338,7 @@ class Shaker:
     def _modes(self, factor: float) -> DampedModes:
         key = factor if self.changes else 1.0
         if key not in self.modes:
-            self.modes[key] = damped_modes(linear(self.system.arrays, key))
+            self.modes[key] = damped_modes(self.system.arrays, key)
         return self.modes[key]
 
     def _worst(self, amplitude: Floats) -> float:

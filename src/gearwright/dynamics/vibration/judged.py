@@ -9,8 +9,8 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import Outputs, simulate
 from gearwright.dynamics.vibration.campbell import FACTORS
 from gearwright.dynamics.vibration.critical_speeds import (
-    RESONANCE,
     SEPARATION,
+    Criterion,
     CriticalSpeed,
     SpeedCase,
     critical_speeds,
@@ -79,20 +79,15 @@ def resonance_checks(sizing: Sizing, speeds: Sequence[SpeedCase] | None = None) 
         sizing: As sized.
         speeds: Its `critical_speeds`; left out: found here.
     """
-    nearest: dict[tuple[str, str], CriticalSpeed] = {}
     try:
         cases = critical_speeds(sizing) if speeds is None else speeds
     except GearwrightError as error:
         yield not_assessed(GEARBOX, "resonances", "ISO 6336-1, clause 6", " ".join(str(error).split()))
         return
     for case in cases:
-        for critical in (*case.critical, *case.assumed):
-            if critical.excited:
-                known = nearest.get((critical.order, case.cases))
-                if known is None or abs(_distance(critical)) < abs(_distance(known)):
-                    nearest[critical.order, case.cases] = critical
-    for (order, names), critical in nearest.items():
-        yield _resonance(order, names, critical)
+        for critical in case.nearest:
+            if critical.criterion is not None:
+                yield _resonance(case.cases, critical, critical.criterion)
     for case in cases:
         yield from _far_orders(case)
 
@@ -106,23 +101,14 @@ def _far_orders(speeds: SpeedCase) -> Iterator[Check]:
         if part is not None and part.kind is Kind.MACHINE and excitation.name not in met:
             place = f"no natural frequency from {slowest:.1f} to {fastest:.1f} of its speed"
             yield Check(
-                GEARBOX, f"resonance of {excitation.name}", "API 617: 10 %", 1.0 - 1.0 / fastest, 1.0 - SEPARATION[0],
+                GEARBOX, f"resonance of {excitation.name}", SEPARATION.clause, 1.0 - 1.0 / fastest, SEPARATION.limit,
                 "percent", exponent=None, place=place, case=speeds.cases,
             )  # fmt: skip
 
 
-def _distance(critical: CriticalSpeed) -> float:
-    """Return the operating speed over the critical one, less 1 [-]."""
-    return 1.0 / (1.0 + critical.margin) - 1.0
-
-
-def _resonance(order: str, names: str, critical: CriticalSpeed) -> Check:
-    distance = _distance(critical)
-    lower, upper = SEPARATION if critical.why else RESONANCE
-    limit = 1.0 - lower if distance < 0.0 else upper - 1.0
-    clause = "API 617: 10 %" if critical.why else "ISO 6336-1:2006, clause 6: N < 0.85 or > 1.15"
-    mode = f"resonance of {order.replace('×', 'x')}"  # what a waiver calls it is typed on any keyboard
+def _resonance(names: str, critical: CriticalSpeed, criterion: Criterion) -> Check:
+    mode = f"resonance of {critical.order.replace('×', 'x')}"  # what a waiver calls it is typed on any keyboard
     return Check(
-        GEARBOX, mode, clause, abs(distance), limit,
+        GEARBOX, mode, criterion.clause, abs(critical.separation_margin), criterion.limit,
         "percent", exponent=None, place=f"mode {critical.mode}", case=names,
     )  # fmt: skip

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
-from gearwright.dynamics.equations import damped_modes, linear
+from gearwright.dynamics.equations import damped_rates, linear
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import UNDAMPED, index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
@@ -17,6 +17,9 @@ from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
+
+NOISE = 1e-9
+"""Force over the largest one of a response below which it is the rounding of none [-]."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -94,7 +97,7 @@ def frequency_response(
 def _solved(arrays: Arrays, rates: Floats, error: Complexes, load: Complexes) -> tuple[Complexes, Complexes]:
     """Return coordinates and line forces, shapes (frequencies, …)."""
     matrix, model = line_matrix(arrays), linear(arrays)
-    modes = damped_modes(model).rate
+    modes = damped_rates(arrays, 1.0)
     met = np.abs(1j * rates[:, None] - modes) < UNDAMPED * rates[:, None]
     if np.any(met):
         hertz = rates[np.argmax(np.any(met, axis=1))] / (2.0 * np.pi)
@@ -118,13 +121,16 @@ def _amplitudes(stated: Mapping[str, complex], names: tuple[str, ...], what: str
 def peaks(response: Response, lines: Sequence[str]) -> list[Peak]:
     """Return the maxima of the forces of some lines against frequency, the highest first.
 
+    A line that what excites does not reach, as meshes behind a cancelled phase, has none: its force is rounding.
+
     Args:
         response: Of the train.
         lines: Whose forces count.
     """
-    maxima = []
+    maxima, noise = [], NOISE * float(np.max(np.abs(response.line_force), initial=0.0))
     for line in lines:
         amplitude = np.abs(response.force(line))
-        inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
+        highest = (amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:]) & (amplitude[1:-1] > noise)
+        inner = np.flatnonzero(highest) + 1
         maxima += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
     return largest_first(maxima, lambda peak: peak.force)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -31,7 +31,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
-from gearwright.units import Force, Speed
+from gearwright.units import Force, Origin, Speed
 from gearwright.verbs import verb
 
 
@@ -74,7 +74,7 @@ class Loudest:
     line: str
     speed: Speed
     """[rad/s]"""
-    swing: Force
+    swing: Annotated[Force, Origin("√(1/T ∫ (F − F_m)² dt)", "root mean square about the mean, of a run")]
     """Root mean square about the mean [N]."""
     mean: Force
     """[N]"""

@@ -6,13 +6,13 @@ import cmath
 
 import numpy as np
 
-from gearwright.dynamics.assembly import compound_phases, default_case, gear_pairs
+from gearwright.dynamics.assembly import compound_phases, gear_pairs
 from gearwright.dynamics.model import System
 from gearwright.dynamics.vibration.response import Response, frequency_response
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import planet_phases
-from gearwright.sizing import Sizing, planet_positions
+from gearwright.sizing import Sizing, governing_case, planet_positions
 from gearwright.verbs import verb
 
 POINTS = 2000
@@ -22,7 +22,9 @@ RANGE = 1000.0
 
 
 @verb
-def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top: float = 1e4) -> Response:
+def answer(
+    sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top: float = 1e4, case: str | None = None
+) -> Response:
     """Return the forces that a harmonic transmission error of a mesh row causes, against its frequency.
 
     Args:
@@ -31,10 +33,12 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top
         row: Mesh row, such as ``first.sun-planet``; the planets err in their relative mesh phases.
         error: Amplitude along the line of action [m].
         top: Highest frequency [Hz].
+        case: For which the system was assembled; left out: as `assemble` takes it.
 
     Raises:
-        DesignError: If there is no such row.
+        DesignError: If there is no such row or case.
     """
+    flow = by_name(case or governing_case(sizing), sizing.flows, "case")
     meshes = {mesh.name: mesh for mesh in sizing.train.meshes}
     if row not in meshes:
         raise DesignError([Problem("mesh", f"there is no mesh {row!r}; {near(row, meshes)}")])
@@ -42,7 +46,7 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top
     if mesh.row is Row.PAIR:
         errors: dict[str, complex] = dict.fromkeys(lines, error)
     elif mesh.stage in sizing.design.epicyclics:
-        phases = compound_phases(sizing, sizing.flows[default_case(sizing)], mesh.stage)[row]
+        phases = compound_phases(sizing, flow, mesh.stage)[row]
         errors = {line: cmath.rect(error, 2.0 * cmath.pi * phase) for line, phase in zip(lines, phases, strict=True)}
     else:
         pairs, positions = gear_pairs(sizing), planet_positions(sizing.design, mesh.stage, sizing.teeth)

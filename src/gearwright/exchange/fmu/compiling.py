@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from gearwright.errors import excerpt
+from gearwright.processes import run_program
 from gearwright.writing import write_bytes
 
 COMPILERS = ("cc", "gcc", "clang")
@@ -62,7 +63,7 @@ def compiled(sources: Mapping[str, bytes], main: str, identifier: str, *, versio
         library = Path(place, identifier + _SUFFIX[system])
         try:
             command = [compiler, *FLAGS, main, "-o", library.name, "-lm"]
-            run = subprocess.run(command, cwd=place, capture_output=True, text=True, timeout=LONGEST, check=False)
+            run = run_program(command, seconds=LONGEST, folder=Path(place))
         except (OSError, subprocess.TimeoutExpired) as error:
             return Binary(b"", "", name, f"{compiler} failed: {excerpt(str(error))}")
         if run.returncode or not library.is_file():

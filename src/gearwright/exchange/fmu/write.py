@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, get_args
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.assembly import assemble, default_case, loaded_bodies
+from gearwright.dynamics.assembly import assemble, loaded_bodies
 from gearwright.dynamics.model import System, check_finite
 from gearwright.dynamics.motion import check_step, default_step, equilibrium
 from gearwright.errors import Problem, by_name, near, refuse
@@ -23,7 +23,7 @@ from gearwright.exchange.fmu.described import Version, build_description, model_
 from gearwright.exchange.fmu.numbers import numbers_text
 from gearwright.exchange.fmu.ports import MachinePort, Port, ports_of
 from gearwright.showing import Shown
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, governing_case
 from gearwright.verbs import verb
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def to_fmu(
 
     Args:
         sizing: As sized.
-        case: Load case; left out: the design's first one, or ``rated``.
+        case: Load case; left out: the governing one, which has the least margin.
         version: Of FMI.
         step: Of the integration [s]; left out: that of `simulate`, which the simulator's own steps do not change.
         binary: False leaves out the binary.
@@ -87,7 +87,7 @@ def to_fmu(
     >>> file.ports[0].name, file.ports[0].unit
     ('gas-turbine.torque', 'N.m')
     """
-    case = case or default_case(sizing)
+    case = case or governing_case(sizing)
     flow, bodies = by_name(case, sizing.flows, "case"), loaded_bodies(sizing, case)
     machines = [MachinePort(name, body, flow.machine_torques.get(name, 0.0)) for name, body in bodies.items()]
     system = assemble(sizing, case)

@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
+import io
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from gearwright.errors import Problem, SolveError, refuse
 from gearwright.exchange.step.kernel import occ
-from gearwright.exchange.step.solids import made_of
+from gearwright.exchange.step.solids import NotMade, made_of
 from gearwright.exchange.step.wires import MM
 from gearwright.shape import COLOURS, Node, Scene
 from gearwright.version import __version__
 
 
-def write_assembly(scene: Scene, path: Path) -> None:
-    """Write a scene as STEP AP214.
+def assembly(scene: Scene) -> bytes:
+    """Return a scene as STEP AP214.
 
     Args:
         scene: Its solids.
-        path: The file.
 
     Raises:
-        OSError: If Open CASCADE does not write it.
+        DesignError: If no solid comes of some bodies, with all of them by name; nothing is written.
+        SolveError: If Open CASCADE does not write it.
     """
     _silence()
     document = occ.TDocStd_Document(occ.TCollection_ExtendedString("XmlOcaf"))
@@ -31,18 +32,30 @@ def write_assembly(scene: Scene, path: Path) -> None:
     colours = occ.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     whole = shapes.NewShape()
     _name(whole, scene.name)
-    labels: dict[str, Any] = {}
+    labels, made = dict[str, Any](), _bodies(scene)
     for node in scene.nodes:
         if not node.surface:
             continue
         if node.surface not in labels:
-            label = labels[node.surface] = shapes.AddShape(made_of(scene.solids[node.surface]), False)
+            label = labels[node.surface] = shapes.AddShape(made[node.surface], False)
             _name(label, node.surface)
             colour = occ.Quantity_Color(*COLOURS[node.look], occ.Quantity_TypeOfColor.Quantity_TOC_RGB)
             colours.SetColor(label, colour, occ.XCAFDoc_ColorType.XCAFDoc_ColorGen)
         _name(shapes.AddComponent(whole, labels[node.surface], occ.TopLoc_Location(_placed(node))), node.name)
     shapes.UpdateAssemblies()
-    _write(document, path)
+    return _written(document)
+
+
+def _bodies(scene: Scene) -> dict[str, Any]:
+    """Return name of a solid -> what Open CASCADE makes of it; refuse all at once that it makes nothing of."""
+    made, problems = dict[str, Any](), list[Problem]()
+    for name in dict.fromkeys(node.surface for node in scene.nodes if node.surface):
+        try:
+            made[name] = made_of(scene.solids[name])
+        except NotMade as error:
+            problems.append(Problem("--to", f"step has no solid of {name!r}: {error}; use glb, which has its surface"))
+    refuse(problems)
+    return made
 
 
 def _silence() -> None:
@@ -63,7 +76,7 @@ def _placed(node: Node) -> Any:
     return placed
 
 
-def _write(document: Any, path: Path) -> None:
+def _written(document: Any) -> bytes:
     writer = occ.STEPCAFControl_Writer()
     occ.Interface_Static.SetCVal_s("write.step.schema", "AP214IS")
     occ.Interface_Static.SetCVal_s("write.step.unit", "MM")
@@ -72,5 +85,7 @@ def _write(document: Any, path: Path) -> None:
     writer.Transfer(document)
     header = occ.APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
     header.SetOriginatingSystem(occ.TCollection_HAsciiString(f"gearwright {__version__}"))
-    if writer.Write(str(path)).name != "IFSelect_RetDone":
-        raise OSError(f"Open CASCADE did not write {path}")
+    stream = io.BytesIO()
+    if (status := writer.WriteStream(stream).name) != "IFSelect_RetDone":
+        raise SolveError(f"Open CASCADE did not write the assembly ({status}); glb needs nothing but gearwright")
+    return stream.getvalue()

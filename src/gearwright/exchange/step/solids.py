@@ -13,7 +13,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.exchange.step.kernel import occ
 from gearwright.exchange.step.wires import MM, SAME, pieces_of, wire_of
-from gearwright.shape.solids import Chamber, Fastener, Layer, Section, Solid, rim_of
+from gearwright.shape.solids import Bores, Chamber, Fastener, Layer, Section, Solid, rim_of
 
 Place = tuple[float, float]
 """z and radius [m]."""
@@ -23,12 +23,46 @@ FLAT, CURVED = 1e-3, 1e-2
 """How far edges of neighbouring faces may lie apart that are sewn, of flat ends and of ends on cones [mm]."""
 
 
+class NotMade(Exception):
+    """A body of which no closed and valid solid came."""
+
+
 def made_of(solid: Solid | Chamber | Fastener) -> Any:
-    """Return a solid of Open CASCADE, in millimetres about z.
+    """Return a closed and valid solid of Open CASCADE, in millimetres about z.
 
     Args:
         solid: What it is made of.
+
+    Raises:
+        NotMade: If none comes of it.
     """
+    try:
+        body = _made(solid)
+    except Exception as error:
+        if not type(error).__module__.startswith("OCP"):
+            raise
+        raise NotMade(f"Open CASCADE says {type(error).__name__}: {error}") from error
+    if _is_sound(body):
+        return body
+    mended = occ.ShapeFix_Shape(body)
+    mended.Perform()
+    body = _only(mended.Shape(), occ.TopAbs_ShapeEnum.TopAbs_SOLID)
+    if not _is_sound(body):
+        raise NotMade("its faces cross or touch each other, or leave gaps")
+    return body
+
+
+def _is_sound(body: Any) -> bool:
+    """Tell whether a shape is a solid whose faces enclose it and meet as they should."""
+    kinds = occ.TopAbs_ShapeEnum
+    return (
+        body.ShapeType() == kinds.TopAbs_SOLID
+        and all(map(occ.BRep_Tool.IsClosed_s, _parts(body, kinds.TopAbs_SHELL)))
+        and bool(occ.BRepCheck_Analyzer(body).IsValid())
+    )
+
+
+def _made(solid: Solid | Chamber | Fastener) -> Any:
     if isinstance(solid, Chamber):
         return _chamber(solid)
     if isinstance(solid, Fastener):
@@ -36,7 +70,7 @@ def made_of(solid: Solid | Chamber | Fastener) -> Any:
     if not solid.sections:
         return occ.BRepPrimAPI_MakeRevol(occ.BRepBuilderAPI_MakeFace(_way(solid.profile), True).Face(), _axis()).Shape()
     if solid.bores is not None:
-        return _bored(made_of(solid._replace(bores=None)), solid, solid.bores.middles, solid.bores.radius)
+        return _plate(solid, solid.bores)
     if not any(radius for _, radius in solid.profile):
         return _prism(solid)
     if solid.holes is not None:
@@ -54,15 +88,10 @@ def made_of(solid: Solid | Chamber | Fastener) -> Any:
         loops = (ring, wires[end]) if solid.inside else (wires[end], ring)
         sewn.Add(_flat_end(section, *loops) if flat else _round_end(section, *loops, place))
     sewn.Perform()
-    body = occ.BRepBuilderAPI_MakeSolid(
-        occ.TopoDS.Shell(next(_parts(sewn.SewedShape(), occ.TopAbs_ShapeEnum.TopAbs_SHELL)))
-    ).Solid()
+    shell = _only(sewn.SewedShape(), occ.TopAbs_ShapeEnum.TopAbs_SHELL)
+    body = occ.BRepBuilderAPI_MakeSolid(occ.TopoDS.Shell(shell)).Solid()
     occ.BRepLib.OrientClosedSolid_s(body)
-    if occ.BRepCheck_Analyzer(body).IsValid():
-        return body
-    mended = occ.ShapeFix_Shape(body)
-    mended.Perform()
-    return mended.Shape()
+    return body
 
 
 def _bored(body: Any, solid: Solid, middles: Sequence[complex], radius: float) -> Any:
@@ -72,7 +101,19 @@ def _bored(body: Any, solid: Solid, middles: Sequence[complex], radius: float) -
         axis = occ.gp_Ax2(occ.gp_Pnt(MM * middle.real, MM * middle.imag, MM * (low - PAST)), _up())
         bored = occ.BRepPrimAPI_MakeCylinder(axis, MM * radius, MM * (high - low + 2.0 * PAST)).Shape()
         body = occ.BRepAlgoAPI_Cut(body, bored).Shape()
-    return next(_parts(body, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+    return _only(body, occ.TopAbs_ShapeEnum.TopAbs_SOLID)
+
+
+def _plate(solid: Solid, bores: Bores) -> Any:
+    """Return the plate of a carrier: straight between its corners, round in its holes."""
+    low, high = (section.points for section in solid.sections)
+    build = occ.BRepBuilderAPI_MakeFace(_polygon(low), True)
+    (height, bore), _ = sorted(solid.profile)
+    for middle, radius in [*((middle, bores.radius) for middle in bores.middles), *([(0j, bore)] if bore else [])]:
+        down = occ.gp_Ax2(occ.gp_Pnt(MM * middle.real, MM * middle.imag, MM * height), _up().Reversed())
+        edge = occ.BRepBuilderAPI_MakeEdge(occ.gp_Circ(down, MM * radius)).Edge()
+        build.Add(occ.BRepBuilderAPI_MakeWire(edge).Wire())
+    return _pulled(build.Face(), high[0] - low[0])
 
 
 def _chamber(chamber: Chamber) -> Any:
@@ -91,7 +132,7 @@ def _chamber(chamber: Chamber) -> Any:
         rims = [rim_of(opening, loop) for loop in (chamber.inner, chamber.outer)]
         past = PAST * np.append(opening.way, 0.0)
         found = occ.BRepAlgoAPI_Cut(found, _swept(rims[0] - past, rims[1][0] - rims[0][0] + 2.0 * past)).Shape()
-    return next(_parts(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+    return _only(found, occ.TopAbs_ShapeEnum.TopAbs_SOLID)
 
 
 def _fastener(fastener: Fastener) -> Any:
@@ -99,7 +140,7 @@ def _fastener(fastener: Fastener) -> Any:
     first, *others = map(_layer, fastener.layers)
     for layer in others:
         first = occ.BRepAlgoAPI_Fuse(first, layer).Shape()
-    return next(_parts(first, occ.TopAbs_ShapeEnum.TopAbs_SOLID))
+    return _only(first, occ.TopAbs_ShapeEnum.TopAbs_SOLID)
 
 
 def _layer(layer: Layer) -> Any:
@@ -128,11 +169,20 @@ def _block(outline: Floats, low: float, high: float) -> Any:
 
 def _swept(corners: Floats, way: Floats) -> Any:
     """Return what a plane polygon sweeps along a straight way."""
+    return _pulled(occ.BRepBuilderAPI_MakeFace(_polygon(corners), True).Face(), way)
+
+
+def _polygon(corners: Floats) -> Any:
+    """Return a closed wire of straight lines."""
     build = occ.BRepBuilderAPI_MakePolygon()
     for corner in corners:
         build.Add(occ.gp_Pnt(*(MM * float(part) for part in corner)))
     build.Close()
-    face = occ.BRepBuilderAPI_MakeFace(build.Wire(), True).Face()
+    return build.Wire()
+
+
+def _pulled(face: Any, way: Floats) -> Any:
+    """Return what a plane face sweeps along a straight way."""
     return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(*(MM * float(part) for part in way))).Shape()
 
 
@@ -143,19 +193,6 @@ def _prism(solid: Solid) -> Any:
     plane = occ.gp_Pln(occ.gp_Pnt(0.0, 0.0, MM * float(first.height[0])), _up())
     face = occ.BRepBuilderAPI_MakeFace(plane, wire_of(first, pieces_of(first, solid.edges)), True).Face()
     return occ.BRepPrimAPI_MakePrism(face, occ.gp_Vec(0.0, 0.0, MM * float(last.height[0] - first.height[0]))).Shape()
-
-
-def volume_of(shape: Any) -> float:
-    """Return the volume of a solid of Open CASCADE [m³].
-
-    Open CASCADE integrates over ends with many teeth to 3 %; the solids themselves are exact to some hundredths of one.
-
-    Args:
-        shape: In millimetres.
-    """
-    properties = occ.GProp_GProps()
-    occ.BRepGProp.VolumeProperties_s(shape, properties)
-    return float(properties.Mass()) / MM**3
 
 
 def _up() -> Any:
@@ -203,6 +240,14 @@ def _parts(shape: Any, kind: Any) -> Iterator[Any]:
         walk.Next()
 
 
+def _only(shape: Any, kind: Any) -> Any:
+    """Return the one part of its kind of a shape."""
+    found = list(_parts(shape, kind))
+    if len(found) != 1:
+        raise NotMade(f"{len(found)} bodies come of its faces where one is meant")
+    return found[0]
+
+
 def _ring(behind: Any, place: Place) -> Any:
     """Return the circle of a surface of revolution at a place, as a wire."""
     for part in _parts(behind, occ.TopAbs_ShapeEnum.TopAbs_EDGE):
@@ -213,7 +258,7 @@ def _ring(behind: Any, place: Place) -> Any:
             found = (circle.Location().Z() / MM, circle.Radius() / MM)
             if math.dist(found, place) < SAME:
                 return occ.BRepBuilderAPI_MakeWire(edge).Wire()
-    raise AssertionError(f"no circle at {place}")
+    raise NotMade(f"no circle of radius {MM * place[1]:.4g} mm where its end is")
 
 
 def _is_flat(section: Section) -> bool:

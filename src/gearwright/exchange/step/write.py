@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import tempfile
 from dataclasses import dataclass
 from importlib.util import find_spec
-from pathlib import Path
 
 from gearwright.errors import Problem, install, refuse
-from gearwright.shape import Scene, scene
+from gearwright.shape import scene
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
@@ -38,14 +36,7 @@ def to_step(sizing: Sizing) -> StepFile:
     """
     if find_spec("OCP") is None:
         refuse([Problem("--to", f"step needs Open CASCADE, which is not here; {install('cad')}, or use glb")])
+    from gearwright.exchange.step.assembly import assembly
+
     built = scene(sizing, detail="smooth")
-    return StepFile(_content(built), len(built.solids), sum(bool(node.surface) for node in built.nodes))
-
-
-def _content(built: Scene) -> bytes:
-    from gearwright.exchange.step.assembly import write_assembly
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "assembly.step"
-        write_assembly(built, path)
-        return path.read_bytes()
+    return StepFile(assembly(built), len(built.solids), sum(bool(node.surface) for node in built.nodes))

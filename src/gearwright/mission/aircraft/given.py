@@ -13,7 +13,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.mission.aircraft.march import Rates, State, books, march
 from gearwright.mission.moments import Attitude, Node, Path, lowest_speed, resistance, speed_by_law
 from gearwright.spec import Aircraft, Phase
-from gearwright.units import GRAVITY
+from gearwright.units import GRAVITY, apart
 
 TRIAL = 16
 """Steps of a first pass, which says how long the intervals would be [-]."""
@@ -200,7 +200,7 @@ def _take_off(powered: Powered, start: State) -> Stretches:
     aircraft, phase = powered.aircraft, powered.phase
     rotates = rotation_speed(powered, start)
     if rotates <= start.speed:
-        message = f"rotates at {rotates:.4g} m/s, and starts at {start.speed:.4g} m/s; start slower"
+        message = "rotates at {}, and starts at {}; start slower".format(*apart(rotates, start.speed, "velocity"))
         raise DesignError([Problem("speed", message)])
     parts = [("roll", _changed(powered, start, rotates, rolls=1.0))]
     begun, lasts = parts[0][1][-1], aircraft.rotation
@@ -209,7 +209,8 @@ def _take_off(powered: Powered, start: State) -> Stretches:
     lifted = parts[1][1][-1]
     lowest = lowest_speed(aircraft, phase, air_at(lifted.altitude, powered.isa_offset), lifted.mass * GRAVITY)
     if lowest is not None and lifted.speed < lowest:
-        message = f"lifts off at {lifted.speed:.4g} m/s, and stalls below {lowest:.4g} m/s; rotate later"
+        speed, stall = apart(lifted.speed, lowest, "velocity")
+        message = f"lifts off at {speed}, and stalls below {stall}; rotate later"
         raise DesignError([Problem("speed", message)])
     if phase.altitude > lifted.altitude:
         parts.append(("flight", _risen(powered, lifted, lambda _: lifted.speed)))

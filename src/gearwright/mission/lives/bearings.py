@@ -14,26 +14,30 @@ from gearwright.catalogue import (
     BearingDuty,
     BearingSpectrum,
     ModifiedLife,
+    bore_around,
     check_bearing,
     fitting_bearings,
 )
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.duties import SeatDuty, seat_duties
+from gearwright.mission.lives.duties import SeatDuty, seat_duties, thrust_notes
 from gearwright.parts.bearings import (
     BearingKind,
     life_exponent,
     mean_load,
     pair_factor,
     reliability_factor,
+    speed_factor,
 )
 from gearwright.ranking import largest_first
-from gearwright.sizing.bearings import Fitted, Seat, fitted_in, oiled_life
+from gearwright.sizing.bearings import Fitted, Seat, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
 from gearwright.verbs import verb
 
+THICKER = "its bore is the shaft's; what helps: a thicker shaft there, another kind of bearing, or more side by side"
+"""Where no bearing around a shaft does."""
 FATIGUE = "rolling fatigue"
 """How bearings fail here."""
 USUAL_RELIABILITY = 0.9
@@ -70,6 +74,10 @@ class BearingDamage:
     """Static safety for which it was chosen; None where the design names it [-]."""
     life_factor: Ratio | None = None
     """a_1 a_ISO over the flight, where the design asks for the modified life [-]."""
+    speed_factor: float = 0.0
+    """n d_m at the highest speed [mm/min]."""
+    holds_shaft: bool = True
+    """Whether it holds its shaft in the housing, or sits inside a planet."""
 
     @property
     def falls_short(self) -> bool:
@@ -102,6 +110,8 @@ class BearingLives:
     """Seats without a bearing, and why."""
     unrated: tuple[str, ...] = ()
     """Seats that bear a load and have no bearing."""
+    loose: tuple[str, ...] = ()
+    """Thrusts that go to no bearing, and what is missing."""
 
     @property
     def mass(self) -> Mass:
@@ -131,6 +141,9 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
             idle.append(seat.name)
         elif seat.runs_on is not None and seat.runs_on.journal is not None:
             films.append(seat.name)
+        elif duty.missing:
+            notes.append(f"{seat.name}: {duty.missing}")
+            failed.append(seat.name)
         elif named is None and flight.mission.bearings is None:
             opened.append(seat.name)
         else:
@@ -141,17 +154,20 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
                 notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
                 failed.append(seat.name)
     refuse(problems)
+    thrusts = tuple(thrust_notes(flight))
+    notes += [thrust.words for thrust in thrusts]
     notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
     notes += [f"{', '.join(films)}: a film bears, which sizing judges; it has no rating life"] if films else []
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [
         f"{row.seat}: no bearing that fits reaches the asked life and static safety; {row.bearing.designation} comes"
-        " nearest"
+        f" nearest{f'; {THICKER}' if row.holds_shaft else ''}"
         for row in rows
         if row.falls_short
     ]
-    return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed))
+    loose = tuple(thrust.words for thrust in thrusts if not thrust.taken)
+    return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed), loose)
 
 
 def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, taken: Bearing | None) -> BearingDamage:
@@ -173,7 +189,11 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, tak
 
 
 def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads."""
+    """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads.
+
+    Its bore is that of its shaft; a pin is made as thick as a bearing that has room in its planet. One that does not
+    turn too fast comes before all that do.
+    """
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = pair_factor(kind, rules.side_by_side)
     radial, axial, speed = _steady(duty, kind)
@@ -185,8 +205,14 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
         static_safety=rules.static_safety,
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
-    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
-    near = (size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR)
+    largest = bore_around(kind, seat.bore) if seat.holds_shaft else math.inf
+    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_bore=largest, largest_outer=seat.room)
+    most = highest_speed_factor(kind, flight.sizing.design)
+
+    def too_fast(size: Bearing) -> bool:
+        return speed_factor(float(duty.speed.max()), size.bore, size.outer_diameter) > most
+
+    near = sorted((size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR), key=too_fast)
     able = (
         row
         for fitted in near
@@ -233,6 +259,8 @@ def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliab
         hours=flown / 3600.0,
         asked=None,
         life_factor=oiled.factor if oiled else None,
+        speed_factor=speed_factor(float(duty.speed.max()), taken.bore, taken.outer_diameter),
+        holds_shaft=seat.holds_shaft,
     )
 
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission.flight import Flight
-from gearwright.mission.lives.bearings import BearingDamage
+from gearwright.mission.lives.bearings import THICKER, BearingDamage
 from gearwright.mission.lives.damage import GearDamage
 from gearwright.mission.lives.films import film_checks_of
 from gearwright.mission.lives.verdict import Durability
 from gearwright.parts.bearings import life_exponent
-from gearwright.sizing.bearings import planet_bodies, planet_room
+from gearwright.sizing.bearings import planet_bodies, planet_room, speed_factor_check
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS
@@ -107,8 +107,11 @@ def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:
     yield Check(
         part, "bearing life", "ISO 281:2007, Miner", row.life * HOUR, life, "life",
         exponent=None if oiled else life_exponent(row.bearing.kind), symbol="L_nmh" if oiled else "L_10h", place=place,
+        why=THICKER if row.falls_short and row.holds_shaft else "",
     )  # fmt: skip
     yield Check(part, "bearing static safety", "ISO 76:2006", row.static_safety, static, symbol="s_0", place=place)
+    if row.asked is not None:  # sizing has judged those with a name
+        yield speed_factor_check(part, row.bearing, row.speed_factor, flight.sizing.design)
 
 
 def _room(flight: Flight, row: BearingDamage) -> Iterator[Check]:
@@ -124,6 +127,8 @@ def _open(lives: Durability) -> Iterator[Check]:
     """Yield what of gears and bearings a flight does not rate."""
     for note in lives.notes[: len(lives.notes) - len(lives.bearings.notes)]:
         yield not_assessed(GEARBOX, "gear lives", "Miner, ISO 6336-6", note)
+    for note in lives.bearings.loose:
+        yield not_assessed(GEARBOX, "thrust on bearings", "equilibrium", note)
     for seat in lives.bearings.unrated:
         why = "no bearing is named that can be rated, and none could be chosen: [bearings] of the design or the mission"
         yield not_assessed(PartId(Kind.BEARING, seat), "bearing life", "ISO 281:2007", why)

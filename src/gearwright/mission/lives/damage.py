@@ -16,7 +16,8 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import CLASSES, Classed, classed
 from gearwright.ranking import largest_first
 from gearwright.sizing import Sizing
-from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, rating_of, reverse_parts, row_ask
+from gearwright.sizing.as_sized import made_of, rating_as_sized
+from gearwright.sizing.rating import Ask, Damage, MeshSpectrum, method_for, reverse_parts, row_ask
 from gearwright.spec import Design
 from gearwright.spec.missions import GearLifeRules
 from gearwright.train import Gear, Mesh
@@ -194,7 +195,7 @@ def spectrum_of(
         speed: Of the first gear against the carrier at each [rad/s].
         turns: Of it at each [-].
     """
-    rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
+    rating = rating_as_sized(sizing, mesh.stage).of_mesh(mesh)
     gears = [gear for name in mesh.gears for gear in sizing.gears if gear.name == name]
     return MeshSpectrum(
         rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
@@ -224,8 +225,9 @@ def alike(
         if not loaded[k]:
             continue
         train, steel = flight.sizing.train, flight.mission.gears
-        ask = row_ask(train, flight.sizing.teeth, mesh, loads[k])
-        ask = ask._replace(reverse=reverse_parts(train, mesh, loads[k]))
+        ask = row_ask(train, flight.sizing.teeth, mesh, loads[k], flight.sizing.design)
+        sized = next(row for row in flight.sizing.meshes if row.name == mesh.name)
+        ask = ask._replace(reverse=reverse_parts(train, mesh, loads[k]), made=made_of(sized))
         members = next((found for same, made, found in groups if same == ask and made == steel), None)
         if members is None:
             groups.append((ask, steel, [k]))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.errors import DesignError
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.parts.bearings import (
@@ -19,6 +20,7 @@ from gearwright.parts.bearings import (
 from gearwright.parts.losses import oil_viscosity
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
+from gearwright.units import text
 
 _ROUNDING = 1e-9
 """Axial over the largest radial force below which opposite helices cancel [-]."""
@@ -37,6 +39,8 @@ class SeatDuty(NamedTuple):
     """Duration [s]."""
     viscosity: Floats | None = None
     """ν of the oil in it, where the flight follows its temperature [m²/s]."""
+    missing: str = ""
+    """Why its axial force is not known; empty where it is."""
 
     @property
     def turns(self) -> Floats:
@@ -44,11 +48,21 @@ class SeatDuty(NamedTuple):
         return self.speed * self.time / (2.0 * math.pi)
 
 
+class ThrustNote(NamedTuple):
+    """What becomes of the thrust on a shaft whose bearings the design does not describe."""
+
+    words: str
+    """Which shaft, how much, what is missing."""
+    taken: bool
+    """Whether one of two usual bearings is taken to bear it."""
+
+
 def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     """Return every seat with what it bears in every interval of a flight.
 
     The meshes' forces along a shaft and a propeller's thrust go to the bearings that locate the shaft, as in sizing; on
-    a shaft without bearings in the design, to the one that bears less across.
+    a shaft without bearings in the design, to that of its two usual ones that bears less across. Bearings inside
+    planets bear none of it.
 
     Args:
         flight: As flown.
@@ -56,15 +70,50 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
     torques = np.stack([flight.meshes[mesh.name].torque for mesh in flight.sizing.train.meshes], axis=-1)
     forces = {name: seat_forces(seat, torques, flight.speed(seat.carrier)) for name, seat in seats.items()}
-    axial: dict[str, Floats] = {}
-    for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
-        on_shaft = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
-        axial |= _located(flight, shaft, on_shaft, forces)
+    axial = {name: np.zeros_like(radial) for name, (radial, _) in forces.items()}
+    missing: dict[str, str] = {}
+    for shaft, on_shaft in _held(seats).items():
+        try:
+            axial |= _located(flight, shaft, on_shaft, forces)
+        except DesignError as error:  # a flight's thrust that sizing did not know
+            missing |= dict.fromkeys(on_shaft, "; ".join(problem.message for problem in error.problems))
     duties, warmth = [], _thickness(flight)
     for name, seat in seats.items():
         speed = np.abs(flight.speed(seat.nodes[0]) - flight.speed(seat.nodes[1]))
-        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history.duration, warmth)))
+        duty = SeatDuty(
+            forces[name][0], axial[name], speed, flight.history.duration, warmth, missing.get(name, "")
+        )  # fmt: skip
+        duties.append((seat, duty))
     return tuple(duties)
+
+
+def thrust_notes(flight: Flight) -> Iterator[ThrustNote]:
+    """Yield where the thrust of a propeller or rotor goes to no bearing that the design describes, and what to write.
+
+    Args:
+        flight: As flown.
+    """
+    held = _held({seat.name: seat for seat in bearing_seats(flight.sizing)})
+    for shaft in dict.fromkeys(screw.shaft for screw in flight.sizing.design.airscrews.values()):
+        thrust, seats = float(np.abs(_thrust(flight, shaft)).max()), held.get(shaft, {})
+        if not thrust or any(seat.given is not None for seat in seats.values()):
+            continue
+        usual = f"that of {' and '.join(seats)} which bears less across is taken to bear it"
+        yield ThrustNote(
+            f"{shaft}: up to {text(thrust, 'force')} of thrust, and the design describes no bearing of it;"
+            f" {usual if seats else 'where it goes is not assessed'}; describe them in [bearings.NAME] with"
+            f' shaft = "{shaft}", one of them with locates = "both"',
+            bool(seats),
+        )
+
+
+def _held(seats: Mapping[str, Seat]) -> dict[str, dict[str, Seat]]:
+    """Return shaft -> the seats that hold it in the housing, by their names."""
+    held: dict[str, dict[str, Seat]] = {}
+    for name, seat in seats.items():
+        if seat.holds_shaft:
+            held.setdefault(seat.nodes[0], {})[name] = seat
+    return held
 
 
 def _thickness(flight: Flight) -> Floats | None:

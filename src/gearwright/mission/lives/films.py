@@ -12,7 +12,8 @@ from gearwright.arrays import Floats, Ints
 from gearwright.checks import Check
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.damage import extremes
-from gearwright.sizing.rating import Load, LoadedMesh, method_for, rating_of, row_ask
+from gearwright.sizing.as_sized import made_of, rating_as_sized
+from gearwright.sizing.rating import Load, LoadedMesh, method_for, row_ask
 from gearwright.sizing.rating.rules import Rating
 from gearwright.train import Mesh
 from gearwright.units import CELSIUS
@@ -43,7 +44,7 @@ def film_checks_of(flight: Flight) -> Iterator[Check]:
 
 def _of_mesh(flight: Flight, mesh: Mesh, warm: Floats) -> Iterator[Check]:
     sizing = flight.sizing
-    rating = rating_of(sizing.design, mesh.stage, sizing.teeth).of_mesh(mesh)
+    rating = rating_as_sized(sizing, mesh.stage).of_mesh(mesh)
     if rating.method not in FILMED:
         return
     torque = np.abs(flight.meshes[mesh.name].torque)
@@ -68,7 +69,9 @@ def _judged(flight: Flight, mesh: Mesh, rating: Rating, at: tuple[float, float, 
         rules=rules.model_copy(update={"iso6336": rules.iso6336.model_copy(update={"oil_temperature": warm})}),
     )
     gears = [gear for name in mesh.gears for gear in sizing.gears if gear.name == name]
-    ask = row_ask(sizing.train, sizing.teeth, mesh, extremes(flight))._replace(speed=speed)
+    ask = row_ask(sizing.train, sizing.teeth, mesh, extremes(flight), sizing.design)
+    sized = next(row for row in sizing.meshes if row.name == mesh.name)
+    ask = ask._replace(speed=speed, made=made_of(sized))
     load = Load(phase, torque * rating.load_factor, ask, rating.service.life)
     width = min(gear.face_width for gear in gears)
     loaded = LoadedMesh(warmed, gears[0].module, width, load, (load,), (0.0, 0.0))

@@ -10,7 +10,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.mission.moments.course import Moment
 from gearwright.spec import Aircraft, Phase
 from gearwright.spec.missions import Setting
-from gearwright.units import GRAVITY
+from gearwright.units import GRAVITY, apart
 
 USUAL_FLAPS: dict[str | None, Setting] = {"take-off": "take-off", "approach": "landing", "landing": "landing"}
 """Kind of phase -> setting of flaps and gear where the phase does not say it."""
@@ -135,8 +135,9 @@ def refuse_stall(aircraft: Aircraft, phase: Phase, weight: float, at: Attitude) 
     """
     lowest = None if at.rolls else lowest_speed(aircraft, phase, at.air, weight)
     if lowest is not None and at.speed < lowest:
+        speed, stall = apart(at.speed, lowest, "velocity")
         message = (
-            f"flies {at.speed:.4g} m/s, and stalls below {lowest:.4g} m/s with flaps {setting_of(phase)!r}; fly faster,"
-            " lighter, or with other flaps"
+            f"flies {speed}, and stalls below {stall} with flaps {setting_of(phase)!r}; fly faster, lighter, or with"
+            " other flaps"
         )
         raise DesignError([Problem("aircraft", message)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gearwright.machines import EMPTY, FULL, Battery, BatteryStep, highest_current
+from gearwright.units import apart
 
 
 def less(mode: str) -> str:
@@ -34,5 +35,6 @@ def faulty(battery: Battery, charge: float, power: float, *, step: BatteryStep, 
     if abs(step.current) <= highest:  # no current gives this power behind the resistance
         limit = f"more than its resistance of {battery.resistance:g} Ω lets through"
         return f"{said}, {limit}; {lower}, or lower resistance_ohm"
-    limit = f"{abs(step.current):.0f} A, of {highest:.0f} A (highest_c_rate {battery.highest_rate:g})"
+    current, most = apart(abs(step.current), highest, "current")
+    limit = f"{current}, of {most} (highest_c_rate {battery.highest_rate:g})"
     return f"{said}: {limit}; {lower}, or give more energy_kwh or highest_c_rate"

@@ -11,7 +11,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.machines import MotorLosses, motor_loss
 from gearwright.machines.power import Network, warmed
 from gearwright.spec import WindingRules
-from gearwright.units import CELSIUS
+from gearwright.units import CELSIUS, apart
 
 COPPER = 234.5
 """Temperature below 0 °C at which copper's resistance would vanish if its slope went on [K]; IEC 60034-1."""
@@ -102,9 +102,9 @@ def refuse_hot(rules: WindingRules, name: str, warmth: Warmth) -> None:
         DesignError: It is; with the limit.
     """
     if warmth.winding > rules.highest_winding_k * (1.0 + 1e-12):
-        found, limit = warmth.winding - CELSIUS, rules.highest_winding_k - CELSIUS
+        found, limit = apart(warmth.winding - CELSIUS, rules.highest_winding_k - CELSIUS, "temperature")
         message = (
-            f"the winding of {name} reaches {found:.1f} °C, the highest is {limit:.1f} °C; give the motor less power or"
+            f"the winding of {name} reaches {found}, the highest is {limit}; give the motor less power or"
             " more cooling (case_to_coolant_w_k, coolant_temperature_k), or let derate_from_k lower its limits"
         )
         raise DesignError([Problem("motor.heat.highest_winding_k", message)])

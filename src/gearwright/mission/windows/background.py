@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.arrays import Floats
+from gearwright.errors import DesignError, Problem
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.history import History
+from gearwright.mission.moments import moments
 from gearwright.mission.oil import flown_oil
 from gearwright.mission.strategies import driven
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Supply
 from gearwright.spec import Phase, WindowRules
+from gearwright.spec import engine_out as out_of_engines
 
 Curve = list[tuple[float, float]]
 """(time from the window's start [s], value)."""
@@ -180,6 +184,30 @@ def turning_at(flight: Flight, k: int) -> Turning:
         k: Number of the interval.
     """
     return Turning(float(flight.history.propeller_speed[k]), float(flight.history.spin_up[k]))
+
+
+def changed_stage(back: Background, rules: WindowRules, phase: Phase, powers: Mapping[str, float]) -> Stage:
+    """Return the gearbox in equilibrium with what machines give after a window's event.
+
+    Args:
+        back: What goes on.
+        rules: With the window's name of the event.
+        phase: Whose mode says which machines carry drag and spin-up.
+        powers: Machine -> power into the train [W].
+
+    Raises:
+        DesignError: A turbine cannot give its power where the window is flown.
+    """
+    flight, k = back.flight, back.interval
+    moment = next(islice(moments(flight.mission, flight.paths), k, None))
+    rating = flight.mission.engine.contingency if out_of_engines(flight.mission, phase) else 1.0
+    for name in back.supply.engines:
+        power, speed = powers[name], abs(float(flight.machines[name].speed[k]))
+        try:
+            back.supply.limited(name, moment._replace(power=power), power=power, speed=speed, rating=rating)
+        except DesignError as error:
+            raise DesignError([Problem("windows", f"{rules.event}: {one}") for one in error.problems]) from None
+    return staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(flight, k))
 
 
 def staged(gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], turning: Turning) -> Stage:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.windows.background import Background, Curve, staged, turning_at
+from gearwright.mission.windows.background import Background, Curve, changed_stage
 from gearwright.mission.windows.curves import blended, stepped, value_at
 from gearwright.mission.windows.faults import engine_out, runaway, short_circuited, slammed, struck
 from gearwright.mission.windows.stop import stopped
@@ -79,7 +79,7 @@ def _other_mode(back: Background, rules: WindowRules) -> Background:
     power = before if rules.power is None else rules.power
     parts = back.supply.parts(phase)
     powers = {name: parts.get(name, 0.0) * power for name in back.gearbox.machines}
-    after = staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(back.flight, back.interval))
+    after = changed_stage(back, rules, phase, powers)
     return replace(
         back,
         torques={name: blended(curve, [(0.0, after.torques[name])], rules) for name, curve in back.torques.items()},

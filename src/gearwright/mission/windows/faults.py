@@ -15,7 +15,7 @@ from gearwright.dynamics import System
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Winding, short_circuit_torque
 from gearwright.mission.supply import Supply
-from gearwright.mission.windows.background import Background, Curve, flown_phase, staged, turning_at
+from gearwright.mission.windows.background import Background, Curve, changed_stage, flown_phase
 from gearwright.mission.windows.curves import LAGS, blended, lagged, until, value_at
 from gearwright.mission.windows.spools import spooled
 from gearwright.spec import WindowRules
@@ -136,7 +136,7 @@ def slammed(back: Background, rules: WindowRules) -> Background:
     phase = flown_phase(back.flight, back.interval)
     parts = back.supply.parts(phase)
     powers = {name: parts.get(name, 0.0) * (rules.power or 0.0) for name in back.gearbox.machines}
-    after = staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(back.flight, back.interval))
+    after = changed_stage(back, rules, phase, powers)
     return replace(
         back,
         torques={

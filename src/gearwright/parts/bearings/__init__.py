@@ -74,7 +74,14 @@ from gearwright.parts.bearings.rating import (
     static_rating,
 )
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
-from gearwright.parts.bearings.speed import least_load, speed_factor, thermal_reference_speed
+from gearwright.parts.bearings.speed import (
+    Lubrication,
+    SpeedLimit,
+    least_load,
+    speed_factor,
+    speed_limit,
+    thermal_reference_speed,
+)
 from gearwright.parts.bearings.weights import (
     CERAMIC_DENSITY,
     STEEL_DENSITY,
@@ -101,9 +108,11 @@ __all__ = [
     "FilmState",
     "Journal",
     "LoadFactors",
+    "Lubrication",
     "OilFilter",
     "RingLoad",
     "RollingWeights",
+    "SpeedLimit",
     "StaticFactors",
     "attitude_angle",
     "ball_contacts",
@@ -140,6 +149,7 @@ __all__ = [
     "run_film",
     "side_flow",
     "speed_factor",
+    "speed_limit",
     "static_equivalent_load",
     "static_rating",
     "static_safety",

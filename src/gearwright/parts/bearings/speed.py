@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from types import MappingProxyType
+from typing import Literal, NamedTuple
 
 from gearwright.parts.bearings.rolling_bearing import BearingKind
 from gearwright.units import RPM
@@ -15,6 +17,49 @@ _HEAT_FLOW, _WIDEST = 0.016e6, 0.05
 """Reference heat flow density [W/m²] up to a surface [m²] (ISO 15312), from which on it falls."""
 _FALL = -0.34
 _ROUNDS = 80
+
+
+Lubrication = Literal["grease", "jet", "under-race"]
+"""How oil comes to a bearing: packed with grease, by jets from the side, or through its inner ring."""
+
+
+class SpeedLimit(NamedTuple):
+    """What n d_m a kind of bearing bears [mm/min]."""
+
+    usual: float
+    """Without more ado."""
+    careful: float
+    """With a cage guided on lands, accurate parts, clean and cool oil."""
+
+
+SPEED_LIMITS = MappingProxyType(
+    {
+        ("grease", "ball"): SpeedLimit(0.5e6, 0.7e6),
+        ("grease", "roller"): SpeedLimit(0.3e6, 0.5e6),
+        ("grease", "taper"): SpeedLimit(0.3e6, 0.5e6),
+        ("jet", "ball"): SpeedLimit(1.2e6, 1.8e6),
+        ("jet", "roller"): SpeedLimit(1.0e6, 1.5e6),
+        ("jet", "taper"): SpeedLimit(0.5e6, 0.8e6),
+        ("under-race", "ball"): SpeedLimit(2.0e6, 3.0e6),
+        ("under-race", "roller"): SpeedLimit(2.0e6, 3.0e6),
+        ("under-race", "taper"): SpeedLimit(1.0e6, 2.4e6),
+    }
+)
+"""Lubrication and what rolls -> limits; of taper rollers under the races with oil to their rib, too."""
+
+
+def speed_limit(kind: BearingKind, lubrication: Lubrication) -> SpeedLimit:
+    """Return the n d_m that a bearing bears [mm/min].
+
+    Args:
+        kind: Of bearing [-].
+        lubrication: How oil comes to it [-].
+
+    Source: usual speeds of makers' catalogues, oil or grease of the trade; oil under the races after tests of NASA
+        with ball and roller (to 3e6) and taper bearings with fed ribs (to 2.4e6). Estimates: the maker says better.
+    """
+    rolls = "ball" if kind.is_ball else "taper" if kind is BearingKind.TAPER else "roller"
+    return SPEED_LIMITS[lubrication, rolls]
 
 
 def least_load(rating: float, kind: BearingKind) -> float:

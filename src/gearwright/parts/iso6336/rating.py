@@ -40,11 +40,14 @@ from gearwright.parts.iso6336.loads import (
     MeshQuality,
     MeshSprings,
     Steels,
+    TipRelief,
     TransverseLoadFactor,
+    flank_class,
     load_cycles,
     load_distribution,
     mesh_springs,
     specific_load,
+    tip_relief,
 )
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
 from gearwright.parts.iso6336.root import Edition, RootSection, root_section
@@ -79,6 +82,10 @@ class PairRating:
     """Y factors of the strength of pinion and wheel."""
     bending: tuple[BendingRating, BendingRating]
     """Bending of pinion and wheel."""
+    relief: TipRelief
+    """Tip relief that K_V reckons with."""
+    grade: Annotated[Value, Quantity("number"), Origin("A", "ISO 1328-1:2013; not stated: by v, `usual_class`")]
+    """Flank tolerance class [-]."""
 
 
 def rate_pair(
@@ -137,7 +144,7 @@ def rate_mesh(
 
     Source: as `rate_pair`.
     """
-    springs = springs or mesh_springs(mesh, specific_load(mesh, duty), steels=steels)
+    springs = springs or mesh_springs(mesh, specific_load(mesh, duty), steels=steels, blank=quality.blank)
     dynamic, face, transverse = load_distribution(mesh, springs, steels, duty=duty, quality=quality)
     loads = LoadFactors(
         duty.application_factor,
@@ -163,7 +170,8 @@ def rate_mesh(
     )
     sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
     roots = _root_strengths(mesh, steels, cycles, sections=sections, quality=quality)
-    deep = deep_tooth_factor(mesh, quality.grade)
+    grade, relief = flank_class(mesh, duty, quality), tip_relief(mesh, springs, steels, duty=duty, quality=quality)
+    deep = deep_tooth_factor(mesh, grade)
     first, second = (
         bending_rating(
             mesh,
@@ -177,7 +185,8 @@ def rate_mesh(
         )
         for gear, width in enumerate(widths or (mesh.face_width, mesh.face_width))
     )
-    return PairRating(force, speed, cycles, dynamic, face, transverse, loads, contact, pitting, roots, (first, second))
+    return PairRating(force, speed, cycles, dynamic, face, transverse, loads, contact, pitting, roots, (first, second),
+                      relief, grade)  # fmt: skip
 
 
 def _contact_strengths(

@@ -30,6 +30,11 @@ BEARING_SHARE = 0.75
 """Share of the teeth that bear in a first sizing [-] (usual for flank centred splines of grade 8)."""
 SHORTEST_RATIO = 0.6
 """l/d_B below which a hub rocks on its shaft [-] (usual for gears without another seat)."""
+HOBBED = 0.60
+"""Dedendum h_fP of a hobbed shaft over its module [-]; broached 0.55, shaped 0.65, cold rolled 0.84 (DIN 5480-1:2006,
+basic rack profile)."""
+ROOT_DEPTH = 1.1 + 2.0 * HOBBED
+"""(d_B − d_f1)/m of a hobbed shaft [-]: d_f1 = m z + 2 x m − 2 h_fP with m z + 2 x m = d_B − 1.1 m."""
 _SHIFT = (-0.05, 0.45)
 """Range of the profile shift x of shafts [-] (DIN 5480-1:2006)."""
 
@@ -63,8 +68,8 @@ class Spline(NamedTuple):
 
     @property
     def shaft_root(self) -> float:
-        """Root diameter of the hobbed shaft d_f1 = d_B − 2.2 m [m]."""
-        return self.reference_diameter - 2.2 * self.module
+        """Root diameter of the hobbed shaft d_f1 = d_B − 2.3 m [m]; DIN 5480-2 lists d_B − 2.2 m, the largest."""
+        return self.reference_diameter - ROOT_DEPTH * self.module
 
 
 def spline(reference_diameter: float, module: float) -> Spline:

@@ -34,7 +34,13 @@ from gearwright.parts.planetary.compound import (
     touching,
 )
 from gearwright.parts.planetary.compound_assembly import Turns, can_assemble, fitting_turns
-from gearwright.parts.planetary.load_factor import pin_error_share, pin_error_within
+from gearwright.parts.planetary.load_factor import (
+    clocking_load_factor,
+    path_stiffness,
+    pin_error_share,
+    pin_error_within,
+    tolerance_load_factor,
+)
 from gearwright.parts.planetary.phasing import (
     PlanetPhases,
     excited_modes,
@@ -49,6 +55,7 @@ __all__ = [
     "Turns",
     "assembles",
     "can_assemble",
+    "clocking_load_factor",
     "even_positions",
     "excited_modes",
     "eye_stress",
@@ -60,6 +67,7 @@ __all__ = [
     "most_planets",
     "nearest_positions",
     "neighbours_clear",
+    "path_stiffness",
     "pin_angles",
     "pin_bore",
     "pin_diameter",
@@ -75,5 +83,6 @@ __all__ = [
     "reaches",
     "sun_to_ring_phase",
     "tip_gap",
+    "tolerance_load_factor",
     "touching",
 ]

@@ -91,6 +91,13 @@ class ScuffingMesh:
     """E [Pa] and ν [-] of the second gear where it is of another material."""
     structure: float = CASE_HARDENED_USUAL
     """X_W [-]."""
+    mates: float = 1.0
+    """Meshes that heat the first gear, such as planets around a sun n_p [-]."""
+
+    @property
+    def mating(self) -> float:
+        """Multiple mating factor X_mp = (1 + n_p)/2 of the bulk temperature [-] (ISO/TR 13989-1:2000)."""
+        return 0.5 * (1.0 + self.mates)
 
     def __post_init__(self) -> None:
         problems = [
@@ -117,7 +124,7 @@ class FlashTemperature:
     """Parameter Γ along the path of contact [-], shape (n,); 0 at the pitch point."""
     flash: Floats
     """Flash temperature there [K], shape (n,)."""
-    bulk: Annotated[float, Quantity("number"), Origin("ϑ_M = ϑ_oil + 0.47 X_S ϑ_flm", f"{_SOURCE}, eq. 22")]
+    bulk: Annotated[float, Quantity("number"), Origin("ϑ_M = ϑ_oil + 0.47 X_S X_mp ϑ_flm", f"{_SOURCE}, eq. 22")]
     """Bulk temperature ϑ_M [°C]."""
     contact: Annotated[float, Quantity("number"), Origin("ϑ_B = ϑ_M + ϑ_flmax", f"{_SOURCE}, eq. 2")]
     """Greatest contact temperature ϑ_B [°C]."""
@@ -221,7 +228,8 @@ def flash_temperature(
     load = (share * mesh.specific_load * _MM) ** 0.75
     geometry = np.abs(np.sqrt(first) - np.sqrt(second / ratio)) / relative**0.25
     flash = 2.52 * friction * elastic / 50.0 * shock * load * np.sqrt(turns) * geometry
-    bulk = oil.temperature + 0.47 * oil.supply * float(np.trapezoid(flash, place) / (place[-1] - place[0]))
+    mean = float(np.trapezoid(flash, place) / (place[-1] - place[0]))
+    bulk = oil.temperature + 0.47 * oil.supply * mesh.mating * mean
     contact = bulk + float(flash.max())
     limit = 80.0 + (0.85 + 1.4 * mesh.structure) * lubricant_factor_scuffing(oil) * oil.load_stage**2
     safety = (limit - oil.temperature) / (contact - oil.temperature)

@@ -71,7 +71,7 @@ def integral_temperature(mesh: ScuffingMesh, oil: Oil) -> IntegralTemperature:
     flash = friction * elastic * geometry * _angle_factor(mesh) * load * np.sqrt(mesh.speed)
     flash *= (pair.centre_distance / _MM) ** -0.25 / (approach * relief)
     mean = float(flash * ratio_factor)
-    integral = oil.temperature + 0.7 * mean * oil.supply + _WEIGHT * mean
+    integral = oil.temperature + 0.7 * mean * oil.supply * mesh.mating + _WEIGHT * mean
     limit = scuffing_integral_temperature(oil, mesh.structure)
     return IntegralTemperature(
         friction, float(elastic), geometry, approach, relief, ratio_factor, mean, integral, limit, limit / integral

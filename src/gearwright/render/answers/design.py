@@ -52,8 +52,9 @@ class SizeAnswer:
     implied: Mapping[str, str]
     """What the file leaves open and its level gives, the level itself too: path -> value."""
     mass: Mass
-    """Of gears, shafts and carriers, at level preliminary with bearings of planets, without motor, housing, other
-    bearings and oil; or the user's own."""
+    """As sized: of gears, shafts and carriers, gears as discs of their pitch circles unless the level is preliminary,
+    which counts bearings of planets, too; without motor, housing, other bearings and oil; or the user's own. What of
+    the complete mass is the train: complete_train."""
     gear_mass: Mass
     shaft_mass: Mass
     carrier_mass: Mass
@@ -95,6 +96,8 @@ class SizeAnswer:
     """Lower limit of its band of 68 %."""
     complete_high: Mass
     """Upper limit of its band of 68 %."""
+    complete_train: Mass
+    """Of it gears, shafts and carriers, bodies as manufactured."""
     statistics: Statistics
     """What 61 real gearboxes say of its power and speeds."""
     envelope: Envelope
@@ -166,6 +169,7 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         complete_total=complete.total,
         complete_low=complete.band[0],
         complete_high=complete.band[1],
+        complete_train=complete.train,
         statistics=statistics_beside(sizing, complete),
         envelope=envelope(sizing),
         places=stands(sizing.arrangement.bodies),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.render.answers.design import SizeAnswer, size_answer
@@ -43,7 +43,7 @@ def modes_answer(modes: Modes, case: str) -> ModesAnswer:
 
 @dataclass(frozen=True)
 class SimulateAnswer:
-    """A simulated run: statistics of every step, and where its energy went."""
+    """A simulated run of a load case: statistics of every step, and where its energy went."""
 
     case: str
     method: str
@@ -65,6 +65,8 @@ class SimulateAnswer:
     torques: tuple[LineTorque, ...]
     """Of shafts."""
     energy: EnergyBook
+    others: tuple[SimulateAnswer, ...] = ()
+    """Runs of the other cases that fail, where no case is asked for."""
 
 
 @dataclass(frozen=True)
@@ -78,13 +80,17 @@ class Instant:
     """Shaft -> its torque."""
 
 
-def simulate_answer(trace: Trace, case: str) -> SimulateAnswer:
+def simulate_answer(traces: Mapping[str, Trace]) -> SimulateAnswer:
     """Return what `gearwright simulate --json` answers.
 
     Args:
-        trace: As simulated.
-        case: Load case.
+        traces: Load case -> run; one at least.
     """
+    first, *others = (_simulated(case, trace) for case, trace in traces.items())
+    return replace(first, others=tuple(others))
+
+
+def _simulated(case: str, trace: Trace) -> SimulateAnswer:
     return SimulateAnswer(
         case=case,
         method=trace.method,
@@ -128,14 +134,14 @@ class RunAnswer:
     simulate: SimulateAnswer
 
 
-def run_answer(sizing: Sizing, modes: Modes, trace: Trace, *, case: str, verdict: tuple[str, ...]) -> RunAnswer:
+def run_answer(sizing: Sizing, modes: Modes, traces: Mapping[str, Trace], *, verdict: tuple[str, ...]) -> RunAnswer:
     """Return what `gearwright run --json` answers.
 
     Args:
         sizing: As sized.
         modes: Of its train.
-        trace: A run of it.
-        case: Load case of both.
+        traces: Load case -> run of it; the modes are those of the first.
         verdict: In sentences.
     """
-    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, case), simulate_answer(trace, case))
+    first = next(iter(traces))
+    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, first), simulate_answer(traces))

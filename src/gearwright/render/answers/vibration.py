@@ -29,7 +29,7 @@ class CriticalSpeeds:
 
 @dataclass(frozen=True)
 class CampbellAnswer:
-    """Critical speeds with their margins to the operating speed."""
+    """Critical speeds with their separation margins."""
 
     cases: tuple[CriticalSpeeds, ...]
     assumptions: tuple[Assumption, ...]
@@ -51,6 +51,7 @@ def campbell_answer(cases: Iterable[SpeedCase], assumptions: Sequence[Assumption
 class ResponseAnswer:
     """How mesh forces answer to a transmission error of one mesh row."""
 
+    case: str
     mesh: str
     """Row whose teeth err."""
     error: Annotated[float, Quantity("length")]
@@ -63,6 +64,7 @@ class ResponseAnswer:
 class RunUpAnswer:
     """Where each mesh is loudest."""
 
+    case: str
     shaft: str
     """Whose speed is given: the first machine's."""
     speed: Speed

@@ -49,10 +49,10 @@ from gearwright.shape.teeth import (
     making_of,
 )
 from gearwright.sizing import GearSizing, Sizing
-from gearwright.sizing.blanks import BACKUP
 from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass import bevel_dish, ring_outside
 from gearwright.sizing.places import BOSS
+from gearwright.sizing.rating import BACKUP
 
 BORE_ROUGHNESS = 1.6
 """Ra of toleranced bores [µm]; assumed, as of bores in the housing."""

@@ -22,6 +22,7 @@ from gearwright.render.drawings.sheet.entities import (
     millimetres,
 )
 from gearwright.render.drawings.sheet.frame import Title
+from gearwright.render.drawings.sheet.symbols import section_letters
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, Tolerance, datum
 from gearwright.render.drawings.views.marks import ACROSS, Mark, marked
@@ -33,8 +34,6 @@ from gearwright.sizing import BearingSizing, Sizing
 from gearwright.sizing.shafts import Held, held_rings
 
 NAME = "housing-bores"
-LETTERS = "ABCDEFGHJKLMNPRSTUVWXYZ"
-"""Of datums: without I, O and Q (ISO 5459)."""
 BORE_GRADE = 6
 """Of coaxiality, of what cover faces and shoulders may lean, and, by half, of flatness: usual for bearings of normal
 accuracy, assumed."""
@@ -81,7 +80,7 @@ def _place(bearing: BearingSizing) -> float:
 def _letters(sizing: Sizing, shafts: Mapping[str, Sequence[BearingSizing]]) -> dict[str, str]:
     """Return bearing -> letter of the datum that its bore is: both radial ones of every shaft."""
     radial = [one.name for own in shafts.values() for one in own if sizing.design.bearings[one.name].radial]
-    return dict(zip(radial, LETTERS, strict=False))
+    return dict(zip(radial, section_letters(), strict=False))
 
 
 def _axis_of(sizing: Sizing, own: Sequence[BearingSizing], letters: Mapping[str, str]) -> str:

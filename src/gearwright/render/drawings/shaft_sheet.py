@@ -11,7 +11,7 @@ from gearwright.catalogue.standard_parts.radial_seals import SHAFT as UNDER_SEAL
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.entities import Distance, millimetres
 from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import cutting_plane
+from gearwright.render.drawings.sheet.symbols import cutting_plane, section_letters
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, datum
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, shaft_body
@@ -92,7 +92,7 @@ def _views(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece], hard: tuple[
         low, high = axis.at(end, -body.bore / 2.0), axis.at(end, body.bore / 2.0)
         main.append(Distance(low, high, high + 10.0, math.pi / 2.0, scale, "Ø"))
     sections = []
-    for letter, slot in zip("ABCDEFGH", body.slots, strict=False):
+    for letter, slot in zip(section_letters(), body.slots, strict=False):
         reach = slot.diameter / 2.0 * scale + 2.0
         main += cutting_plane(axis.at((slot.start + slot.end) / 2.0), reach, letter, looking=1 + 0j)
         sections.append(keyway_section(slot, body.bore, letter, scale, datums=AXIS if seats else ""))

@@ -44,8 +44,8 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
         sizing: As sized.
         speeds: From `critical_speeds`.
     """
-    excited = [critical for critical in (*speeds.critical, *speeds.assumed) if critical.excited]
-    near = sorted(excited, key=lambda critical: abs(critical.margin))[:MOST_MARGINS]
+    excited = [critical for critical in (*speeds.critical, *speeds.assumed) if critical.excited and critical.criterion]
+    near = sorted(excited, key=lambda critical: critical.over_limit)[:MOST_MARGINS]
     heights = [85.0, *([75.0] if has_low_modes(speeds) else []), 12.0 + 5.0 * max(len(near), 1)]
     figure = theme.sheet(WIDTH, sum(heights) + 8.0 + 8.0 * len(heights))
     diagram, *low, margins = figure.grid(len(heights), 1, heights=heights)[:, 0]
@@ -105,7 +105,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     )
     frame = _Frame(speed, 1.12e-3 * highest)
     speeds = speed_case.campbell.factor * frame.speed
-    axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
+    axes.axvspan(*RESONANCE.around(frame.speed), color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
     axes.annotate("operating", (frame.speed, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5,
                    va="top")  # fmt: skip
@@ -116,11 +116,10 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.set_xlabel(f"speed of {shaft} [rpm]")
     axes.set_title(f"Campbell diagram, case {speed_case.cases}")
     _draw_orders(axes, sizing, speed_case.campbell.orders, frame)
-    for critical in excited:
-        area = LARGEST_DOT * min(critical.dynamic_force, 2.0)
-        axes.scatter(
-            critical.speed / RPM, critical.frequency / 1e3, s=max(area, 2.0), color=theme.ORANGE, zorder=3, lw=0.0
-        )
+    for critical in (*speed_case.assumed, *speed_case.critical):
+        if critical.excited and critical.frequency / 1e3 < frame.top:
+            axes.scatter([critical.speed / RPM], [critical.frequency / 1e3], s=_area(critical), c=[_face(critical)],
+                         edgecolors=theme.ORANGE, zorder=3, lw=0.8)  # fmt: skip
     axes.scatter(
         [], [], s=LARGEST_DOT, color=theme.ORANGE, lw=0.0, label="resonance; area: force amplitude over mean force"
     )
@@ -167,31 +166,38 @@ def operating_speed(sizing: Sizing, speeds: SpeedCase) -> tuple[str, float]:
     return shaft, abs(sizing.flows[speeds.first].speeds[shaft]) / RPM
 
 
+def _area(critical: CriticalSpeed) -> float:
+    """Return the area of the dot of a dynamic force [pt²]."""
+    return max(2.0, LARGEST_DOT * min(critical.dynamic_force, 2.0))
+
+
+def _face(critical: CriticalSpeed) -> str:
+    """Return the colour inside a dot: hollow where the strength of the order is assumed."""
+    return theme.PAPER if critical.why else theme.ORANGE
+
+
 def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
-    """Draw the distance of each critical speed from the operating one, in per cent, nearest on top."""
-    axes.set_title("Excited critical speeds nearest to the operating speed")
+    """Draw the separation margin of each critical speed, in per cent, the nearest on top."""
+    axes.set_title("Excited critical speeds, the nearest to the operating speed by their limits")
     if not near:
         axes.set_axis_off()
         axes.text(0.0, 0.5, "No order excites a mode in this range of speeds.", inside=True, fontsize=7.5)
         return
-    band = [100.0 * (1.0 / bound - 1.0) for bound in reversed(RESONANCE)]
-    axes.axvspan(*band, color=theme.STEEL, lw=0.0, zorder=0)
-    apart = [100.0 * (1.0 / bound - 1.0) for bound in reversed(SEPARATION)]
-    axes.axvspan(*apart, color=theme.MUTED, alpha=0.25, lw=0.0, zorder=0)
+    for criterion, look in ((RESONANCE, {"color": theme.STEEL}), (SEPARATION, {"color": theme.MUTED, "alpha": 0.25})):
+        axes.axvspan(-100.0 * criterion.limit, 100.0 * criterion.limit, lw=0.0, zorder=0, **look)
     axes.axvline(0.0, color=theme.INK, lw=0.9)
     place = np.arange(len(near))
-    margin = np.array([100.0 * critical.margin for critical in near])
+    margin = np.array([100.0 * critical.separation_margin for critical in near])
     axes.hlines(place, 0.0, margin, color=theme.MUTED, lw=0.7)
-    area = [max(2.0, LARGEST_DOT * min(critical.dynamic_force, 2.0)) for critical in near]
-    face = [theme.PAPER if critical.why else theme.ORANGE for critical in near]
+    area, face = [_area(critical) for critical in near], [_face(critical) for critical in near]
     axes.scatter(margin, place, s=area, c=face, edgecolors=theme.ORANGE, zorder=3, lw=0.8)
     names = [f"{critical.order}, mode {critical.mode} ({critical.frequency:.0f} Hz)" for critical in near]
     axes.set_yticks(place, names, fontsize=6.5)
     axes.set_ylim(len(near) - 0.4, -0.6)
-    reach = 1.15 * max(float(np.max(np.abs(margin))), band[1])
+    reach = 1.15 * max(float(np.max(np.abs(margin))), 100.0 * RESONANCE.limit)
     axes.set_xlim(-reach, reach)
     axes.set_xlabel(
-        "critical over operating speed, less 1 [%]\n"
+        "separation margin: operating over critical speed, less 1 [%]\n"
         "shaded: main resonance range, ISO 6336-1; darker: 10 %, API 617\n"
         f"hollow: {100.0 * SWING:g} % of a torque or mesh force is assumed to swing"
     )

@@ -54,11 +54,11 @@ def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[
     """
     shaft, speed = operating
     rpm = speeds.campbell.factor * speed
-    axes.axvspan(SEPARATION[0] * speed, SEPARATION[1] * speed, color=theme.STEEL, lw=0.0, zorder=0)
+    axes.axvspan(*SEPARATION.around(speed), color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(speed, color=theme.INK, lw=0.9)
     axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1, names=mode_names(speeds.campbell, speeds.system))
     axes.set(xlim=(0.0, rpm[-1]), ylim=(0.0, LOW), ylabel="frequency [Hz]", xlabel=f"speed of {shaft} [rpm]")
-    axes.set_title(f"Below {LOW:g} Hz; shaded: 10 % of the operating speed")
+    axes.set_title(f"Below {LOW:g} Hz; shaded: the operating speed within 10 % of the critical one")
     _draw_rays(axes, _named(sizing, speeds, rpm[-1] / speed))
     for critical in (*speeds.critical, *speeds.assumed):
         if critical.excited and critical.frequency < LOW:

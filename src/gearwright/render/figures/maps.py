@@ -7,13 +7,12 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
-from gearwright.render.grid.table import written
 from gearwright.render.style import theme
 from gearwright.render.style.compound import NIGHT, colour_bar, shades
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure
-from gearwright.units import RPM
+from gearwright.units import RPM, written
 
 DECADES = 3.0
 """Range of amplitudes that a waterfall tells apart, below the largest [decades]."""

@@ -16,6 +16,7 @@ from gearwright.render.tables.sizing.overview import not_in_the_mass
 from gearwright.render.vector.axes import Axes
 from gearwright.render.vector.figure import Figure
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_groups, mass_parts
+from gearwright.units import margin_text
 
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN, "planet bearings": theme.SKY}
 _ROW = 5.2
@@ -59,7 +60,7 @@ def mass_figure(sizing: Sizing) -> Figure:
     axes.invert_yaxis()
     axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(sizing)}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
-    axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
+    axes.set_title(f"Train as sized {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     axes.only_grid("x")
     return figure
 
@@ -133,7 +134,7 @@ def _bars(axes: Axes, checks: Sequence[Check]) -> None:
     for place, (check, margin, length) in enumerate(zip(checks, margins, shown, strict=True)):
         colour = theme.ORANGE if check.fails else theme.INK
         told = "  too small" if check.fails else "  waived" if check.waiver else ""
-        number = f"{margin:.3f}" if math.isfinite(margin) else "no load"
+        number = margin_text(margin, 4) if math.isfinite(margin) else "no load"
         axes.annotate(f"{number}{told}", (length, place), (3, 0), fontsize=7.5,
                        va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}{_case(check)}" for check in checks])

@@ -6,14 +6,13 @@ no unit and no formula is written twice.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Literal
 
 from gearwright.identity import PartId
-from gearwright.units import Origin, marks_at, origin_of, shown, unit
+from gearwright.units import Origin, marks_at, number_text, origin_of, shown, unit
 
 Mark = Literal["", "given", "estimated"]
 """Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
@@ -25,6 +24,7 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "teeth": "z", "module": "m_n", "helix_angle": "β", "profile_shift": "x", "tip_alteration": "k",
     "face_width": "b", "pitch_diameter": "d", "mass": "m", "centre_distance": "a_w", "working_pressure_angle": "α_wt",
     "inertia": "I", "speed": "n", "torque": "T", "power": "P", "load_factor": "K_γ", "tangential_force": "F_t",
+    "resonance_ratio": "N", "dynamic_factor": "K_V", "relief_term": "B_k", "tip_relief": "C_a",
     "radial_force": "F_r", "axial_force": "F_a", "pitch_line_velocity": "v", "bending_stress": "σ_F",
     "contact_stress": "σ_H", "stiffness": "k", "bending_moment": "M_b", "diameter": "d", "bore": "d_i",
     "length": "L", "pin_force": "F_p", "centrifugal_force": "F_c",
@@ -35,21 +35,13 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "contact_margin": "margin σ_H", "radial": "F_r", "axial": "F_a", "equivalent_load": "P", "dynamic_rating": "C",
     "life": "L_10h", "static_safety": "s_0", "inner_diameter": "d", "outer_diameter": "D", "bending_notch": "K_f",
     "torsion_notch": "K_fs", "fatigue_safety": "n_f", "yield_safety": "n_y", "din743_safety": "S_D", "pressure": "p",
-    "allowed_pressure": "p_perm", "critical_speed": "n_crit",
+    "allowed_pressure": "p_perm", "critical_speed": "n_crit", "separation_margin": "n_op/n − 1",
 })  # fmt: skip
 """Field -> symbol of the trade."""
 _HEADERS = {
     "name": "", "power_coefficient": "C_P", "thrust_coefficient": "C_T",
     "windmilling_angle": "idle angle", "windmilling_thrust": "idle C_T",
 }  # fmt: skip
-NOISE = 1e-9
-"""Magnitude, in the unit that is shown, below which a number is rounding."""
-EXACT = 12
-"""Digits of a number that no rounding touches [-]: a half is decided by these."""
-SMALLEST_PLAIN = 1e-3
-"""Magnitude below which a number is written with a power of ten."""
-LARGEST_PLAIN = 1e12
-"""Magnitude from which on it is so, too: a life without end, say."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +175,7 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
     """
     if isinstance(value, float):
         number = shown(value, column.dimension) if column.dimension else value
-        return Cell(number, written(number), mark)
+        return Cell(number, number_text(value, column.dimension), mark)
     if value is None:
         return Cell(None, "–", mark)
     if isinstance(value, PartId):
@@ -192,29 +184,3 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
         parts = [cell(part, column) for part in value]
         return Cell([part.value for part in parts], ", ".join(part.text for part in parts), mark)
     return Cell(value, str(value), mark)
-
-
-def written(number: float, digits: int = 4) -> str:
-    """Return a number with so many significant digits, trailing zeros kept; what differs by rounding alone reads alike.
-
-    Args:
-        number: In the unit that is shown.
-        digits: Significant digits [-].
-
-    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30), written(196.25), written(196.25 + 1e-12)
-    ('1.000', '−16035', '0', '0', '196.2', '196.2')
-    """
-    if abs(number) < NOISE:
-        return "0"
-    if number < 0.0:
-        return f"−{written(-number, digits)}"
-    if math.isinf(number):
-        return "∞"
-    number = float(f"{number:.{EXACT}g}")
-    if abs(number) >= LARGEST_PLAIN:
-        return f"{number:.{digits - 1}e}"
-    if abs(number) >= 10 ** (digits - 1):
-        return f"{number:.0f}"
-    if abs(number) < SMALLEST_PLAIN:
-        return f"{number:.{digits - 1}e}"
-    return f"{number:#.{digits}g}".rstrip(".")

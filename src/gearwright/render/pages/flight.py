@@ -54,8 +54,9 @@ BASIS = (
     ("Need of thrust", "(D + m g sin γ + m dV/dt)/engines, C_D = C_D0 + k C_L²", "Newton along the path"),
     (
         "Turbine",
-        "P ∝ δ_t θ_t^n and a Willans line, or the deck that [engine] names; flat rating, torque limit",
-        "Saravanamuttoo et al., Gas Turbine Theory; the deck's file",
+        "P ∝ δ_t θ_t^n and a Willans line, or the deck that [engine] names, whose power is of a standard day and"
+        " otherwise goes with θ_t^n; n of engines by their components; flat rating, torque limit",
+        "benchmarks/temperature_lapse.py; the deck's file",
     ),
     ("Motor", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
     ("Battery", "V_oc(s) − R I, with limits of charge and C-rate", "first-order circuit"),

@@ -8,7 +8,6 @@ from gearwright.mission import FlownMix
 from gearwright.render.figures.flights.flight import power_figure, profile_figure
 from gearwright.render.figures.flights.lives import life_figure, spectrum_figure
 from gearwright.render.figures.flights.mix import eaten_figure
-from gearwright.render.grid.table import written
 from gearwright.render.pages.page import (
     UNSTAMPED,
     Number,
@@ -25,7 +24,7 @@ from gearwright.render.tables.flight import forces_table, phase_table
 from gearwright.render.tables.mix import mission_table, part_table
 from gearwright.render.words.flights.flight import count_text
 from gearwright.render.words.flights.mix import notes, totals, verdict
-from gearwright.units import Origin
+from gearwright.units import Origin, digits_apart, written
 
 
 def mix_page(flown: FlownMix, *, stamp: Stamp = UNSTAMPED) -> str:
@@ -57,7 +56,9 @@ def _numbers(flown: FlownMix) -> Iterator[Number]:
         first = flown.life.parts[0]
         yield Number(f"first to fail: {first.name}", f"{count_text(first.flights)} flights")
         miner = Origin("D = Σ n_i/N_i", "Palmgren 1924, Miner 1945")
-        yield Number("Miner's sum", written(flown.damage, 3), value=flown.damage, origin=miner)
+        yield Number(
+            "Miner's sum", written(flown.damage, digits_apart(flown.damage, 1.0, 3)), value=flown.damage, origin=miner
+        )
     yield Number("flights", f"{flown.mix.flights}")
     yield quantity("flight time", flown.duration, "life")
     yield quantity("fuel of one gearbox", flown.fuel, "mass")

@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from gearwright.checks import Check
 from gearwright.render import live, uplot
-from gearwright.render.grid.table import MARKS, Table, written
+from gearwright.render.grid.table import MARKS, Table
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.vector.figure import Figure as Drawing
@@ -26,7 +26,7 @@ from gearwright.reviews import Review
 from gearwright.reviews import Verdict as Judgement
 from gearwright.sizing import Sizing
 from gearwright.spec import Design
-from gearwright.units import Origin, shown, unit
+from gearwright.units import Origin, margin_text, number_text, shown, unit, written
 from gearwright.version import __version__
 
 _NONE = Markup()
@@ -172,7 +172,7 @@ def quantity(
     """
     number = shown(value, dimension)
     ends = None if band is None else (shown(band[0], dimension), shown(band[1], dimension))
-    return Number(name, written(number, digits), unit(dimension), number, ends, share, origin)
+    return Number(name, number_text(value, dimension, digits), unit(dimension), number, ends, share, origin)
 
 
 _TONES = {Judgement.FAILS: Tone.BAD, Judgement.PASSES_SO_FAR: Tone.OPEN, Judgement.PASSES: Tone.GOOD}
@@ -217,7 +217,7 @@ def reserve(check: Check | None) -> tuple[Number, ...]:
     if check is None or check.margin is None:
         return ()
     origin = Origin("margin", f"{check.clause}; {check.part}: {check.what}")
-    return (Number(f"worst margin: {check.part}", written(check.margin, 3), "", check.margin, origin=origin),)
+    return (Number(f"worst margin: {check.part}", margin_text(check.margin), "", check.margin, origin=origin),)
 
 
 def hash_of(design: Design) -> str:

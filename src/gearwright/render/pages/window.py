@@ -9,7 +9,7 @@ from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.flights.window import window_figure
-from gearwright.render.grid.table import Table, table, written
+from gearwright.render.grid.table import Table, table
 from gearwright.render.pages.page import (
     UNSTAMPED,
     Number,
@@ -25,7 +25,7 @@ from gearwright.render.pages.page import (
 from gearwright.render.words.flights.window import ranges, window_verdict
 from gearwright.render.words.headline import energy_text
 from gearwright.sizing import Sizing
-from gearwright.units import shown, unit
+from gearwright.units import margin_text, shown, unit, written
 
 
 @dataclass(frozen=True)
@@ -84,12 +84,12 @@ def _numbers(window: DynamicWindow) -> Iterator[Number]:
     margins = _margins(window)
     if margins:
         part = min(margins, key=lambda name: margins[name])
-        yield Number(f"least margin: {part}", written(margins[part], 3), "", margins[part])
+        yield Number(f"least margin: {part}", margin_text(margins[part]), "", margins[part])
     if window.meshes:
         load = max(window.meshes, key=lambda mesh: mesh.peak_over_mean)
         yield Number(f"peak over mean: {load.mesh}", written(load.peak_over_mean, 3), "", load.peak_over_mean)
         force = max(window.meshes, key=lambda mesh: mesh.peak_force)
-        yield quantity(f"largest force: {force.mesh}", force.peak_force, "force")
+        yield quantity(f"largest tangential force: {force.mesh}", force.peak_force, "force")
     if window.shafts:
         shaft = max(window.shafts, key=lambda row: row.peak_torque)
         yield quantity(f"largest torque: {shaft.shaft}", shaft.peak_torque, "torque")

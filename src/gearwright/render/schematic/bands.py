@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -33,7 +34,7 @@ class Pen:
 
 
 def source_colours(train: Train, flow: PowerFlow, kinds: Mapping[str, str]) -> dict[str, str]:
-    """Return machine -> colour for those that give power in a case.
+    """Return machine -> colour for those that give power in a case: each its own, as long as there are any.
 
     Args:
         train: The graph.
@@ -44,9 +45,8 @@ def source_colours(train: Train, flow: PowerFlow, kinds: Mapping[str, str]) -> d
     for name in train.machines:
         if flow.machine_powers[name] > 0.0:
             first = theme.KIND_COLOURS.get(kinds.get(name, ""), theme.BLUE)
-            colours[name] = next(
-                colour for colour in (first, *theme.CYCLE, theme.MUTED) if colour not in colours.values()
-            )
+            taken = Counter(colours.values())
+            colours[name] = min((first, *theme.CYCLE, theme.MUTED), key=taken.__getitem__)
     return colours
 
 

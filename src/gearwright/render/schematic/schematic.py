@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 
 from gearwright.errors import by_name
 from gearwright.identity import Kind, Role
-from gearwright.render.grid.table import written
 from gearwright.render.schematic.bands import Pen, band_scale, draw_bands, half_width, source_colours, spots
 from gearwright.render.schematic.drawing import draw_train, gear_sides
 from gearwright.render.schematic.layout import Layout, lay_out
@@ -19,7 +18,7 @@ from gearwright.render.vector.palette import tinted
 from gearwright.render.vector.words import text_width
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow, Train
-from gearwright.units import shown, text
+from gearwright.units import shown, text, written
 
 BORDER = 4.0
 """Around the drawing [mm]."""

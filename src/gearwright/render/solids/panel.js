@@ -50,6 +50,13 @@ class Panel {
   }
 
   /* Blue has room, white is just enough, orange fails; grey has no check. The number stands beside every name, too. */
+  /* A margin to the nearest; what is below 1 never reads as 1. */
+  static said(margin) {
+    let digits = 3;
+    while (margin < 1 - 1e-9 && Number(margin.toPrecision(digits)) >= 1) digits++;
+    return margin >= 100 ? margin.toFixed(0) : margin.toPrecision(digits);
+  }
+
   static hue(margin) {
     if (margin === null) return new THREE.Color(0xb9bec5);
     const fails = new THREE.Color(0xd55e00), even = new THREE.Color(0xf0e6c8), room = new THREE.Color(0x0072b2);
@@ -83,7 +90,7 @@ class Panel {
     for (const button of this.list.querySelectorAll("button")) {
       const body = this.gearbox.bodies.find(one => one.label === button.dataset.part && one.solid);
       const part = this.facts.parts[button.dataset.part];
-      button.lastChild.textContent = by === "force" ? part.force_text : part.margin === null ? "" : part.margin.toFixed(2);
+      button.lastChild.textContent = by === "force" ? part.force_text : part.margin === null ? "" : Panel.said(part.margin);
       button.firstChild.style.background = body ? "#" + body.solid.material.color.getHexString() : "none";
     }
   }

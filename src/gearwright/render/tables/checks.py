@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.checks import Check
-from gearwright.render.grid.table import Table, table, written
-from gearwright.units import Quantity, shown, unit
+from gearwright.checks import Check, Status
+from gearwright.render.grid.table import Table, table
+from gearwright.units import Quantity, digits_apart, margin_text, shown, unit, written
 
 JUST_ENOUGH = (
     "Margin: the factor by which loads may grow; 1 is just enough. Of a safety value over limit, of a stress limit over"
@@ -41,7 +41,7 @@ class Judged:
     status: str
     """passes, fails, waived or not assessed."""
     why: str
-    """Why it is waived or not assessed."""
+    """Why it is waived or not assessed, or what else to know, such as what would help."""
 
 
 def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
@@ -68,7 +68,7 @@ def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
 
 
 def review_tables(checks: Iterable[Check]) -> tuple[Table, ...]:
-    """Return what is assessed, the worst first, what is waived, and what is not assessed, each as a table.
+    """Return what is assessed, the worst first, remarks on it, what is waived or not assessed, each as a table.
 
     Args:
         checks: Of one gearbox, in the order of `worst_first`.
@@ -76,8 +76,10 @@ def review_tables(checks: Iterable[Check]) -> tuple[Table, ...]:
     rows = judged(checks)
     assessed = [row for row in rows if row.margin is not None]
     waived = [row for row in rows if row.status == "waived"]
+    told = [row for row in assessed if row.why and row.status != "waived"]
     return (
         table("Checks, worst first", assessed, ("status", *COLUMNS), note=JUST_ENOUGH),
+        table("Remarks", told, ("part", "check", "why")),
         table("Waived by the design", waived, ("part", "check", "why")),
         table("Not assessed", [row for row in rows if row.margin is None], ("part", "check", "why")),
     )
@@ -94,8 +96,9 @@ def check_sentence(check: Check) -> str:
         check: One that is assessed.
     """
     (row,) = judged([check])
-    value, limit = (f"{written(number)} {row.unit}".rstrip() for number in (row.value, row.limit) if number is not None)
+    pair = row.value or 0.0, row.limit or 0.0
+    digits = digits_apart(*pair) if check.status is Status.FAILS else 4
+    value, limit = (f"{written(number, digits)} {row.unit}".rstrip() for number in pair)
     case = f", case {row.case}" if row.case else ""
-    return (
-        f"{row.part}: {row.check} {value}, limit {limit} ({row.source}){case}: margin {written(row.margin or 0.0, 3)}"
-    )
+    margin = margin_text(row.margin or 0.0)
+    return f"{row.part}: {row.check} {value}, limit {limit} ({row.source}){case}: margin {margin}"

@@ -25,8 +25,10 @@ class Critical:
     """[Hz]"""
     speed: Speed
     """Of the first machine's shaft [rad/s]."""
-    margin: Annotated[float, Quantity("percent"), Origin("n_crit/n − 1", "definition")]
-    """[-]"""
+    separation_margin: Annotated[float, Quantity("percent"), Origin("n_op/n − 1", "definition")]
+    """n_op/n − 1 of operating speed n_op and critical speed n [-]."""
+    limit: Annotated[float | None, Quantity("percent"), Origin("|n_op/n − 1|", "ISO 6336-1, clause 6; API 617")]
+    """Least of its amount [-]; none where no criterion is made for the order."""
     dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
     """Amplitude over mean [-]."""
     verdict: str
@@ -43,11 +45,19 @@ class ByMachine:
     """[Hz]"""
     speed: Speed
     """Of the first machine's shaft [rad/s]."""
-    margin: Annotated[float, Quantity("percent"), Origin("n_crit/n − 1", "definition")]
-    """[-]"""
+    separation_margin: Annotated[float, Quantity("percent"), Origin("n_op/n − 1", "definition")]
+    """n_op/n − 1 of operating speed n_op and critical speed n [-]."""
+    limit: Annotated[float | None, Quantity("percent"), Origin("|n_op/n − 1|", "ISO 6336-1, clause 6; API 617")]
+    """Least of its amount [-]; none where no criterion is made for the order."""
     dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
     """Amplitude over mean, of an assumed swing [-]."""
     verdict: str
+
+
+_DEFINED = (
+    "n: critical speed of the first machine's shaft; n_op: its operating speed; f: damped frequency at n. In resonance:"
+    " the separation margin n_op/n − 1 is less than the limit, whatever its sign."
+)
 
 
 def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
@@ -55,15 +65,15 @@ def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
 
     Args:
         speeds: From `critical_speeds`.
-        maximum: Rows at most; what is not excited stands last.
+        maximum: Rows at most, but for those in resonance, which are all there; what is not excited stands last.
     """
-    rows = critical_rows(speeds.critical)
+    rows, maximum = critical_rows(speeds.critical), _shown(speeds.critical, maximum)
     note = (
-        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
-        " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
-        f" stiffness variation and errors of the design.{_left_out(len(rows), maximum)}"
+        f"{_DEFINED} The limit of a mesh frequency and its multiples is that of ISO 6336-1, clause 6, of a shaft's"
+        " turning that of API 617. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its"
+        f" mean, from the stiffness variation and errors of the design.{_left_out(len(rows), maximum)}"
     )
-    fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
+    fields = ("order", "mode", "frequency", "speed", "separation_margin", "limit", "dynamic_force", "verdict")
     return table(f"Critical speeds, case {speeds.cases}", rows[:maximum], fields, note=note)
 
 
@@ -72,16 +82,23 @@ def machine_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
 
     Args:
         speeds: From `critical_speeds`.
-        maximum: Rows at most; what is not excited stands last.
+        maximum: Rows at most, but for those in resonance, which are all there; what is not excited stands last.
     """
-    rows = machine_rows(speeds)
+    rows, maximum = machine_rows(speeds), _shown(speeds.assumed, maximum)
     note = (
-        f"Nobody states how hard they shake: dynamic force is what follows if {100.0 * SWING:g} % of the mean torque of"
-        " the machine, or of the force of one mesh, swings. In resonance: within 10 % (API 617)."
+        f"{_DEFINED} The limit is that of API 617; what comes less than once in a turn of any shaft, as hunting teeth"
+        " do, has none. Nobody states how hard they shake: dynamic force is what follows if"
+        f" {100.0 * SWING:g} % of the mean torque of the machine, or of the force of one mesh, swings."
         f"{_left_out(len(rows), maximum)}"
     )
-    fields = ("order", "why", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
+    fields = ("order", "why", "mode", "frequency", "speed", "separation_margin", "limit", "dynamic_force", "verdict")
     return table(f"Orders of machines, teeth and planets, case {speeds.cases}", rows[:maximum], fields, note=note)
+
+
+def _shown(criticals: Sequence[CriticalSpeed], maximum: int) -> int:
+    """Return how many rows a table shows: those in resonance at least."""
+    within = [place for place, critical in enumerate(criticals, 1) if critical.excited and critical.in_resonance]
+    return max(maximum, *within[-1:], 0)
 
 
 def _left_out(rows: int, maximum: int) -> str:
@@ -107,15 +124,20 @@ def critical_rows(critical_speeds: Sequence[CriticalSpeed]) -> tuple[Critical, .
     return tuple(Critical(critical.order, *_met(critical)) for critical in critical_speeds)
 
 
-def _met(critical: CriticalSpeed) -> tuple[str, float, float, float, float, str]:
-    """Return the mode that is met, its frequency, speed, margin and dynamic force, and the verdict."""
-    force = critical.dynamic_force
-    return critical.mode, critical.frequency, critical.speed, critical.margin, force, _verdict(critical)
+def _met(critical: CriticalSpeed) -> tuple[str, float, float, float, float | None, float, str]:
+    """Return the mode that is met, its frequency and speed, separation margin, limit, dynamic force and verdict."""
+    limit = None if critical.criterion is None else critical.criterion.limit
+    return (
+        critical.mode, critical.frequency, critical.speed, critical.separation_margin, limit,
+        critical.dynamic_force, _verdict(critical),
+    )  # fmt: skip
 
 
 def _verdict(critical: CriticalSpeed) -> str:
     if not critical.excited:
         return "not excited"
+    if critical.criterion is None:
+        return "no criterion"
     return "in resonance" if critical.in_resonance else "clear"
 
 
@@ -128,27 +150,49 @@ def assumption_table(listed: Sequence[Assumption]) -> Table:
     return table("Assumptions of the dynamic model", listed, ("subject", "value", "origin", "path"))
 
 
-def peak_table(response: Response, lines: Sequence[str], *, maximum: int = 12) -> Table:
+def peak_table(response: Response, lines: Sequence[str], *, excited: str, maximum: int = 12) -> Table:
     """Return the highest peaks of a frequency response.
 
     Args:
         response: Of the train.
         lines: Whose forces count.
+        excited: What excites, in which case.
         maximum: Rows at most.
     """
-    return table("Peaks", peaks(response, lines)[:maximum], ("line", "frequency", "force"))
+    rows = peaks(response, lines)
+    note = f"Amplitudes along the line of action, the highest first.{_left_out(len(rows), maximum)}"
+    return table(f"Peaks: {excited}", rows[:maximum], ("line", "frequency", "force"), note=note)
 
 
-def loudest_table(run_up: RunUp, speed: float) -> Table:
+def excited_by(row: str, error: float, case: str) -> str:
+    """Return what excites a response: ``transmission error of 1 µm in first.sun-planet, case rated``.
+
+    Args:
+        row: Mesh row whose teeth err.
+        error: Amplitude [m].
+        case: Load case.
+    """
+    return f"transmission error of {error * 1e6:g} µm in {row}, case {case}"
+
+
+def loudest_table(run_up: RunUp, speed: float, *, case: str) -> Table:
     """Return for each line the speed at which its force swings most, and the order that does it.
 
     Args:
         run_up: Speeds and spectra.
         speed: Operating speed of the first machine's shaft [rad/s].
+        case: Load case.
     """
     worst = Error(float(np.max(run_up.error)), float(np.max(run_up.rms_error)))
-    note = f"Steady running at each speed with the torques of the case; {worst.words()}, at the worst speed."
+    note = (
+        "Swing: root mean square of the force about its mean F_m over the window of steady running T,"
+        " √(1/T ∫ (F − F_m)² dt); order: what has the largest amplitude there. Steady running at each speed with the"
+        f" torques of the case; {worst.words()}, at the worst speed."
+    )
     note = " ".join([note, *(f"{less[0].upper()}{less[1:]}." for less in run_up.notes)])
     return table(
-        "Loudest speeds", loudest_speeds(run_up, speed), ("line", "speed", "swing", "mean", "order"), note=note
+        f"Loudest speeds, case {case}",
+        loudest_speeds(run_up, speed),
+        ("line", "speed", "swing", "mean", "order"),
+        note=note,
     )

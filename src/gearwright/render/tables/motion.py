@@ -82,18 +82,19 @@ class EnergyBook:
     """[-]"""
 
 
-def mode_table(modes: Modes, *, maximum: int = 30) -> Table:
+def mode_table(modes: Modes, *, case: str = "", maximum: int = 30) -> Table:
     """Return natural frequencies with what moves and what is strained.
 
     Args:
         modes: As found.
+        case: Load case, if they are of a design.
         maximum: Modes that are listed at most.
     """
     rows = mode_rows(modes)
     left = f" {len(rows) - maximum} higher ones are left out." if len(rows) > maximum else ""
     note = f"{modes.rigid} rigid. Undamped, at the mean stiffness.{left}"
     fields = ("number", "frequency", "highest_kinetic_energy", "highest_strain_energy", "energy")
-    return table("Natural frequencies", rows[:maximum], fields, note=note)
+    return table(f"Natural frequencies{f', case {case}' if case else ''}", rows[:maximum], fields, note=note)
 
 
 def mode_rows(modes: Modes) -> list[Mode]:

@@ -16,7 +16,7 @@ NOTE = (
 
 
 def path_table(sizing: Sizing) -> Table:
-    """Return the shares of all parallel meshes in the design's first case; no rows where there are none.
+    """Return the shares of all parallel meshes in the governing case; no rows where there are none.
 
     Args:
         sizing: As sized.

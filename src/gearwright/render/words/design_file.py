@@ -14,10 +14,9 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from gearwright.render.grid.table import written
 from gearwright.spec import Mission, MixFile, OneOf, Record, Study, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import Design
-from gearwright.units import SUFFIXES, shown, unit
+from gearwright.units import SUFFIXES, shown, unit, written
 
 _HEAD = """# The design file
 

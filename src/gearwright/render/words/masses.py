@@ -13,7 +13,7 @@ _ROWS = ("complete_mass.low", "complete_mass.high")
 
 
 def train_mass(sizing: Sizing) -> str:
-    """Return the mass of the train with its groups, which add up to it unless it is given.
+    """Return the mass of the train as sized with its groups, which add up to it unless it is given.
 
     Args:
         sizing: As sized.
@@ -46,7 +46,7 @@ def summary(sizing: Sizing) -> str:
     turning = 0.0 if "planet bearings" in mass_groups(sizing) else sizing.planet_bearing_mass
     beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
     told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
-    first = f"Complete mass {complete}. Train " if complete else ""
+    first = f"Complete mass {complete}. Train as sized " if complete else ""
     return f"{first}{train_mass(sizing)}, {text(sizing.power_density, 'specific_power')}.{told}"
 
 

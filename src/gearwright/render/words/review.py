@@ -8,16 +8,14 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.closure import Closed, Contradiction, Round, Variants
-from gearwright.closure.life import LONGEST
+from gearwright.closure.life import LONGEST, SHORTEST
 from gearwright.render.grid.grid import Grid
-from gearwright.render.grid.table import written
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing.masses import mass_sentence
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
-from gearwright.spec.design import PRELIMINARY
-from gearwright.units import shown, text
+from gearwright.units import shown, text, written
 
 
 def review_text(review: Review) -> RenderableType:
@@ -94,12 +92,13 @@ def variants_text(found: Variants) -> RenderableType:
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
-    made = closed.sizing.level == PRELIMINARY
-    yield "with gears as made" if made else "of solid wheels", text(closed.mass, "mass")
+    yield "train as sized", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
+    yield "its train", text(closed.whole.train, "mass")
     for row in closed.lives:
         hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
+        hours = hours if row.life > SHORTEST else "less than 0.1 h"
         yield f"life of {row.stage}", f"{hours}, by {row.governs}"
     if closed.lives:
         yield "life asked", text(closed.design.service.life, "life")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.render.tables.sizing.teeth import chosen_teeth
-from gearwright.units import text
+from gearwright.units import margin_text, text
 
 FIRST = 6
 """Names, rows or frequencies that are written out."""
@@ -64,7 +64,7 @@ def _design(design: Any) -> Iterator[str]:
 def _sizing(sizing: Any) -> Iterator[str]:
     yield (
         f"Sizing {sizing.design.name[:LONGEST]!r}: {text(sizing.mass, 'mass')} without housing, "
-        f"{text(sizing.rated_power, 'power')} rated, worst margin {sizing.worst_margin:.3f}"
+        f"{text(sizing.rated_power, 'power')} rated, worst margin {margin_text(sizing.worst_margin, 4)}"
     )
     yield f"teeth {_listed(f'{gear} {teeth}' for gear, teeth in sizing.teeth.items())}; cases {_listed(sizing.flows)}"
     yield from filter(None, [chosen_teeth(sizing)])
@@ -173,7 +173,8 @@ def _campbell(campbell: Any) -> Iterator[str]:
 def _speed_case(case: Any) -> Iterator[str]:
     yield f"SpeedCase {case.cases}: {len(case.critical)} critical speeds, the worst first"
     for critical in case.critical[:3]:
-        yield f"{critical.order}, mode {critical.mode}: {critical.frequency:.1f} Hz, margin {critical.margin:+.1%}"
+        margin = f"separation margin {critical.separation_margin:+.1%}"
+        yield f"{critical.order}, mode {critical.mode}: {critical.frequency:.1f} Hz, {margin}"
     yield "next: case.critical, case.campbell, gw.simulate(case.system, duration)"
 
 
@@ -190,7 +191,7 @@ def _review(review: Any) -> Iterator[str]:
     yield f"Review {review.design[:LONGEST]!r}: {review.verdict}; {len(review.checks)} checks"
     yield f"{len(review.failing)} fail, {len(review.waived)} waived, {len(review.open)} not assessed"
     if review.worst is not None:
-        yield f"worst: {review.worst.name}, margin {review.worst.margin:.3f}"
+        yield f"worst: {review.worst.name}, margin {margin_text(review.worst.margin or 0.0, 4)}"
     yield "next: review.failing, review.open, review.checks"
 
 

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.errors import SolveError
-from gearwright.render.grid.table import written
 from gearwright.render.tables.study.limits import chance, likeliest_words
 from gearwright.render.tables.study.lists import letter
 from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent, reasons
@@ -27,6 +26,7 @@ from gearwright.study.answers import (
     violations,
 )
 from gearwright.study.running import reliability
+from gearwright.units import written
 
 DRAWN = 3
 """Designs of a front that are shown: its ends and the one between them."""
@@ -283,7 +283,7 @@ def value(table: Table, row: Row, name: str) -> str:
         row: Of the table.
         name: Of the result.
     """
-    return f"{written(row.shown(name))} {table.unit(name)}".rstrip()
+    return f"{row.text(name)} {table.unit(name)}".rstrip()
 
 
 def chosen(study: Study, table: Table, outcome: Verdict | None) -> Iterator[tuple[str, Row]]:

@@ -10,7 +10,7 @@ from rich.text import Text
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import MARKS, Cell, Column, Table
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.factors import factor_tables, usual_table
 from gearwright.render.tables.sizing.influences import influence_tables
 from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
@@ -30,6 +30,7 @@ _ORDER = (
     "speeds",
     "gears",
     "meshes",
+    "load_factors",
     "rating",
     "shafts",
     "shaft_sizes",
@@ -77,7 +78,8 @@ def factors_text(sizing: Sizing) -> RenderableType:
     Args:
         sizing: As sized.
     """
-    return Group(*map(table_text, factor_tables(sizing).values()))
+    usual = usual_table(sizing)
+    return Group(*map(table_text, ([usual] if usual.rows else []) + [*factor_tables(sizing).values()]))
 
 
 def influences_text(sizing: Sizing, wish: float) -> RenderableType:
@@ -99,31 +101,33 @@ def methods_text(sizing: Sizing) -> RenderableType:
     return Group(*map(table_text, method_tables(sizing).values()))
 
 
-def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:
+def modes_text(modes: Modes, *, case: str = "", maximum: int = 30) -> RenderableType:
     """Return the natural frequencies for the terminal.
 
     Args:
         modes: As found.
+        case: Load case, if they are of a design.
         maximum: Modes that are listed at most.
     """
     from gearwright.render.tables.motion import mode_table
 
-    return table_text(mode_table(modes, maximum=maximum))
+    return table_text(mode_table(modes, case=case, maximum=maximum))
 
 
-def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
+def trace_text(trace: Trace, sizing: Sizing | None = None, *, case: str = "") -> RenderableType:
     """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy balance, for the terminal.
 
     Args:
         trace: As simulated.
         sizing: That it is a run of: with it, peaks stand beside the rated loads.
+        case: Load case, if it is of a design.
     """
     from gearwright.dynamics.motion import Error
     from gearwright.render.tables.dynamic_load import dynamic_table
     from gearwright.render.tables.motion import energy_table, motion_tables
 
     head = Text(
-        f"{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
+        f"{f'Case {case}. ' if case else ''}{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
         f" {Error(trace.error, trace.rms_error).words()}"
     )
     notes = [Text(note, style="yellow") for note in trace.notes]

@@ -12,14 +12,13 @@ from markupsafe import Markup
 from rich.text import Text
 
 from gearwright.render.grid.grid import Grid
-from gearwright.render.grid.table import written
 from gearwright.render.pages.page import Number, Page, Section, Tone, set_page
 from gearwright.render.pages.page import Verdict as Judged
 from gearwright.render.style.templates import environment
 from gearwright.replays.pulvirenti.claims import Claim, claims
 from gearwright.replays.pulvirenti.errata import Erratum, errata
 from gearwright.replays.verdict import Verdict
-from gearwright.units import unit
+from gearwright.units import unit, written
 from gearwright.version import __version__
 
 _TITLE = "Pulvirenti 2023: what it claims, what it prints, what gearwright uses"

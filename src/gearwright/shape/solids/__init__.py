@@ -17,6 +17,7 @@ from gearwright.shape.solids.chambers import (
 from gearwright.shape.solids.crossed import Fineness, bevel_gear, face_wheel, spiral_turn
 from gearwright.shape.solids.cuts import Cut, Leg, Rectangle, bored, cut_chamber, spans_in, united, without
 from gearwright.shape.solids.fasteners import Fastener, Layer, fastener_surface
+from gearwright.shape.solids.holes import Bores
 from gearwright.shape.solids.plates import Arm, Form, Outline, plate, plate_form
 from gearwright.shape.solids.round_bodies import bearing, block, stepped, tube, turned
 from gearwright.shape.solids.solid import Section, Solid, surface_of
@@ -25,6 +26,7 @@ from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
 
 __all__ = [
     "Arm",
+    "Bores",
     "Chamber",
     "Cut",
     "Edges",

@@ -12,6 +12,7 @@ from gearwright.sizing.answers.breakdown import (
     mass_parts,
 )
 from gearwright.sizing.answers.gate import refuse_no_numbers
+from gearwright.sizing.answers.governing import governing_case, telling_cases
 from gearwright.sizing.answers.named import TEXT, Named, asked_results, named_results, pick, total_results
 from gearwright.sizing.answers.passing import Passing, locking_checks, passing
 from gearwright.sizing.answers.remarks import remarks
@@ -25,6 +26,7 @@ __all__ = [
     "asked_results",
     "asked_speeds",
     "bearing_forces",
+    "governing_case",
     "locking_checks",
     "mass_groups",
     "mass_parts",
@@ -33,5 +35,6 @@ __all__ = [
     "pick",
     "refuse_no_numbers",
     "remarks",
+    "telling_cases",
     "total_results",
 ]

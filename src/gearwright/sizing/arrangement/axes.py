@@ -25,6 +25,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.rolling import rollings
 from gearwright.spec.design import SIDE_ANGLES, Design
+from gearwright.units import apart
 
 TOLERANCE = 0.01
 """Part of a centre distance that a change of profile shifts is trusted to take up; more does not close."""
@@ -192,12 +193,13 @@ def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
     problems = []
     for bond in bonds:
         first, second = bond.axes
-        apart = abs(placed[first] - placed[second])
-        if abs(apart - bond.distance) > TOLERANCE * bond.distance:
+        stand = abs(placed[first] - placed[second])
+        if abs(stand - bond.distance) > TOLERANCE * bond.distance:
+            here, asked = apart(stand, bond.distance, "length")
             message = (
-                f"the axes of {first!r} and {second!r} stand {1e3 * apart:.4g} mm apart where their other meshes put"
-                f" them, but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module_mm"
-                " that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
+                f"the axes of {first!r} and {second!r} stand {here} apart where their other meshes put them, but the"
+                f" gears ask {asked}; change an angle in [layout], give a module_mm that closes the triangle, or write"
+                " coaxial_with where two pairs lie on the same axes"
             )
             problems.append(Problem(f"pairs.{bond.stage}", message))
     refuse(problems)

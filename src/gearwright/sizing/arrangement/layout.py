@@ -20,6 +20,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.spec.design import NOTHING_GIVEN, Design, ShaftLayout
 from gearwright.train import Train
+from gearwright.units import apart
 
 Moves = Mapping[tuple[str, str], float]
 """Shaft and gear -> how far it stands from where equal gaps put it, along the shaft [m]."""
@@ -147,9 +148,8 @@ def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str],
     """Refuse what does not fit on a shaft."""
     path, problems, end = f"layout.{name}", [], f"0 to {1e3 * plan.length:.6g} mm"
     if plan.length < width:
-        message = (
-            f"{1e3 * plan.length:.6g} mm is less than the face widths of its gears; give {1e3 * width:.6g} mm or more"
-        )
+        length, least = apart(plan.length, width, "length")
+        message = f"{length} is less than the face widths of its gears; give {least} or more"
         problems.append(Problem(f"{path}.length_mm", message))
     for part in layout.places:
         if part not in names:

@@ -23,9 +23,10 @@ from gearwright.catalogue import (
     with_ratings,
 )
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.bearings import LoadFactors, taper_factors
+from gearwright.parts.bearings import LoadFactors, speed_factor, taper_factors
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings.duty import duty_of
+from gearwright.sizing.bearings.run_checks import highest_speed_factor
 from gearwright.sizing.bearings.running import oiled_life, running_of
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
@@ -33,6 +34,7 @@ from gearwright.sizing.rating import Context
 from gearwright.spec import Design
 from gearwright.spec.checks import APART, KINDS
 from gearwright.spec.design import BearingSeat
+from gearwright.units import apart
 
 TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 """e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
@@ -85,6 +87,18 @@ class Seating:
             checks[size.designation] = self._oiled(name, plain) if modified else plain
         return checks[size.designation]
 
+    def _does(self, name: str, size: Bearing) -> bool:
+        """Return whether a size bears its duty, and keep it where it does not."""
+        bears = _bears(self.check(name, size))
+        if not bears:
+            self.tried[name].weak.add(size.designation)
+        return bears
+
+    def _too_fast(self, name: str, size: Bearing) -> bool:
+        fastest = max(abs(speed) for speed in self.duties[name].speed)
+        reached = speed_factor(fastest, size.bore, size.outer_diameter)
+        return reached > highest_speed_factor(size.kind, self.design)
+
     def _oiled(self, name: str, plain: BearingCheck) -> BearingCheck:
         """Return a check by the modified life, where there is one."""
         duty = self.duties[name]
@@ -93,6 +107,8 @@ class Seating:
 
     def choose(self, name: str, smallest: float, largest: float) -> Bearing:
         """Return the first size that bears its duty around a shaft, or the one that the user gives.
+
+        One that does not turn too fast comes before all that do.
 
         Args:
             name: Of the bearing.
@@ -108,11 +124,16 @@ class Seating:
         if seat.bore is not None:
             smallest = largest = sizes[0].bore
         low, high, weak = smallest - 1e-9, largest + 1e-9, self.tried[name].weak
-        for size in sizes:
-            if low <= size.bore <= high and size.designation not in weak:
-                if _bears(self.check(name, size)):
-                    return size
-                weak.add(size.designation)
+        around = [size for size in sizes if low <= size.bore <= high and size.designation not in weak]
+        too_fast = list[Bearing]()
+        for size in around:
+            if self._too_fast(name, size):
+                too_fast.append(size)
+            elif self._does(name, size):
+                return size
+        for size in too_fast:
+            if self._does(name, size):
+                return size
         room = [size for size in sizes if low <= size.bore <= high]
         checks = [self.check(name, size) for size in room or sizes]
         raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (smallest, largest), checks))])
@@ -208,11 +229,13 @@ def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], c
     best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
+    asked, lives = apart(duty.life, best.life, "life")
+    wanted, has = apart(duty.static_safety, best.static_safety, "ratio", 3)
     return (
-        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {duty.life / 3600.0:.4g} h with s_0 ="
-        f" {duty.static_safety:g} under {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
-        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {best.life / 3600.0:.4g} h and s_0 ="
-        f" {best.static_safety:.3g}; take another kind, give more room, move the bearings apart, or ask for less life"
+        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {asked} with s_0 = {wanted} under"
+        f" {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
+        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {lives} and s_0 = {has}; take another"
+        " kind, give more room, move the bearings apart, or ask for less life"
     )
 
 

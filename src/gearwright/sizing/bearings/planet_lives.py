@@ -66,8 +66,7 @@ def _checks(context: Context, seat: Seat) -> Iterator[Check]:
         seat.part, "static safety", "ISO 76:2006", static, duty.static_safety,
         symbol="s_0", place=place, case=tuple(context.flows)[int(np.argmax(borne.radial))],
     )  # fmt: skip
-    if context.design.bearing_rules.limits:
-        yield from limit_checks(seat.part, fitted, running_of(fitted, duty), context.design)
+    yield from limit_checks(seat.part, fitted, running_of(fitted, duty), context.design)
     yield from _room(seat, fitted)
 
 

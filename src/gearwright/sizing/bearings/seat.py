@@ -53,6 +53,11 @@ class Seat:
     """Where the design says what sits there; empty for the two usual bearings of a shaft."""
 
     @property
+    def holds_shaft(self) -> bool:
+        """Whether it holds its shaft in the housing; what sits inside a planet holds none, and bears no thrust."""
+        return self.nodes[1] == GROUND
+
+    @property
     def name(self) -> str:
         """Its label: as the design calls it; else ``SHAFT.first``, ``SHAFT.second``, or ``STAGE.planet``."""
         return str(self.part)

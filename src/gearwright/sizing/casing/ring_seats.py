@@ -15,7 +15,7 @@ import numpy as np
 from gearwright.arrays import Floats, following
 from gearwright.catalogue import housing_materials
 from gearwright.parts.joints import Spline, spline, spline_length, spline_pressure
-from gearwright.parts.joints.spline import MODULES
+from gearwright.parts.joints.spline import MODULES, ROOT_DEPTH
 from gearwright.sizing.arranged import Body, Frame
 from gearwright.sizing.blanks import ring_radii
 from gearwright.sizing.casing.housed import housed
@@ -135,7 +135,7 @@ def ring_seats(sizing: Sizing) -> Iterator[RingSeat]:
 def _seat(sizing: Sizing, ring: GearSizing, permissible: float) -> RingSeat:
     outside, torque = 2.0 * ring_radii(sizing.design, ring)[1], ring_torque(sizing, ring)
     module = _module(min(MODULE * outside, ring.face_width / (SHORTEST + 2.0 * SIDE[0])))
-    teeth, side = spline(outside + 2.2 * module, module), max(SIDE[0] * module, SIDE[1])
+    teeth, side = spline(outside + ROOT_DEPTH * module, module), max(SIDE[0] * module, SIDE[1])
     room = max(ring.face_width - 2.0 * side, SHORTEST * module)
     length = min(max(spline_length(torque, teeth, allowable=permissible), SHORTEST * module), room)
     pressure = spline_pressure(torque, teeth, length)

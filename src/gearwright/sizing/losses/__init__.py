@@ -3,7 +3,7 @@
 The formulas are `parts.losses`'s; what losses do to the torques of a case is `train.flow`'s.
 """
 
-from gearwright.sizing.losses.balance import ORIGINS, Loss, LossBalance, loss_balance, lost_power
+from gearwright.sizing.losses.balance import ORIGINS, Loss, LossBalance, largest_heat, loss_balance, lost_power
 from gearwright.sizing.losses.bodies import BodyLoss, gear_losses, seal_losses
 from gearwright.sizing.losses.oil import UNTOLD, Flank, Oil, dipping, oil_of_design
 from gearwright.sizing.losses.seats import SeatLoss, bearing_losses
@@ -22,6 +22,7 @@ __all__ = [
     "bearing_losses",
     "dipping",
     "gear_losses",
+    "largest_heat",
     "loss_balance",
     "lost_power",
     "mesh_loss_parts",

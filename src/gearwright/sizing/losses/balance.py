@@ -18,7 +18,7 @@ from gearwright.sizing.losses.oil import Oil, oil_of_design
 from gearwright.sizing.losses.seats import bearing_losses
 from gearwright.sizing.losses.teeth import mesh_loss_limits, mesh_loss_parts, teeth_of
 from gearwright.sizing.result import Sizing
-from gearwright.spec import GROUND
+from gearwright.spec import GROUND, case_named
 from gearwright.train import PowerFlow
 from gearwright.units import Number, Origin, Power, Quantity, Ratio
 from gearwright.verbs import verb
@@ -106,6 +106,16 @@ def lost_power(sizing: Sizing) -> float:
         sizing: As sized.
     """
     return sum(loss.power for loss in _losses(sizing, _asked(sizing, None)))
+
+
+def largest_heat(sizing: Sizing) -> float:
+    """Return the most that all parts lose in a case that lasts [W]: what the oil carries away.
+
+    Args:
+        sizing: As sized.
+    """
+    lasting = [case for case in sizing.flows if not case_named(sizing.design, case).static]
+    return max(sum(loss.power for loss in _losses(sizing, _asked(sizing, case))) for case in lasting)
 
 
 def _asked(sizing: Sizing, case: str | None) -> _Case:

@@ -18,6 +18,8 @@ from gearwright.spec.edit import replaced
 
 ROW = "\0row"
 """Under which name the row of a choice stands among its teeth."""
+NUMBERS = ("torque", "speed", "rolling", "steady", "fastest")
+"""Numbers of a task that may differ from row to row."""
 
 
 def rows_of(value: Any, count: int) -> Any:
@@ -39,7 +41,12 @@ def _spread(rating: Any, row: Ints) -> Any:
         rules = replaced(rules, {(name,): rows_of(value, len(value.data))[row] for name, value in own.items()})
     if steel:
         material = replace(material, **{name: value.data[row] for name, value in steel.items()})
-    return replace(rating, rules=rules, material=material) if own or steel else rating
+    factor = rating.load_factor
+    if type(factor) is Lanes:
+        factor = rows_of(factor, len(factor.data))[row]
+    elif not own and not steel:
+        return rating
+    return replace(rating, rules=rules, material=material, load_factor=factor)
 
 
 def _banned(ban: Any, row: Ints) -> Any:
@@ -63,8 +70,8 @@ class Batch(NamedTuple):
     """Shaft -> asked speed in every row [rad/s]."""
     asked: Mapping[str, Floats]
     """Machine -> asked speed in every row [rad/s]."""
-    numbers: Mapping[str, tuple[Floats, Floats, Floats]]
-    """Stage -> torque, speed and rolling speed of its task in every row."""
+    numbers: Mapping[str, Mapping[str, Floats]]
+    """Stage -> `NUMBERS` of its task in every row."""
     alone: dict[tuple[str, int], Any]
     """Stage and row -> its task there, as far as asked for."""
     kept: frozenset[str]
@@ -73,17 +80,16 @@ class Batch(NamedTuple):
     def task(self, task: Any, front: Front) -> Any:
         """Return a task with the numbers of every choice of a front."""
         row = front.teeth[ROW]
-        torque, speed, rolling = (numbers[row] for numbers in self.numbers[task.name])
+        numbers = {name: values[row] for name, values in self.numbers[task.name].items()}
         bans = tuple(_banned(ban, row) for ban in task.bans)
         rating = _spread(task.rating, row)
-        return replace(task, torque=torque, speed=speed, rolling=rolling, rating=rating, bans=bans)
+        return replace(task, **numbers, rating=rating, bans=bans)
 
     def row(self, task: Any, row: int) -> Any:
         """Return a task with the numbers of one row."""
         if (task.name, row) not in self.alone:
-            torque, speed, rolling = (float(numbers[row]) for numbers in self.numbers[task.name])
-            own = of_lane(task, row)
-            self.alone[task.name, row] = replace(own, torque=torque, speed=speed, rolling=rolling, known={}, closed={})
+            numbers = {name: float(values[row]) for name, values in self.numbers[task.name].items()}
+            self.alone[task.name, row] = replace(of_lane(task, row), **numbers, known={}, closed={})
         return self.alone[task.name, row]
 
     def targets(self, front: Front) -> Any:
@@ -122,7 +128,6 @@ def batch_of(design: Design, train: Any, count: int, search: Any) -> Batch:
         {shaft: rows_of(speed, count) for shaft, speed in nominal.speeds.items()},
         {name: rows_of(machine.asked_speed, count) for name, machine in design.machines.items()
          if machine.asked_speed is not None},
-        {task.name: tuple(rows_of(number, count) for number in (task.torque, task.speed, task.rolling))
-         for task in tasks},
+        {task.name: {name: rows_of(getattr(task, name), count) for name in NUMBERS} for task in tasks},
         {}, frozenset(known),
     )  # fmt: skip

@@ -32,7 +32,7 @@ from gearwright.sizing.mass.housing import (
 )
 from gearwright.sizing.mass.made import as_made
 from gearwright.sizing.mass.oil_system import oil_flow
-from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
+from gearwright.sizing.mass.record import GROUPS, TRAIN, CompleteMass, MassGroup, MassItem
 
 __all__ = [
     "BRIDGE",
@@ -40,6 +40,7 @@ __all__ = [
     "GROUPS",
     "MOUNTS",
     "RIBS",
+    "TRAIN",
     "Bridge",
     "Cage",
     "Calibration",

@@ -22,7 +22,7 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.sizing.blanks import PLANET_HUB, blank_by_rules, external_tooth, ring_radii, turned_out
+from gearwright.sizing.blanks import PLANET_HUB, TOOTH_HEIGHT, blank_by_rules, external_tooth, ring_radii, turned_out
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.places import BOSS
@@ -34,6 +34,10 @@ from gearwright.spec.design import Pair
 HUBS = {"": 1.25, "integral": 1.0, "spline": 1.3, "key": 1.8, "press-fit": 1.8}
 """Joint -> outside of the hub over the shaft's diameter [-]; estimates within what machine-element tables give for
 steel. Nothing said: flanged or splined."""
+THINNEST_RIM = 0.5
+"""Rim of a lightened wheel below the roots over the tooth height, at least [-]: ISO 6336-3:2019, clause 9."""
+THINNEST_WEB = 0.05
+"""Web of a lightened wheel over its width, at least [-]: the least that a design may ask for."""
 
 
 class Seats(NamedTuple):
@@ -218,7 +222,8 @@ def gear_blank(sizing: Sizing, gear: GearSizing, seats: Seats) -> Blank:
     if gear.role is not Role.WHEEL:
         return turned_out(blank)
     blank = blank._replace(holes=rules.web_holes if kind == "cylindrical" else 0)
-    blank = _lightened(blank, rules.web_ratio) if rules.web_ratio < 1.0 else turned_out(blank)
+    thinnest = THINNEST_RIM * TOOTH_HEIGHT * gear.module
+    blank = _lightened(blank, rules.web_ratio, thinnest) if rules.web_ratio < 1.0 else turned_out(blank)
     height = max(blank.rim_radius - blank.hub_radius, 0.0)
     return blank._replace(dish=rules.web_dish * height if kind == "cylindrical" else 0.0)
 
@@ -255,7 +260,7 @@ def kind_of(sizing: Sizing, gear: GearSizing) -> str:
     return rules.kind if isinstance(rules, Pair) else "cylindrical"
 
 
-def _lightened(blank: Blank, share: float) -> Blank:
+def _lightened(blank: Blank, share: float, thinnest: float) -> Blank:
     """Return a body with rim, hub and a web, bored where it is asked, that weighs a share of the solid one."""
     target = share * blank_volume(blank._replace(rim_radius=0.0))
     if blank.hub_radius >= blank.root_radius:
@@ -271,4 +276,10 @@ def _lightened(blank: Blank, share: float) -> Blank:
     hub = math.pi * (blank.hub_radius**2 - blank.bore_radius**2) * blank.width
     squared = math.pi * (blank.root_radius**2 * blank.width - blank.hub_radius**2 * web) + hub - target
     rim = math.sqrt(max(squared / (math.pi * (blank.width - web)), blank.hub_radius**2))
-    return blank._replace(rim_radius=min(rim, blank.root_radius), web_width=web)
+    inside = max(blank.rim_radius, blank.root_radius - thinnest)
+    if rim <= inside or inside <= blank.hub_radius:
+        return blank._replace(rim_radius=min(rim, inside), web_width=web)
+    # The thinnest rim weighs too much above half of the web: a thinner web.
+    blank = blank._replace(rim_radius=inside)
+    left = (target - blank_volume(blank._replace(web_width=0.0))) / (math.pi * (inside**2 - blank.hub_radius**2))
+    return blank._replace(web_width=max(left, min(web, THINNEST_WEB * blank.width)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from gearwright.sizing.losses import lost_power
+from gearwright.sizing.losses import largest_heat
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.result import Sizing
 
@@ -68,7 +68,7 @@ def oil_items(sizing: Sizing, inside: float) -> Iterator[MassItem]:
     if rules.oil_system == "splash":
         yield MassItem("oil", "lubrication", 1, SUMP * inside * oil.density, SURE, "0.1 V ρ", "estimate")
         return
-    heat = lost_power(sizing)
+    heat = largest_heat(sizing)
     flow = oil_flow(sizing, heat)
     mass = (flow * rules.oil_dwell + FILM * inside) * oil.density
     yield MassItem("oil", "lubrication", 1, mass, 0.3, "(q t + 0.02 V) ρ, q = P_V/(ρ c ΔT)", "heat balance; estimate")

@@ -14,6 +14,8 @@ from gearwright.units import Mass, Origin, Quantity, Ratio
 
 GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "lubrication", "details")
 """Groups of parts, in the order of tables."""
+TRAIN = ("gears", "shafts", "carriers")
+"""Groups that are the train itself; what carries, closes and oils it are the others."""
 CROWDED = "what the room between pin and rim holds: less than (C/c)^1.5 for load and life"
 """Formula of a planet's bearing that does not fit."""
 
@@ -77,6 +79,11 @@ class CompleteMass(Shown):
     def total(self) -> Mass:
         """Sum of all parts [kg]."""
         return math.fsum(item.total for item in self.parts)
+
+    @property
+    def train(self) -> Mass:
+        """Of gears, shafts and carriers, bodies as manufactured like those of the total [kg]."""
+        return math.fsum(item.total for item in self.parts if item.group in TRAIN)
 
     @cached_property
     def deviation(self) -> Annotated[float, Quantity("mass"), Origin("√Σ (Σ s)²", "groups apart, parts of one alike")]:

@@ -15,12 +15,11 @@ from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bevel import bevel_profile
 from gearwright.sizing.arranged import Arrangement, Body, Frame, Point, Station
 from gearwright.sizing.arrangement import PLATE_GAP, set_length, slots
-from gearwright.sizing.blanks import BACKUP
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft
 from gearwright.sizing.places.cones import bevel_cones
 from gearwright.sizing.places.frames import apart_of, frames_of, set_members
-from gearwright.sizing.rating import Context
+from gearwright.sizing.rating import BACKUP, Context
 from gearwright.sizing.result import GearSizing
 
 _THIN = 1e-6

@@ -13,7 +13,14 @@ from gearwright.sizing.places.room import Rules, rules_of
 from gearwright.sizing.places.turning import turns_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.shafts import Built, refuse_bores, refuse_idle_shafts, size_carriers, size_shafts
+from gearwright.sizing.shafts import (
+    Built,
+    refuse_bores,
+    refuse_bores_beyond_roots,
+    refuse_idle_shafts,
+    size_carriers,
+    size_shafts,
+)
 
 ROUNDS = 3
 """How often axes are turned at most: the loads on the shafts turn with them, and with these their diameters [-]."""
@@ -71,6 +78,7 @@ def settle(context: Context, gears: tuple[GearSizing, ...], *, still: bool = Fal
 def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn, ...]) -> Settled:
     bare = arrange_meshing(context, gears, {turn.shaft: turn.after for turn in turns})
     shafts, built = size_shafts(context, gears, bare)
+    refuse_bores_beyond_roots(context, gears, shafts)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
     carriers = size_carriers(context, gears, shafts, bare.two_sided)

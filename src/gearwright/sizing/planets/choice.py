@@ -12,7 +12,7 @@ import numpy as np
 from gearwright.catalogue import Bearing, bearings, check_bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import BearingKind, life_exponent, pair_factor
-from gearwright.sizing.bearings import as_made, oiled_life, planet_duty, running_of
+from gearwright.sizing.bearings import as_made, highest_speed_factor, oiled_life, planet_duty, running_of
 from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.sizing.planets.films import design_oil, film_margin, judged, on_film
 from gearwright.sizing.planets.rollers import integral, on_rollers, roller_of
@@ -176,8 +176,8 @@ def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
     check = check_bearing(made, duty)
     oiled = oiled_life(design, made, duty, path=task.path) if design.bearing_rules.life == "modified" else None
     life = (check.life if oiled is None else oiled.life) / duty.life
-    fast = running_of(made, duty).speed_factor if design.bearing_rules.limits else 0.0
-    slow = design.bearing_rules.speed_factor / fast if fast else pin
+    fast = running_of(made, duty).speed_factor
+    slow = highest_speed_factor(made.kind, design) / fast if fast else pin
     static = check.static_margin * _static_share(runs_on)
     return float(min(pin, life ** (1.0 / life_exponent(made.kind)), static, slow))
 

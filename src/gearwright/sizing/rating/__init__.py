@@ -7,15 +7,18 @@ from gearwright.sizing.rating.context import (
     Context,
     Demand,
     Known,
+    bore_of,
     context_of,
     demands_of,
     remembered,
     remembering,
     reverse_parts,
     row_ask,
+    worn_torque,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
+from gearwright.sizing.rating.load_sharing import LoadSharing, load_sharing
 from gearwright.sizing.rating.methods import ELEMENTWISE, METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
@@ -29,9 +32,9 @@ from gearwright.sizing.rating.protocol import (
     Method,
     Unloaded,
 )
-from gearwright.sizing.rating.rims import LEAST_RING, RIMMED, rim_below_roots
+from gearwright.sizing.rating.rims import BACKUP, LEAST_RING, RIMMED, body_inside, rim_below_roots
 from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
-from gearwright.sizing.rating.rules import Ask, Rating, rating_of
+from gearwright.sizing.rating.rules import Ask, Made, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
     bevel_pair,
     bevel_push,
@@ -58,6 +61,7 @@ from gearwright.sizing.rating.widths import (
 )
 
 __all__ = [
+    "BACKUP",
     "CORRECTIONS",
     "ELEMENTWISE",
     "JUST",
@@ -77,7 +81,9 @@ __all__ = [
     "Gap",
     "Known",
     "Load",
+    "LoadSharing",
     "LoadedMesh",
+    "Made",
     "Making",
     "MeshRating",
     "MeshSpectrum",
@@ -87,12 +93,15 @@ __all__ = [
     "bevel_pair",
     "bevel_push",
     "bevel_width",
+    "body_inside",
+    "bore_of",
     "cone_ratio",
     "context_of",
     "cylindrical_mesh",
     "demands_of",
     "factor_rows",
     "fewest_virtual_teeth",
+    "load_sharing",
     "mean_module",
     "method_for",
     "modules",
@@ -114,4 +123,5 @@ __all__ = [
     "under_spectrum",
     "width_ratio",
     "working_radii",
+    "worn_torque",
 ]

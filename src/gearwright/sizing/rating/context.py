@@ -5,23 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
 from gearwright.ranking import largest
 from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncovered_teeth
-from gearwright.sizing.rating.rules import Ask, Rating, rating_of
-from gearwright.spec import Design
-from gearwright.spec.design import RATINGS, Given, case_named
-from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
+from gearwright.sizing.rating.rules import Ask, Beyond, Rating, rating_of
+from gearwright.spec import Design, Epicyclic, levels_of, shares_of
+from gearwright.spec.design import GROUND, RATINGS, Given, case_named
+from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train
 
 _IDLE = 1e-6
 """Part of the largest load below which a case does not load the other flank [-]."""
+_ALIKE = 0.9
+"""Part of its own load from which on another mesh of a gear on the same flank counts as its equal [-]."""
+_WEAR = 6.6
+"""Power of the torque with which flanks are damaged, where the case that does most is looked for [-]: half of the 13.2
+of case-hardened steel (ISO 6336-2:2019, table 2)."""
 
 
+NO_SHARING: Mapping[str, float] = MappingProxyType({})
+"""Where no K_γ follows from sizes."""
 Known = dict[tuple[Any, ...], list[tuple[Rating, Any]]]
 """Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
 
@@ -90,10 +98,39 @@ class Context:
     @cached_property
     def asks(self) -> dict[str, Ask]:
         """Mesh row -> teeth, kind and width of its mesh, without load."""
-        rows = {mesh.name: row_ask(self.train, self.teeth, mesh, self.lasting) for mesh in self.train.meshes}
-        return {
-            mesh.name: rows[mesh.name]._replace(width_ratio=self.width_ratios[mesh.stage]) for mesh in self.train.meshes
+        rows = {
+            mesh.name: row_ask(self.train, self.teeth, mesh, self.lasting, self.design) for mesh in self.train.meshes
         }
+        return {
+            mesh.name: rows[mesh.name]._replace(
+                width_ratio=self.width_ratios[mesh.stage], relieved=self._relieved(mesh), fastest=self._fastest(mesh)
+            )
+            for mesh in self.train.meshes
+        }
+
+    def _relieved(self, mesh: Mesh) -> float:
+        """Return the torque per tooth of the case that does most damage to a mesh, for which its tips are relieved."""
+        loads = {
+            case: (abs(flow.meshes[mesh.name].multiplier), self.rolling(mesh, case))
+            for case, flow in self.flows.items()
+            if not case_named(self.design, case).static
+        }
+        return worn_torque(self.design, loads) / mesh.count * self.ratings[mesh.stage].load_factor
+
+    def _fastest(self, mesh: Mesh) -> float:
+        """Return the greatest speed of the first gear of a mesh against its carrier in all cases that last."""
+        cases = (case for case in self.flows if not case_named(self.design, case).static)
+        return max((self.rolling(mesh, case) for case in cases), default=0.0)
+
+    def rolling(self, mesh: Mesh, case: str) -> float:
+        """Return the speed of the first gear of a mesh against its carrier in a case [rad/s].
+
+        Args:
+            mesh: A row of the train.
+            case: Of the design.
+        """
+        speeds = self.flows[case].speeds
+        return abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]])
 
     def rating(self, mesh: Mesh) -> Rating:
         """Return the resolved rules of a mesh, with its own shifts.
@@ -109,9 +146,27 @@ class Context:
         return next(iter(self.flows.values()))
 
 
+def worn_torque(design: Design, loads: Mapping[str, tuple[float, float]]) -> float:
+    """Return the torque that does most damage to flanks, by the shares of the life; without shares the largest [N m].
+
+    Args:
+        design: With the shares of its cases and their levels.
+        loads: Case that lasts -> torque [N m] and speed of the mesh.
+    """
+    rows = [
+        (share * part * loads[case][1], level * loads[case][0])
+        for case, share in shares_of(design).items()
+        if case in loads
+        for level, part in levels_of(design, case)
+    ]
+    if not rows:
+        return max((torque for torque, _ in loads.values()), default=0.0)
+    return largest(rows, lambda row: row[0] * row[1] ** _WEAR)[1]
+
+
 def context_of(
     design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given],
-    *, known: Known | None = None,
+    *, known: Known | None = None, sharing: Mapping[str, float] = NO_SHARING,
 ) -> Context:  # fmt: skip
     """Return what gear sizing reads, with the rules of every stage resolved.
 
@@ -122,8 +177,10 @@ def context_of(
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth; left out: what is remembered.
+        sharing: Stage -> K_γ by the sizes of its gears [-].
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
+    ratings |= {name: replace(ratings[name], load_factor=factor) for name, factor in sharing.items()}
     values = {path: entry.value for path, entry in given.items()}
     return Context(design, train, teeth, flows, values, ratings, remembered() if known is None else known)
 
@@ -201,12 +258,13 @@ def ask_of(context: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    speeds = context.flows[case].speeds
-    speed = abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]])
+    speed = context.rolling(mesh, case)
     return context.asks[mesh.name]._replace(per_tooth=per_tooth, speed=speed)
 
 
-def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[str, Sequence[float]]) -> Ask:
+def row_ask(
+    train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[str, Sequence[float]], design: Design
+) -> Ask:
     """Return teeth and kind of a mesh, without load; a tooth meets as many mates in a turn as equal ones pass it.
 
     Args:
@@ -214,17 +272,82 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[s
         teeth: Tooth number of every gear [-].
         mesh: A row of the train.
         loads: Mesh row -> torque on its first gear in everything that lasts, or in proportion to it, with its sense.
+        design: With the bores of its gears.
     """
     first, second = (train.gear(gear) for gear in mesh.gears)
+    idlers = bends_both_ways(train, first.name, loads), bends_both_ways(train, second.name, loads)
     return Ask(
         0.0,
         (teeth[first.name], teeth[second.name]),
         1.0,
         internal=mesh.sign == INTERNAL,
-        idlers=(bends_both_ways(train, first.name, loads), bends_both_ways(train, second.name, loads)),
-        passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
+        idlers=idlers,
+        passes=(_passes(train, mesh, first, loads), _passes(train, mesh, second, loads)),
         roles=(first.role, second.role),
+        held=(mesh.nodes[0] == GROUND, mesh.nodes[1] == GROUND),
+        bores=(bore_of(design, first), bore_of(design, second)),
+        beyond=(
+            _beyond(train, teeth, mesh, first, loads, design) if idlers[0] else None,
+            _beyond(train, teeth, mesh, second, loads, design) if idlers[1] else None,
+        ),
     )
+
+
+def bore_of(design: Design, gear: Gear) -> float | None:
+    """Return the bore that a design gives to a gear, or the inside of its rim [m]; None where it gives none.
+
+    Args:
+        design: As read.
+        gear: Of its train.
+    """
+    stage = design.stages[gear.stage]
+    record = stage.toothed[gear.own] if isinstance(stage, Epicyclic) else stage
+    name = "bore" if isinstance(stage, Epicyclic) else f"{gear.role.value}_bore"
+    bore: float | None = getattr(record, name, None)
+    return bore
+
+
+def _passes(train: Train, mesh: Mesh, gear: Gear, loads: Mapping[str, Sequence[float]]) -> float:
+    """Return how many equal mates a tooth of a gear meets in a turn on the flank that a mesh loads [-].
+
+    They are the planets on a sun, the branches of a split pinion, and what drives a wheel that several pairs share.
+    """
+    own = _torque_on(mesh, gear.name, loads)
+    rows = [row for row in train.meshes if gear.name in row.gears and row.sized == mesh.sized and row.row is mesh.row]
+    rows += [
+        row for row in train.meshes
+        if gear.name in row.gears and row.stage != mesh.stage and _alike(own, _torque_on(row, gear.name, loads))
+    ]  # fmt: skip
+    return max(sum(row.count for row in rows) / gear.bodies, 1.0)
+
+
+def _alike(own: float, other: float) -> bool:
+    return own * other > 0.0 and _ALIKE <= abs(other / own) <= 1.0 / _ALIKE
+
+
+def _torque_on(mesh: Mesh, gear: str, loads: Mapping[str, Sequence[float]]) -> float:
+    """Return the torque per tooth of the largest load on a gear of a mesh, with its sense."""
+    load = max(loads[mesh.name], key=abs, default=0.0)
+    return load if mesh.gears[0] == gear else -mesh.sign * load
+
+
+def _beyond(
+    train: Train, teeth: Mapping[str, int], mesh: Mesh, idler: Gear, loads: Mapping[str, Sequence[float]],
+    design: Design,
+) -> Beyond | None:  # fmt: skip
+    """Return what an idler of pairs meshes with besides; None of planets, whose meshes the standard takes alone."""
+    if idler.role is Role.PLANET:
+        return None
+    own = _torque_on(mesh, idler.name, loads)
+    for row in train.meshes:
+        if idler.name in row.gears and row.stage != mesh.stage and own * _torque_on(row, idler.name, loads) < 0.0:
+            side = 1 - row.gears.index(idler.name)
+            far, inner = train.gear(row.gears[side]), row.sign == INTERNAL and side == 1
+            return Beyond(
+                -teeth[far.name] if inner else teeth[far.name], far.role, _passes(train, row, far, loads),
+                row.nodes[side] == GROUND, bore_of(design, far),
+            )  # fmt: skip
+    return None
 
 
 def reverse_parts(train: Train, mesh: Mesh, loads: Mapping[str, Sequence[float]]) -> tuple[float, float]:

@@ -53,6 +53,8 @@ class LoadedMesh(NamedTuple):
     """The cases that make up the life; the heaviest alone where the design gives no shares."""
     asked: tuple[float, float]
     """Modules that bending and contact ask for [m]."""
+    others: tuple[Load, ...] = ()
+    """Cases that last but of which no share is said: they count for resonance alone."""
 
 
 class MeshSpectrum(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -9,13 +10,18 @@ import numpy as np
 from gearwright.errors import Problem
 from gearwright.identity import Role
 from gearwright.parts.gears import ISO53_A
-from gearwright.parts.iso6336 import rim_factor
+from gearwright.parts.iso6336 import Value, as_value, rim_factor
 from gearwright.sizing.rating.rules import Rating
 
 RIMMED = (Role.WHEEL, Role.PLANET)
 """Gears whose rim `rim_ratio` states."""
 LEAST_RING = 1.75
 """Rim of rings that the standard rates, over the module [-]."""
+BACKUP = 1.2
+"""Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
+AGMA 2001-D04, rim thickness factor."""
+RACEWAY = 0.66
+"""Raceway of a planet's bearing in the planet over its pitch diameter where no bore is given [-], an estimate."""
 HEIGHT = ISO53_A.addendum + ISO53_A.dedendum
 """Tooth height h_t of ISO 53, profile A, over the module [-]."""
 
@@ -34,6 +40,36 @@ def rim_below_roots(rating: Rating, role: Role, *, internal: bool = False) -> fl
     if internal:
         return rules.rim_thickness_ratio - ISO53_A.dedendum
     return None if role not in RIMMED or rules.rim_ratio is None else rules.rim_ratio * HEIGHT
+
+
+def body_inside(rating: Rating, role: Role, teeth: Value, module: Value, *, internal: bool = False) -> Value | None:
+    """Return the inner diameter of a gear's body or rim, of a ring its outer one, where the design gives none [m].
+
+    Pinions and suns count as solid: what their shafts add in mass they add in stiffness. Wheels have a rim of
+    `rim_ratio`, or of 1.2 tooth heights over their web; planets the raceway of a bearing, at most to such a rim.
+
+    Args:
+        rating: Resolved rules.
+        role: Of the gear.
+        teeth: z, positive [-].
+        module: m_n [m].
+        internal: Whether it is a ring.
+
+    Source: ISO 6336-1:2006, clause 6.5.9 (d_i of the rim); 0.66 d by bearings of planets, an estimate.
+    """
+    rules = rating.rules
+    pitch = np.asarray(teeth) * module / math.cos(rating.helix_angle)
+    if internal:
+        return as_value(pitch + 2.0 * rules.rim_thickness_ratio * module)
+    if role not in RIMMED or rating.kind == "face":
+        return None
+    if role is Role.WHEEL and rules.rim_ratio is None and rules.web_thickness_ratio >= 1.0:
+        return None
+    rim = BACKUP if rules.rim_ratio is None else rules.rim_ratio
+    inside = np.maximum(pitch - 2.0 * (ISO53_A.dedendum + rim * HEIGHT) * module, 0.0)
+    if role is Role.PLANET and rules.rim_ratio is None:
+        return as_value(np.minimum(inside, RACEWAY * pitch))
+    return as_value(inside)
 
 
 def rim_factors(rating: Rating, roles: tuple[Role, Role], *, internal: bool) -> tuple[float, float]:

@@ -86,7 +86,16 @@ def _loaded(
         return Unloaded(case)
     heaviest = _load(context, mesh, case, rating.service.life)
     loads = tuple(load for load in _loads(context, mesh) if load.torque > LEAST_TORQUE)
-    return LoadedMesh(rating, module, face_width, heaviest, loads, asked)
+    others = tuple(load for load in _others(context, mesh) if load.torque > LEAST_TORQUE)
+    return LoadedMesh(rating, module, face_width, heaviest, loads, asked, others)
+
+
+def _others(context: Context, mesh: Mesh) -> Iterator[Load]:
+    """Yield the cases that last where no shares of the life are said."""
+    if not shares_of(context.design):
+        for case in context.flows:
+            if not case_named(context.design, case).static:
+                yield _load(context, mesh, case, 0.0)
 
 
 def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple, Protocol
 from gearwright.identity import Role
 from gearwright.parts import Material
 from gearwright.parts.gears import Numbers, ToothShift
+from gearwright.sizing.rating.load_sharing import load_sharing
 from gearwright.spec import Design, Epicyclic, GearRules, Pair, Planetary
 from gearwright.spec.design import (
     PAIR_ROLES,
@@ -55,6 +56,8 @@ class Rating:
     """Profile shifts of its gears; where its teeth are not chosen yet, those that its rules state as a number."""
     compound: CompoundShifts | None = None
     """Profile shifts of the gears of a compound set, whose meshes have some of their own; None: of any other stage."""
+    load_factor: float = 1.0
+    """K_γ [-]."""
 
     def of_mesh(self, mesh: Mesh) -> Rating:
         """Return the rules with the shifts and the centre distance of one mesh of the stage.
@@ -71,11 +74,6 @@ class Rating:
             gear: Of the train.
         """
         return self.shifts.of(gear.role) if self.compound is None else self.compound.gears[gear.own]
-
-    @property
-    def load_factor(self) -> float:
-        """K_γ [-]."""
-        return self.rules.mesh_load_factor or 1.0
 
     @property
     def proportions(self) -> Proportions | None:
@@ -101,7 +99,7 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
     Raises:
         DesignError: Profile shifts and centre distances that contradict each other.
     """
-    rules, stage = _shared(design.rules(name), design.stages[name]), design.stages[name]
+    rules, stage = design.rules(name), design.stages[name]
     pair = stage if isinstance(stage, Pair) else None
     helix = 0.0 if pair is None else pair.spiral_angle if pair.kind == "bevel" else rules.helix_angle
     return Rating(
@@ -113,15 +111,8 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
         service=design.service,
         shifts=_open_shifts(stage, rules) if teeth is None else _shifts(design, name, teeth),
         compound=compound_shifts(design, name) if teeth is not None and name in design.epicyclics else None,
+        load_factor=load_sharing(design, name).factor,
     )
-
-
-def _shared(rules: GearRules, stage: Pair | Planetary | Epicyclic) -> GearRules:
-    """Return the rules of a stage with the K_γ of its number of planets, where they have a table of them."""
-    if isinstance(stage, Pair) or not rules.planet_load_factors:
-        return rules
-    planets = stage.planets if isinstance(stage, Planetary) else stage.sets
-    return rules.model_copy(update={"mesh_load_factor": rules.load_factor_of(planets)})
 
 
 def _open_shifts(stage: Pair | Planetary | Epicyclic, rules: GearRules) -> StageShifts:
@@ -146,6 +137,30 @@ def _shifts(design: Design, name: str, teeth: Mapping[str, int]) -> StageShifts:
     return stage_shifts(design, name, {role: teeth[gear] for role, gear in zip(roles, gears, strict=True)})
 
 
+class Beyond(NamedTuple):
+    """The gear beyond an idler, as the vibration of a mesh with it takes it."""
+
+    teeth: int
+    """z, negative of an internal gear [-]."""
+    role: Role
+    meshes: float
+    """Equal meshes that move it [-]."""
+    held: bool
+    bore: float | None
+    """[m]"""
+
+
+class Made(NamedTuple):
+    """What teeth are made with once they are sized, whatever they carry then."""
+
+    relief: float
+    """C_a [m]."""
+    tolerance: float
+    """By how much it may miss [m]."""
+    grade: float
+    """Flank tolerance class [-]."""
+
+
 class Ask(NamedTuple):
     """What is asked of one mesh."""
 
@@ -167,3 +182,15 @@ class Ask(NamedTuple):
     """What both gears are in their stage: wheels and rings may be of a steel of their own, and have rims."""
     reverse: tuple[float, float] = (1.0, 1.0)
     """Load of the less loaded flank over that of the other, of gears that are loaded on both [-]."""
+    held: tuple[bool, bool] = (False, False)
+    """Which of the two gears stands still in the housing: it takes no part in the vibration of the mesh."""
+    bores: tuple[float | None, float | None] = (None, None)
+    """Bores of both gears, or insides of their rims, as the design gives them [m]."""
+    beyond: tuple[Beyond | None, Beyond | None] = (None, None)
+    """What each gear meshes with besides, where it is an idler of a pair."""
+    relieved: Numbers = 0.0
+    """T/z for which open tip reliefs are made: that of the case that does most damage [N m]; 0: this one."""
+    fastest: Numbers = 0.0
+    """Greatest speed of the first gear against the carrier, for an open flank class [rad/s]; 0: this one."""
+    made: Made | None = None
+    """Relief and class of teeth that are sized; None: as the rules have them."""

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.sizing.rating.rules import Ask
+from gearwright.errors import Problem
+from gearwright.parts.gears import FEWEST_TEETH, virtual_teeth
+from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.spec.design import RATINGS
 
 _STEPS = 4
 """Corrections of the module; each closes the gap to the asked safety to a tenth or better."""
@@ -15,6 +19,22 @@ _START = 0.3
 """Module over the cube root of the torque where the search begins [mm/(N m)^⅓]."""
 _LEAST_TORQUE = 1e-9
 """Torque per tooth below which a mesh asks for no module [N m]."""
+
+
+def untabulated(rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
+    """Yield external gears of a mesh with fewer teeth than the table of Lewis form factors, by their virtual number.
+
+    Args:
+        rating: Resolved rules, of a method that reads the table.
+        teeth: Of both gears, negative for a ring [-].
+    """
+    for count in dict.fromkeys(count for count in teeth if count > 0):
+        virtual = virtual_teeth(count, rating.rules.pressure_angle, rating.helix_angle)
+        if virtual < FEWEST_TEETH:
+            like = "" if math.isclose(virtual, count) else f", like {virtual:.3g} of a spur gear,"
+            table = f"{RATINGS[rating.method].title} reads Lewis form factors, tabulated from {FEWEST_TEETH} teeth on"
+            fix = 'give it more, or write rating = "iso6336"'
+            yield Problem("gears", f"{table}, and a gear has {count}{like}: {fix}")
 
 
 def module_for(

@@ -101,8 +101,7 @@ def _bearing(bearing: BearingSizing, design: Design) -> Iterator[Check]:
         part, "static safety", "ISO 76:2006", bearing.static_safety, bearing.wanted_static_safety,
         symbol="s_0", place=place, case=bearing.case,
     )  # fmt: skip
-    if design.bearing_rules.limits:
-        yield from limit_checks(part, taken, bearing.running, design)
+    yield from limit_checks(part, taken, bearing.running, design)
 
 
 def _joint(joint: JointSizing) -> Iterator[Check]:

@@ -29,6 +29,7 @@ from gearwright.parts.joints import (
 )
 from gearwright.sizing.mounted import JointSizing
 from gearwright.spec.design import Joint
+from gearwright.units import apart, text
 
 KEY_PRESSURE, SPLINE_PRESSURE = 150e6, 100e6
 """Flank pressure that is allowed where the design says nothing [Pa]."""
@@ -140,16 +141,17 @@ def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
             ' write form = "B"'
         )
         raise DesignError([Problem(f"joints.{seat.part}.length", message)])
-    room, why = seat.hub_length, f"its hub has {1e3 * seat.hub_length:.4g} mm"
+    room, why = seat.hub_length, "its hub has {}"
     if joint.kind == "key" and joint.length is None:
         key = key_for_shaft(sized.diameter)
         ends = key.section.width if joint.form == "A" else 0.0
         useful = min(key.longest, LONGEST_BEARING * sized.diameter + ends)
         if useful < room:
-            room, why = useful, f"more than {1e3 * useful:.4g} mm does not bear on {1e3 * sized.diameter:.4g} mm"
+            room, why = useful, f"more than {{}} does not bear on {text(sized.diameter, 'length')}"
     if sized.length > room + 1e-9:
+        asked, has = apart(sized.length, room, "length")
         message = (
-            f"{sized.torque:.4g} N m ask for {1e3 * sized.length:.4g} mm of {sized.designation}, but {why};"
+            f"{sized.torque:.4g} N m ask for {asked} of {sized.designation}, but {why.format(has)};"
             f" {_instead(joint, seat, sized.diameter)}"
         )
         raise DesignError([Problem(f"joints.{seat.part}", message)])

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.shafts.stretches import Item, Stretch
 from gearwright.spec.checks import MOST_HOLLOW
+from gearwright.units import apart, text
 
 _OVERLAP = 1e-6
 """How far parts may stand into each other [m]."""
@@ -48,9 +49,10 @@ def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> Non
     """
     thin = min(stretches, key=lambda stretch: stretch.diameter)
     if thin.diameter < bore / MOST_HOLLOW - 1e-9:
+        given, most = apart(bore, MOST_HOLLOW * thin.diameter, "length")
         message = (
-            f"{1e3 * bore:.4g} mm leave too thin a wall in {1e3 * thin.diameter:.4g} mm ({thin.name}); the bore"
-            f" may be {MOST_HOLLOW:.0%} of that: give {1e3 * MOST_HOLLOW * thin.diameter:.4g} mm or less"
+            f"{given} leave too thin a wall in {text(thin.diameter, 'length')} ({thin.name}); the bore may be"
+            f" {MOST_HOLLOW:.0%} of that: give {most} or less"
         )
         raise DesignError([Problem(f"layout.{shaft}.bore", message)])
 

@@ -162,7 +162,7 @@ def _plain(
     return ShaftSizing(
         name=name,
         case=load.case,
-        speed=context.reference.speeds[name],
+        speed=context.flows[load.case].speeds[name],
         torque=torque,
         bending_moment=bending,
         axial_force=load.axial_force,
@@ -208,7 +208,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     return ShaftSizing(
         name=name,
         case=weak.case,
-        speed=context.reference.speeds[name],
+        speed=context.flows[weak.case].speeds[name],
         torque=weak.torque,
         bending_moment=weak.bending_moment,
         axial_force=float(forces.axial[case]),

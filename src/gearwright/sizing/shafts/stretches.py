@@ -21,6 +21,7 @@ from typing import Literal, NamedTuple
 
 from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError, Problem
+from gearwright.units import apart, text
 
 SHOULDER = 0.175
 """Shoulder over bore of a bearing, on the diameter, over D − d [-]."""
@@ -209,15 +210,12 @@ def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None
     over = wanted.over(laid.name, laid.diameter) if laid.kind == "hub" else laid.diameter
     if over < past - SAME:
         least = _passing(laid.name, wanted, past, past) if laid.kind == "hub" else past
-        seat = f"{1e3 * laid.diameter:.4g} mm"
-        has = (
-            f"a seat of {seat}"
-            if over == laid.diameter
-            else f"teeth that leave {1e3 * over:.4g} mm in a seat of {seat}"
-        )
+        leaves, further = apart(over, past, "length")
+        seat = f"{text(laid.diameter, 'length')}"
+        has = f"a seat of {leaves}" if over == laid.diameter else f"teeth that leave {leaves} in a seat of {seat}"
         message = (
-            f"{laid.name} has {has} on {shaft!r} and must be slid over {1e3 * past:.4g} mm further out;"
-            f" give it {1e3 * least:.4g} mm or more, or move it"
+            f"{laid.name} has {has} on {shaft!r} and must be slid over {further} further out;"
+            f" give it {text(least, 'length')} or more, or move it"
         )
         raise DesignError([Problem(_path(laid), message)])
 
@@ -264,9 +262,8 @@ def _core(
         needed = max(needed, *(side[-1].shoulder for side in sides if side), 0.0)
     diameter = wanted.fixed.get(only.name, wanted.core)
     if diameter is not None and diameter < beside - SAME:
-        message = (
-            f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
-        )
+        given, seats = apart(diameter, beside, "length")
+        message = f"{given} is thinner than the seats beside it, {seats}; give that or more"
         raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
     laid = only.of(_passing(only.name, wanted, needed, past) if diameter is None else diameter)
     _refuse_past(shaft, laid, wanted, past)
@@ -285,10 +282,10 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
         body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
         laid.append(stretch.of(_whole(needed) if stretch.kind == "between" else body))
         if stretch.kind == "integral" and needed > limits[stretch.name] + SAME:
+            asked, root = apart(needed, limits[stretch.name], "length")
             message = (
-                f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
-                f" {1e3 * limits[stretch.name]:.4g} mm; give the gear more teeth or a larger module, or put the"
-                " bearings nearer to it"
+                f"the shaft {shaft!r} needs {asked} beside this gear, which has a root circle of {root}; give the gear"
+                " more teeth or a larger module, or put the bearings nearer to it"
             )
             raise DesignError([Problem(f"joints.{stretch.name}", message)])
     return laid

@@ -14,10 +14,12 @@ from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context, Demand, Known, context_of, demands_of
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.stages.bores import refuse_bores
 from gearwright.sizing.stages.compound_sizes import compound_sizes
 from gearwright.sizing.stages.gear_checks import gear_checks
 from gearwright.sizing.stages.gears import size_gears, size_meshes
 from gearwright.sizing.stages.pass_checks import pass_checks
+from gearwright.sizing.stages.sharing_by_size import ROUNDS, STILL, sharing_of_sizes
 from gearwright.sizing.stages.stage_sizes import StageSize, stage_sizes
 from gearwright.sizing.teeth import Chosen, made_share, refuse_contradictions
 from gearwright.spec import Design, edited
@@ -96,10 +98,16 @@ def geared(
     flows = power_flows(design, Turning(design, train, teeth), efficiency=design.efficiencies)
     refuse_contradictions(design, flows)
     refuse_beyond(design, flows)
-    context = context_of(design, train, teeth, flows, given, known=known)
-    demands = demands_of(context)
-    sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
-    gears = size_gears(context, sizes)
-    meshes = size_meshes(context, gears, demands)
+    sharing: Mapping[str, float] = {}
+    for _ in range(ROUNDS):
+        context = context_of(design, train, teeth, flows, given, known=known, sharing=sharing)
+        demands = demands_of(context)
+        sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
+        gears = size_gears(context, sizes)
+        meshes = size_meshes(context, gears, demands)
+        before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
+        if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
+            break
+    refuse_bores(context, gears)
     checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
     return Geared(context, gears, meshes, checks, sizes, demands, choice)

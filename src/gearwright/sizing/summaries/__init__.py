@@ -2,6 +2,7 @@
 nothing."""
 
 from gearwright.sizing.summaries.fillets import InFillet, tips_in_fillets
+from gearwright.sizing.summaries.load_factors import MeshFactors, mesh_factors
 from gearwright.sizing.summaries.pair_data import BevelPairData, CylindricalPairData, pair_data
 from gearwright.sizing.summaries.stage_summary import StageSummary, stage_summaries
 
@@ -9,7 +10,9 @@ __all__ = [
     "BevelPairData",
     "CylindricalPairData",
     "InFillet",
+    "MeshFactors",
     "StageSummary",
+    "mesh_factors",
     "pair_data",
     "stage_summaries",
     "tips_in_fillets",

@@ -94,6 +94,12 @@ class Task:
     """Bands of frequencies at which nothing of it passes."""
     row: Ints | None = None
     """Of many designs, that which every choice belongs to; torque, speed and rolling are then those of every choice."""
+    factors: Mapping[int, float] = field(default_factory=dict)
+    """Number of planets that is looked at -> its K_γ [-]; empty of pairs."""
+    steady: float = 1.0
+    """Load for which tips are relieved over the largest one [-]."""
+    fastest: float = 1.0
+    """Greatest rolling speed over the one at the largest load [-]."""
     known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
     [-] at nominal load, as far as found."""

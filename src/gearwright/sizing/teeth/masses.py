@@ -15,7 +15,7 @@ from gearwright.sizing.teeth.bevels import bevel_size
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary
-from gearwright.spec.design import GearRules, module_owners
+from gearwright.spec.design import GROUND, GearRules, module_owners
 from gearwright.train import gears_of
 
 RIM = 1.25 + 1.2 * 2.25
@@ -50,15 +50,17 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         internal=isinstance(stage, Pair) and stage.internal,
         idlers=(False, isinstance(stage, Planetary)),
         speed=task.rolling,
-        passes=(planets, 1.0),
+        passes=(planets, 1.0) if isinstance(stage, Planetary) else _mates(stage),
         roles=(Role.SUN, Role.PLANET) if isinstance(stage, Planetary) else (Role.PINION, Role.WHEEL),
+        bores=_bores(stage),
     )
+    ask = _relieved(ask, task)
     if rating.proportions is None:
         cube = _cubes(ask, task)
     elif task.row is not None:
-        cube = _cubes_of_rows(ask, task, task.row, reference) * (task.speed / speed)
+        cube = _cubes_of_rows(ask, task, task.row, reference, planets=planets) * (task.speed / speed)
     else:
-        cube, width_ratio = _known_sizes(ask, task, reference, speed)
+        cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets)
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
     volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
@@ -79,21 +81,57 @@ def tallied(tally: Mapping[str, Floats], added: Floats) -> Mapping[str, Floats]:
 
 def _torque(task: Task, planets: int) -> float:
     """Return the largest nominal torque of a stage with so many planets, their own K_γ included [N m]."""
-    if not isinstance(task.stage, Planetary) or not (rules := task.rating.rules).planet_load_factors:
-        return task.torque
-    return task.torque * rules.load_factor_of(planets) / task.rating.load_factor
+    return task.torque * task.factors.get(planets, task.rating.load_factor) / task.rating.load_factor
+
+
+def _relieved(ask: Ask, task: Task, among: Ints | None = None) -> Ask:
+    """Return what is asked with the load for which tips are relieved and the greatest speed, of all choices or some."""
+    steady, fastest = (values if among is None or not np.ndim(values) else values[among]
+                       for values in (np.asarray(task.steady), np.asarray(task.fastest)))  # fmt: skip
+    return ask._replace(relieved=steady * np.asarray(ask.per_tooth), fastest=fastest * np.asarray(ask.speed))
 
 
 def _cubes(ask: Ask, task: Task) -> Floats:
-    """Return the cube of the module that each mesh asks for [m³]."""
+    """Return the cube of the module that each mesh asks for, in a set that a standard rates that with the ring too."""
     module = np.maximum(*modules(ask, task.rating))
+    if isinstance(task.stage, Planetary) and task.rating.proportions is not None:
+        module = np.maximum(module, np.maximum(*modules(_in_ring(ask, task), task.rating)))
     return np.asarray(module * module * module)
 
 
-def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints) -> Floats:
+def _in_ring(ask: Ask, task: Task) -> Ask:
+    """Return what is asked of the mesh of planets and ring where sun and planets are asked for."""
+    assert isinstance(task.stage, Planetary)
+    small, large = (np.asarray(teeth) for teeth in ask.teeth)
+    turns = small / large
+    return ask._replace(
+        teeth=(large, ring_teeth(task, small, large)),
+        internal=True,
+        idlers=(True, False),
+        passes=(1.0, ask.passes[0]),
+        roles=(Role.PLANET, Role.RING),
+        held=(False, task.stage.ring == GROUND),
+        bores=(ask.bores[1], None),
+        speed=np.asarray(ask.speed) * turns,
+        fastest=np.asarray(ask.fastest) * turns,
+    )
+
+
+def _mates(stage: Pair) -> tuple[float, float]:
+    """Return how many mates a tooth of pinion and wheel meets in a turn [-]."""
+    return float(len(stage.named(Role.WHEEL))), float(len(stage.named(Role.PINION)))
+
+
+def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
+    if isinstance(stage, Planetary):
+        return stage.sun_bore, stage.planet_bore
+    return stage.pinion_bore, stage.wheel_bore
+
+
+def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints, *, planets: int) -> Floats:
     """Return the same at nominal load where a standard rates many designs: of each pair of teeth of a design once."""
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    keys, planets = (row * _TEETH + small) * _TEETH + large, int(ask.passes[0])
+    keys = (row * _TEETH + small) * _TEETH + large
     _, first, place = np.unique(keys, return_index=True, return_inverse=True)
     nominal = ask._replace(
         per_tooth=np.asarray(_torque(task, planets))[first] / reference[first] / planets,
@@ -101,13 +139,13 @@ def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints) -> Floats:
         teeth=(small[first], large[first]),
         width_ratio=np.asarray(ask.width_ratio)[first],
     )
-    return np.asarray(_cubes(nominal, task)[place])
+    return np.asarray(_cubes(_relieved(nominal, task, first), task)[place])
 
 
-def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[Floats, Floats]:
+def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int) -> tuple[Floats, Floats]:
     """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    planets, load = int(ask.passes[0]), task.speed / speed
+    load = task.speed / speed
     pairs = zip(small.tolist(), large.tolist(), strict=True)
     keys = [(first, second, planets, task.deviation) for first, second in pairs]
     if missing := list({key: place for place, key in enumerate(keys) if key not in task.known}.values()):
@@ -116,7 +154,7 @@ def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )
-        task.known.update(zip([keys[k] for k in missing], _sizes(new, task), strict=True))
+        task.known.update(zip([keys[k] for k in missing], _sizes(_relieved(new, task), task), strict=True))
     cubes, widths = np.array([task.known[key] for key in keys]).reshape(-1, 2).T
     return cubes * load, widths
 

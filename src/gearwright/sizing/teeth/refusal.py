@@ -12,7 +12,7 @@ from gearwright.spec import Design, Pair, Planetary, case_named
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import SUN_LIMITS
 from gearwright.train import PowerFlow, Targets, tooth_ratio_range
-from gearwright.units import text
+from gearwright.units import apart, text
 
 
 def refusal(
@@ -150,9 +150,11 @@ def _limit(stage: Planetary, design: Design, ratio: float) -> str:
     least, most = (1.0 + tooth_ratio for tooth_ratio in tooth_ratio_range(stage, design, sun=SUN_LIMITS[-1]))
     if ratio < least:
         teeth = f"suns of up to {rules.largest_sun(SUN_LIMITS[-1])} teeth and planets of {rules.planet_minimum} or more"
-        return f"1 + z_r/z_s = {ratio:.4g} is below {least:.4g}, the least with {teeth}"
+        asked, bound = apart(ratio, least, "ratio")
+        return f"1 + z_r/z_s = {asked} is below {bound}, the least with {teeth}"
     if ratio > most:
-        return f"1 + z_r/z_s = {ratio:.4g} is above {most:.4g}, where {planets} planets touch each other"
+        asked, bound = apart(ratio, most, "ratio")
+        return f"1 + z_r/z_s = {asked} is above {bound}, where {planets} planets touch each other"
     return (
         f"no tooth numbers give 1 + z_r/z_s = {ratio:.4g} within {rules.stage_tolerance:.1%} in the limits of [teeth]"
     )
@@ -163,8 +165,10 @@ def _together(nominal: Targets) -> str:
     least, most = nominal.reach
     if least <= nominal.total <= most:
         return ""
-    nearest = f"no ratio below {least:.3g}" if nominal.total < least else f"no ratio above {most:.3g}"
-    return f"; all stages to the propeller together give {nearest}, and {nominal.total:.3g} is asked"
+    below = nominal.total < least
+    bound, asked = apart(least if below else most, nominal.total, "ratio", 3)
+    nearest = f"no ratio {'below' if below else 'above'} {bound}"
+    return f"; all stages to the propeller together give {nearest}, and {asked} is asked"
 
 
 def _fits(stage: Planetary, design: Design, tooth_ratio: float, planets: int, *, assembly: bool) -> bool:

@@ -20,7 +20,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
 from gearwright.ranking import largest
 from gearwright.sizing.chosen import TeethSearch
-from gearwright.sizing.rating import rating_of
+from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import PRELIMINARY
 from gearwright.sizing.teeth.bevels import bevel_rows
 from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
@@ -288,6 +288,7 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     ring = edge is not None and edge.grounded is Role.SUN
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
     fatigue, loads = RATINGS[rating.method].fatigue, list[tuple[float, float]]()
+    lasting = dict[str, tuple[float, float]]()
     for case, flow in flows.items():
         if fatigue and case_named(design, case).static:
             continue
@@ -295,11 +296,22 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
             meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
             load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
             loads.append((load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])))
+            lasting[case] = (
+                loads[-1] if case not in lasting else largest([lasting[case], loads[-1]], lambda row: row[0])
+            )
     torque, rolling = heaviest(loads)
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
     made = design.level == PRELIMINARY
-    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows, made)
+    factors = dict[int, float]()
+    if isinstance(stage, Planetary) and design.rules(name).mesh_load_factor is None:
+        factors = {count: load_sharing(design, name, count).factor for count in planet_counts(name, design)}
+    task = Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows, made)
+    if not lasting or rating.proportions is None:
+        return replace(task, factors=factors)
+    steady = worn_torque(design, lasting) / torque if torque else 1.0
+    fastest = max(speed for _, speed in lasting.values()) / rolling if rolling else 1.0
+    return replace(task, factors=factors, steady=steady, fastest=fastest)
 
 
 def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:

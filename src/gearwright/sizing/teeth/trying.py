@@ -18,7 +18,7 @@ from gearwright.train import Train
 
 CONSIDERED = 60
 """Combinations of the lightest gears among which a preliminary sizing looks [-]."""
-LOOKED_AT = 6
+LOOKED_AT = 12
 """How many of them it sizes at most [-]."""
 PROMISING = 1.05
 """Gears that pass over the estimate for the next combination, below which that one is not looked at [-]."""

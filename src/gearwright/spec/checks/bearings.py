@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from gearwright.catalogue import bearing
+from gearwright.catalogue import bearing, bearings
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import MEMBERS
+from gearwright.spec.checks.mounting import APART
 from gearwright.spec.design import Design, Epicyclic, PlanetBearing
+from gearwright.units import apart
 
 
 def bearing_problems(design: Design) -> Iterator[Problem]:
@@ -34,7 +36,9 @@ def bearing_problems(design: Design) -> Iterator[Problem]:
 def _planet_bearings(design: Design) -> Iterator[Problem]:
     for name, stage in design.planetaries.items():
         if stage.planet_bearing is not None:
-            yield from _planet_bearing(f"planetaries.{name}.planet_bearing", stage.planet_bearing)
+            path = f"planetaries.{name}"
+            yield from _planet_bearing(f"{path}.planet_bearing", stage.planet_bearing)
+            yield from _on_pin(path, f"{path}.planet_bearing", stage.pin_diameter, stage.planet_bearing)
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         for planet, gear in epicyclic.planets.items():
@@ -43,9 +47,21 @@ def _planet_bearings(design: Design) -> Iterator[Problem]:
                 yield Problem(f"{path}.planets.{planet}.bearing", message)
             elif gear.bearing is not None:
                 yield from _planet_bearing(f"{path}.planets.{planet}.bearing", gear.bearing)
+                yield from _on_pin(path, f"{path}.planets.{planet}.bearing", epicyclic.pin_diameter, gear.bearing)
         for body in dict.fromkeys(epicyclic.body(planet) for planet in epicyclic.planets):
             yield from _held(path, epicyclic, [step for step in epicyclic.planets if epicyclic.body(step) == body])
         yield from _without_place(path, epicyclic)
+
+
+def _on_pin(path: str, where: str, pin: float | None, asked: PlanetBearing) -> Iterator[Problem]:
+    """Yield a bearing that is given beside a pin of another diameter."""
+    fitted = bearings().get(asked.designation or "")
+    if pin is not None and fitted is not None and abs(fitted.bore - pin) > APART:
+        message = (
+            f"{fitted.designation} has a bore of {1e3 * fitted.bore:g} mm, and {path}.pin_diameter_mm is {1e3 * pin:g};"
+            " allowed: the pin's diameter; give a bearing of that bore, or leave the pin's diameter out"
+        )
+        yield Problem(f"{where}.designation", message)
 
 
 _OF_FILMS = ("clearance", "least_film", "oil_temperature")
@@ -80,9 +96,8 @@ def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
         yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
     yield from _idle_keys(path, asked)
     if asked.oil_temperature is not None and asked.oil_temperature >= asked.largest_temperature:
-        message = (
-            f"oil enters at {asked.oil_temperature:.4g} °C, and may leave at {asked.largest_temperature:.4g} °C at most"
-        )
+        enters, leaves = apart(asked.oil_temperature, asked.largest_temperature, "temperature")
+        message = f"oil enters at {enters}, and may leave at {leaves} at most"
         yield Problem(f"{path}.oil_temperature", f"{message}; give cooler oil, or a higher largest_temperature")
     if asked.designation is None:
         return

@@ -61,6 +61,24 @@ def _drive(path: str, drive: Drive, machine: Machine) -> Iterator[Problem]:
         if amount > 0.0 and not machine.gives:
             message = f"{_amount(amount, key)}: this machine ({kind}) takes power; write {_amount(-amount, key)}, or 0"
             yield Problem(f"{path}.{key}", message)
+        elif amount > 0.0 and not (machine.drives or drive.drives):
+            message = (
+                f"{_amount(amount, key)}: this machine ({kind}) takes power, and what a case takes is negative; write"
+                f" {_amount(-amount, key)}, or drives = true beside it if it gives power"
+            )
+            yield Problem(f"{path}.{key}", message)
+    yield from _driving(path, drive, machine)
+
+
+def _driving(path: str, drive: Drive, machine: Machine) -> Iterator[Problem]:
+    """Find a machine that is said to drive, and always does, never does, or is given nothing to do it with."""
+    kind = type(machine).__name__.lower()
+    if not drive.drives:
+        return
+    if machine.drives or not machine.gives:
+        yield Problem(f"{path}.drives", f"a {kind} {'always' if machine.drives else 'never'} drives; leave it out")
+    elif not max(drive.power or 0.0, drive.torque or 0.0) > 0.0:
+        yield Problem(f"{path}.drives", "what it gives is not said; give a power or torque above 0, or leave it out")
 
 
 def _amount(value: float, key: str) -> str:

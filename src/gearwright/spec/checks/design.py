@@ -16,9 +16,10 @@ from gearwright.spec.checks.gears import gear_problems
 from gearwright.spec.checks.materials import material_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
-from gearwright.spec.checks.names import name_problems
+from gearwright.spec.checks.names import alike_problems, name_problems
 from gearwright.spec.checks.oils import oil_problems
 from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
+from gearwright.spec.checks.sharing import sharing_problems
 from gearwright.spec.design import (
     CONCEPT,
     GROUND,
@@ -54,9 +55,11 @@ def reference_problems(design: Design) -> list[Problem]:
 
 
 def _problems(design: Design) -> list[Problem]:
-    """Return what is wrong with a design at its level."""
+    """Return what is wrong with a design at its level; parts of one name alone, as all else asks for parts by name."""
+    if alike := list(alike_problems(design)):
+        return [*name_problems(design), *alike]
     checks = (
-        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, load_factor_problems,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, load_factor_problems, sharing_problems,
         epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]

@@ -38,6 +38,7 @@ _OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (
     "helix_modification", "widest_diameters", "widest_modules", "dynamic_method", "least_dynamic_factor", "face_method",
+    "tip_relief", "tip_relief_for", "tip_relief_tolerance", "blank_factor",
     "root_method",
     "micropitting_stage", "micropitting_safety",
     "static_pitting_safety", "static_bending_safety", "yielding_safety", "wheel",

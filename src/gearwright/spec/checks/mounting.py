@@ -9,7 +9,8 @@ from gearwright.catalogue import Bearing, bearings
 from gearwright.errors import Problem, near
 from gearwright.parts.joints import MODULES
 from gearwright.parts.shafts import RELIABILITY_DEVIATES
-from gearwright.spec.design import LOCATES, BearingSeat, Design, Given, Joint, given_values
+from gearwright.spec.design import LOCATES, NOTHING_GIVEN, BearingSeat, Design, Given, Joint, given_values
+from gearwright.units import apart
 
 KINDS = {
     "deep-groove": "deep-groove ball",
@@ -49,12 +50,34 @@ def _seat(name: str, seat: BearingSeat, design: Design, given: Mapping[str, Give
         yield Problem(f"{path}.shaft", f"there is no shaft {seat.shaft!r}; {near(seat.shaft, design.shafts)}")
     length = given.get(f"{seat.shaft}.length")
     if length is not None and seat.position > length.value:
-        message = (
-            f"{1e3 * seat.position:.6g} mm is outside the shaft; allowed: 0 to {1e3 * length.value:.6g} mm, its length"
-        )
+        place, end = apart(seat.position, length.value, "length")
+        message = f"{place} is outside the shaft; allowed: 0 to {end}, its length"
         yield Problem(f"{path}.position", message)
     yield from _tasks(path, seat)
     yield from _size(path, seat)
+    yield from _around(path, seat, design, given)
+
+
+def _around(path: str, seat: BearingSeat, design: Design, given: Mapping[str, Given]) -> Iterator[Problem]:
+    """Find bearings that are given and larger than their shaft, and bores that leave their seats no wall."""
+    layout, named = design.layout.get(seat.shaft, NOTHING_GIVEN), bearings().get(seat.designation or "")
+    bore, key = (seat.bore, "bore") if named is None else (named.bore, "designation")
+    if bore is None:
+        return
+    what = f"a seat of {1e3 * bore:g} mm" if named is None else f"{named.designation} with a bore of {1e3 * bore:g} mm"
+    thickest = given.get(f"{seat.shaft}.diameter")
+    if thickest is not None and not layout.as_given and bore > thickest.value + APART:
+        message = (
+            f"{what} on a shaft that layout.{seat.shaft}.diameter_mm makes {1e3 * thickest.value:g} mm at its thickest;"
+            f" allowed: up to {1e3 * thickest.value:g} mm; give a smaller bore, or that diameter as much more"
+        )
+        yield Problem(f"{path}.{key}", message)
+    if layout.bore is not None and layout.bore > MOST_HOLLOW * bore:
+        message = (
+            f"{1e3 * layout.bore:g} mm through {what} at {path}; allowed: up to {1e3 * MOST_HOLLOW * bore:.4g} mm;"
+            " give a smaller bore, or a larger bearing"
+        )
+        yield Problem(f"layout.{seat.shaft}.bore", message)
 
 
 def _tasks(path: str, seat: BearingSeat) -> Iterator[Problem]:

@@ -9,9 +9,18 @@ from gearwright.spec.bounds import NAME_RULE, is_name
 from gearwright.spec.design import GROUND, MACHINES, WEIGHED, Case, Design
 from gearwright.spec.keys import keys_of
 
+STAGES = {"pairs": "the pair", "planetaries": "the set", "epicyclics": "the set"}
+"""Table of stages -> what stands in it."""
+ALONE = {
+    **dict.fromkeys(MACHINES, "the machine"), **STAGES, "clutches": "the clutch", "dampers": "the damper",
+    "bearings": "the bearing",
+}  # fmt: skip
+"""Table -> what stands in it, of parts that lie along shafts by their names, which therefore differ."""
+_DIFFERENT = "results, places along shafts and overrides need different names: rename"
+
 
 def name_problems(design: Design) -> Iterator[Problem]:
-    """Yield every name of a design that cannot be one, and every part that is called like another.
+    """Yield every name of a design that cannot be one.
 
     Args:
         design: As typed.
@@ -27,7 +36,7 @@ def name_problems(design: Design) -> Iterator[Problem]:
         for name in tables[table]:
             if name in keys_of(Case):
                 yield Problem(f"{table}.{name}", f"{name!r} is a key of load cases; give the machine another name")
-    yield from _alike(design, tables)
+    yield from _in_the_model(design)
 
 
 def _tables(design: Design) -> dict[str, Mapping[str, object]]:
@@ -57,30 +66,29 @@ def _whole(design: Design) -> Iterator[Problem]:
             yield Problem(path, f"{name!r} is the whole, whose mass {name}.mass is; give the part another name")
 
 
-def _alike(design: Design, tables: Mapping[str, Mapping[str, object]]) -> Iterator[Problem]:
-    """Find parts whose results, overrides, places or lines of the dynamic model would have one name."""
-    owners = dict.fromkeys(design.shafts, "shafts")
-    for table in MACHINES:
-        for name in tables[table]:
-            if name in owners:
-                what = "a shaft" if owners[name] == "shafts" else "a machine"
-                rest = "results and overrides need different names; give it another"
-                message = f"{owners[name]} has {what} of this name already; {rest}"
-                yield Problem(f"{table}.{name}", message)
-            owners.setdefault(name, table)
-    lines = {f"{name} shaft": f"the shaft of {name!r}" for name in owners}
+def alike_problems(design: Design) -> Iterator[Problem]:
+    """Yield every part that is called like another, where results, places or overrides know them by their names.
+
+    Args:
+        design: As typed.
+    """
+    owners = dict[str, str]()
+    for table, what in ALONE.items():
+        for name in getattr(design, table):
+            path = f"{table}.{name}"
+            if table in MACHINES and name in design.shafts:
+                yield Problem(path, f"shafts has a shaft of this name already; {_DIFFERENT} {what}")
+            elif (first := owners.setdefault(name, path)) != path:
+                yield Problem(path, f"{first} is called {name!r} already; {_DIFFERENT} {what}")
+
+
+def _in_the_model(design: Design) -> Iterator[Problem]:
+    """Find parts that are called like a line of the dynamic model."""
+    lines = {f"{name} shaft": f"the shaft of {name!r}" for name in (*design.shafts, *design.machines)}
     lines |= {f"{name} hub": f"the hub of {name!r}" for name in design.shafts}
     lines |= {f"{name} clutch": f"the clutch {name!r}" for name in design.clutches}
     lines |= {f"{name} damper": f"the damper {name!r}" for name in design.dampers}
-    for name in design.dampers:
-        if name in design.clutches:
-            yield Problem(f"dampers.{name}", "clutches has one of this name already; give the damper another")
-    stages: dict[str, str] = {}
-    for table in ("pairs", "planetaries", "epicyclics"):
-        for name in tables[table]:
-            if name in stages:
-                yield Problem(f"{table}.{name}", f"{stages[name]} has a stage of this name too; give it another")
-            stages[name] = table
-    for name, table in (*owners.items(), *stages.items()):
-        if name in lines and table != "shafts":
-            yield Problem(f"{table}.{name}", f"the dynamic model calls {lines[name]} so; give it another name")
+    for table in (*MACHINES, *STAGES):
+        for name in getattr(design, table):
+            if name in lines:
+                yield Problem(f"{table}.{name}", f"the dynamic model calls {lines[name]} so; give it another name")

@@ -7,7 +7,6 @@ from itertools import combinations
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.identity import Role
-from gearwright.parts.gears import FEWEST_TEETH
 from gearwright.parts.planetary import assembles, most_planets, nearest_positions, tip_gap
 from gearwright.spec.design import GROUND, SET_ROLES, Design, Planetary, stage_shifts
 
@@ -35,7 +34,6 @@ def planetary_problems(design: Design) -> Iterator[Problem]:
                 yield Problem(f"{path}.{other}", f"{same!r} is the {first} already; the three members are three shafts")
         unclosed = list(_unclosed(path, planetary))
         yield from unclosed or _together(path, name, design)
-        yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
 
 
 def load_factor_problems(design: Design) -> Iterator[Problem]:
@@ -129,17 +127,3 @@ def _unassembled(teeth: tuple[int, int, int], planets: int, most: int) -> str:
         f" multiple of {planets}; {hint}unequal_places = true, or other teeth, such as"
         f" {nearest[0]}/{nearest[1]}/{nearest[2]}"
     )
-
-
-def _few_teeth(path: str, planetary: Planetary, planet_minimum: int) -> Iterator[Problem]:
-    sun, planet = planetary.sun_teeth, planetary.planet_teeth
-    if sun is not None and sun < FEWEST_TEETH:
-        yield Problem(
-            f"{path}.sun_teeth", f"{sun} is below {FEWEST_TEETH}, where the table of Lewis form factors begins"
-        )
-    if planet is not None and planet < max(planet_minimum, FEWEST_TEETH):
-        yield Problem(
-            f"{path}.planet_teeth",
-            f"{planet} is below {max(planet_minimum, FEWEST_TEETH)}, the least of teeth.planet_minimum and of the table"
-            " of Lewis form factors",
-        )

@@ -29,6 +29,7 @@ from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
 from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
 from gearwright.spec.design.implied import BUILT, CONCEPT, FATIGUE, PRELIMINARY, STATIC
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
+from gearwright.spec.design.paths import split_levels
 from gearwright.spec.design.rules import (
     GRADE_KEYS,
     INTERNAL,
@@ -170,6 +171,7 @@ __all__ = [
     "module_owners",
     "relative_modules",
     "shares_of",
+    "split_levels",
     "stage_shifts",
     "uncovered",
     "working_angle",

@@ -9,7 +9,7 @@ from pydantic import Field
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, ThicknessFit
-from gearwright.spec.design.stages import NORMAL_PITCH, PITCH, PlanetBearing
+from gearwright.spec.design.stages import LEVELS, NORMAL_PITCH, PINS, PITCH, PlanetBearing, SharingLevel
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
@@ -21,6 +21,11 @@ _SHIFT = Field(
 )
 _TIP = Field(None, ge=-0.6, le=0.3, description="Tip alteration k; left out: keeps the tip clearance")
 _ALLOWANCE = Field(None, description="Its tooth thickness by DIN 3967; left out: gears.allowance")
+_BORE = Field(
+    None,
+    gt=0,
+    description="Bore, or inside of the rim, for K_V; left out: suns solid, planets 0.66 of d",
+)
 _PLACE = Field(
     None, gt=0, le=10, description="Middle of its face along the axis, from the carrier's plate; left out: not known"
 )
@@ -39,6 +44,7 @@ class CentralGear(Record):
     shift: Ratio | None = _SHIFT
     tip_alteration: Ratio | None = _TIP
     allowance: ThicknessFit | None = _ALLOWANCE
+    bore: Length | None = _BORE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
 
@@ -65,6 +71,7 @@ class PlanetGear(Record):
     shift: Ratio | None = _SHIFT
     tip_alteration: Ratio | None = _TIP
     allowance: ThicknessFit | None = _ALLOWANCE
+    bore: Length | None = _BORE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
     bearing: PlanetBearing | None = Field(
@@ -89,6 +96,8 @@ class Epicyclic(Record):
         default_factory=dict,
         description='Efficiency of single meshes, by name: "sun-planet" = 0.99; left out: gears.mesh_efficiency',
     )
+    load_sharing: SharingLevel | None = Field(None, description=LEVELS)
+    pin_position: Length | None = Field(None, ge=1e-7, le=1e-3, description=PINS)
     pin_diameter: Length | None = Field(None, gt=0, description="Of the planets' pins; left out: sized")
     plate_thickness: Length | None = Field(None, gt=0, description="Of the carrier's plate; left out: sized")
     eye_wall: Length | None = Field(

@@ -19,6 +19,7 @@ from gearwright.units import (
     Mass,
     Ratio,
     Reciprocal,
+    Slope,
     Stiffness,
     Stress,
     Time,
@@ -44,6 +45,17 @@ def gear_named(reference: str) -> tuple[str, Role] | None:
     """
     stage, _, role = reference.partition(".")
     return (stage, Role(role)) if role in SIDES else None
+
+
+SharingLevel = Literal["level-1", "level-2", "level-3", "level-4", "tolerances"]
+"""How well planets share their load: a level of AGMA 6123, or by the tolerances of their pins."""
+Sharing = Literal["clocked", "rigid", "quill", "floating"]
+"""How well parallel paths share their load: clocked to each other, not clocked, over soft shafts, a floating gear."""
+LEVELS = (
+    "How planets share their load, for K_γ where no factor is given: level-1 to level-4 of AGMA 6123 (3: one member"
+    " floats, 4: pins or ring give way, too), or tolerances, with pin_position; left out: level-3, 1.05 at least"
+)
+PINS = "Standard deviation of the tangential places of planets, for load_sharing tolerances"
 
 
 class PlanetBearing(Record):
@@ -108,6 +120,17 @@ class Pair(Record):
         1, description="2 for a double-helical gear: two halves of opposite hand share the load"
     )
     internal: bool = Field(False, description="The wheel is an internal gear")
+    load_sharing: Sharing | None = Field(
+        None,
+        description="How its parallel paths share their load, for K_γ where no factor is given: clocked 1.06, rigid"
+        " 1.20, quill and floating 1.03, to the power of the levels of the split; left out: clocked",
+    )
+    clocking: Slope | None = Field(
+        None,
+        gt=0,
+        le=0.1,
+        description="By how much the clocking of two paths may miss, for K_γ of clocked ones; left out: 1.06",
+    )
     kind: Literal["cylindrical", "face", "bevel"] = Field(
         "cylindrical",
         description="face: the wheel's teeth stand on its face and the pinion lies across; bevel: the axes meet",
@@ -158,6 +181,15 @@ class Pair(Record):
     )
     wheel_allowance: ThicknessFit | None = Field(
         None, description="Tooth thickness of the wheel by DIN 3967; left out: gears.allowance"
+    )
+    pinion_bore: Length | None = Field(
+        None, gt=0, description="Bore of the pinion, or inside of its rim, for K_V; left out: solid"
+    )
+    wheel_bore: Length | None = Field(
+        None,
+        gt=0,
+        description="Bore of a solid wheel, or inside of its rim, for K_V; left out: a rim of gears.rim_ratio, or of"
+        " 1.2 tooth heights",
     )
     pinion_mass: Mass | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
     pinion_inertia: Inertia | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
@@ -248,6 +280,17 @@ class Planetary(Record):
     )
     unequal_places: bool = Field(
         False, description="Planets stand at the places nearest to equal ones at which their teeth fit"
+    )
+    load_sharing: SharingLevel | None = Field(None, description=LEVELS)
+    pin_position: Length | None = Field(None, ge=1e-7, le=1e-3, description=PINS)
+    sun_bore: Length | None = Field(
+        None, gt=0, description="Bore of the sun, or inside of its rim, for K_V; left out: solid, as on its own shaft"
+    )
+    planet_bore: Length | None = Field(
+        None,
+        gt=0,
+        description="Bore of planets, or inside of their rim, for K_V; left out: 0.66 of the pitch diameter, but a rim"
+        " of gears.rim_ratio, or of 1.2 tooth heights at the least",
     )
     sun_mass: Mass | None = Field(None, gt=0, description="Of the sun; left out: of the disc")
     sun_inertia: Inertia | None = Field(None, gt=0, description="Of the sun; left out: of the disc")

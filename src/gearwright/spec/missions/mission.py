@@ -85,7 +85,10 @@ class EngineRules(Record):
     contingency: Ratio = Field(
         1.0, ge=1, le=1.5, description="Rating over the rated power and torque while an engine is out"
     )
-    temperature_exponent: float = Field(-0.5, ge=-5, le=2, description="n of P ∝ δ_t θ_t^n")
+    temperature_exponent: float = Field(
+        -2.5, ge=-5, le=2, description="n of P ∝ δ_t θ_t^n, where the air that comes in has 15 °C at most"
+    )
+    hot_exponent: float = Field(-3.9, ge=-8, le=2, description="n where it is warmer")
     air_flow_kg_s: float | None = Field(
         None, gt=0, le=1e4, description="Air at thermal power at sea level; left out: that power over 250 kJ/kg"
     )

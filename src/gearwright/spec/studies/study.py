@@ -47,7 +47,7 @@ class Bound(Record):
 class Simulated(Record):
     """How the results named ``simulate.…`` are had."""
 
-    case: str | None = Field(None, description="Load case; left out: the design's first one, or 'rated'")
+    case: str | None = Field(None, description="Load case; left out: the governing one, of least margin")
     duration: Time = Field(0.05, gt=0, le=1000, description="Simulated time; its last three quarters are looked at")
 
 

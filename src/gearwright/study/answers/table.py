@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
 from typing import Any, Literal
 
 import numpy as np
@@ -14,7 +14,10 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, near
 from gearwright.showing import Shown, frame
 from gearwright.sizing import TEXT, Named
-from gearwright.units import shown, unit
+from gearwright.units import number_text, shown, unit
+
+_NUMBER = re.compile(r"(?<![\w.-])(?<![A-Z]{3} )[-−+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w]|[.-]\w)")
+"""A number that stands alone: none in a name (``h2``, ``in-line-3``), in a path or in that of a standard."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,15 @@ class Row:
             DesignError: If it is a text.
         """
         return shown(self.number(result), self.results[result].dimension)
+
+    def text(self, result: str) -> str:
+        """Return one result as tables and sentences have it, without its unit.
+
+        Args:
+            result: Its name.
+        """
+        value, dimension = self.results[result]
+        return value if isinstance(value, str) else number_text(value, dimension)
 
 
 @dataclass(frozen=True, repr=False)
@@ -126,11 +138,10 @@ def kind_of(problem: str) -> str:
     Args:
         problem: Of a row.
 
-    >>> kind_of("first.width: 12.5 mm is below -3 mm")
-    'first…width: … mm is below … mm'
+    >>> kind_of("pairs.in-line-h2.width: 12.5 mm is below -3 mm (ISO 6336-2, 5.3)")
+    'pairs.in-line-h2.width: … mm is below … mm (ISO 6336-2, …)'
     """
-    parts = groupby(problem, key=lambda letter: letter in "-.0123456789")
-    return "".join("…" if in_number else "".join(letters) for in_number, letters in parts)
+    return _NUMBER.sub("…", problem)
 
 
 def quantiles(values: Sequence[float] | Floats, parts: Sequence[float]) -> list[float]:

@@ -26,9 +26,9 @@ def modal_results(sizing: Sizing) -> dict[str, Named]:
         sizing: What was sized.
 
     Returns:
-        ``modes.frequency_1`` … the lowest natural frequencies of the first load case [Hz];
+        ``modes.frequency_1`` … the lowest natural frequencies of the governing load case [Hz];
         ``modes.lowest_critical_speed``, of the first machine's shaft, of all load cases [rad/s];
-        ``modes.critical_margin``: distance of the nearest excited critical speed from its operating speed [-].
+        ``modes.critical_margin``: least separation margin of all that a review judges, |n/n_crit − 1| [-].
         Infinite where nothing is excited in the range that is looked at.
     """
     elastic = [frequency for frequency in modes(assemble(sizing)).frequency if frequency > 0.0]
@@ -36,9 +36,11 @@ def modal_results(sizing: Sizing) -> dict[str, Named]:
         f"modes.frequency_{k}": Named(float(frequency), "frequency")
         for k, frequency in enumerate(elastic[:LISTED], start=1)
     }
-    excited = [crossing for case in critical_speeds(sizing) for crossing in case.critical if crossing.excited]
+    cases = critical_speeds(sizing)
+    excited = [crossing for case in cases for crossing in case.critical if crossing.excited]
     lowest = min((crossing.speed for crossing in excited), default=math.inf)
-    nearest = min((abs(crossing.margin) for crossing in excited), default=math.inf)
+    judged = [crossing for case in cases for crossing in case.nearest]
+    nearest = min((abs(crossing.separation_margin) for crossing in judged), default=math.inf)
     return {
         **results,
         "modes.lowest_critical_speed": Named(lowest, "speed"),

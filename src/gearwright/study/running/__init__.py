@@ -9,7 +9,6 @@ from gearwright.study.running.cluster import Cluster, commands
 from gearwright.study.running.compare import compare
 from gearwright.study.running.fly_many import fly_many
 from gearwright.study.running.parts import Part, merge, part_of, slurm
-from gearwright.study.running.processes import computed
 from gearwright.study.running.reducing import is_reduced, merge_reduced, reduce_study
 from gearwright.study.running.reliable import LimitState, Reliability, reliability
 from gearwright.study.running.run import run, table_of
@@ -31,7 +30,6 @@ __all__ = [
     "children",
     "commands",
     "compare",
-    "computed",
     "fly_many",
     "generations",
     "in_memory",

@@ -17,7 +17,7 @@ from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.sizing.rating import remembering
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running.compare import comparison_of
-from gearwright.units import Life, Mass, Ratio
+from gearwright.units import Life, Mass, Ratio, margin_text
 from gearwright.verbs import verb
 
 
@@ -136,7 +136,7 @@ def _shortest(closed: Closed, judged: Review) -> tuple[float | None, str]:
 
 
 def _words(check: Check) -> str:
-    return f"{check.name} {check.margin:.3f}"
+    return f"{check.name} {margin_text(check.margin or 0.0, 4)}"
 
 
 def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:

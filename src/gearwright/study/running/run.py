@@ -22,26 +22,29 @@ def run(
     study: Study,
     designs: Mapping[str, Design] | None = None,
     *,
+    workers: int = 0,
     folder: Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Table:
-    """Return the table of a study, computed in this process.
+    """Return the table of a study; the same bits with any number of workers.
 
     Args:
         study: Axes, changes and results.
         designs: Name -> design, for every name in the study; left out: read by their names.
+        workers: Processes that compute; 0 computes in this one.
         folder: Of the study, where files that it names are; left out: where the program runs.
         progress: Called with the fraction done, from 0 to 1.
 
     Raises:
         DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
+        SolveError: If no worker starts.
     """
     refuse_search(study)
     count, rows = case_count(study), dict[int, Row]()
     if designs is None:
         designs = {name: read(find_design(name, folder)) for name in study.designs}
 
-    with local(study, fixed(study, designs), 0) as compute:
+    with local(study, fixed(study, designs), workers) as compute:
         for batch, answer in batches(study):
             first = len(rows)
             for finished in compute(batch, count):

@@ -8,9 +8,6 @@ reason.
 from __future__ import annotations
 
 import gc
-import multiprocessing
-import os
-import signal
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Iterator, Mapping
@@ -18,20 +15,18 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import islice
-from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from multiprocessing.reduction import ForkingPickler
 from typing import NamedTuple
 
 from gearwright.errors import SolveError
+from gearwright.processes import TRIES, dismiss, hire
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Blocks, Row
 from gearwright.study.cases import LEAST, TOGETHER, Case, evaluate, evaluated, fly_together, goes_together
 from gearwright.study.running.pace import LARGEST, Pace
 
-TRIES = 2
-"""Times that a case may kill its worker."""
 AHEAD = 2
 """Chunks that a worker holds: one at work, one waiting, so that it never idles; of large ones it holds one."""
 SMALL = 1 << 13
@@ -39,7 +34,6 @@ SMALL = 1 << 13
 other more than it holds would wait for each other for ever [bytes]."""
 FAILED_STARTS = 3
 """Workers in a row that may die before they are ready."""
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 PARTS = 16
 """Into how many smaller chunks one goes whose worker died."""
@@ -169,14 +163,7 @@ class _Crew:
                     yield finished
 
     def _hire(self) -> _Worker:
-        """Start a process; `spawn` gives it no pipe but its own, so that it ends when this process does."""
-        context = multiprocessing.get_context("spawn")
-        here, there = context.Pipe()
-        process = context.Process(target=_serve, args=(there, self.given), daemon=True)
-        with _inherited():
-            process.start()
-        there.close()
-        return _Worker(process, here)
+        return _Worker(*hire(_serve, self.given))
 
     def _give(self) -> bool:
         """Fill up every ready worker; tell whether anything is left to wait for."""
@@ -257,27 +244,4 @@ class _Crew:
         """End every worker; what they are at is lost, what they have sent is not."""
         for worker in self.members:
             worker.pipe.close()
-            worker.process.terminate()
-        for worker in self.members:
-            worker.process.join()
-
-
-@contextmanager
-def _inherited() -> Iterator[None]:
-    """Let new processes compute on one thread each, as the workers share the cores, and leave Ctrl-C to the runner."""
-    before = {name: os.environ.get(name) for name in _THREADS}
-    os.environ.update(dict.fromkeys(_THREADS, "1"))
-    masked = hasattr(signal, "pthread_sigmask")  # a terminal sends Ctrl-C to the whole group, also while it starts
-    if masked:
-        resource_tracker.ensure_running()  # the first process starts it otherwise, and it takes the mask away
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masked else set()
-    try:
-        yield
-    finally:
-        if masked:
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
+        dismiss(worker.process for worker in self.members)

@@ -1,6 +1,16 @@
 """Published ratings of gears: stiffness, flanks, roots, scuffing and losses of teeth."""
 
-from gearwright.validate.gears import bevels, losses, measured, mesh_stiffness, rating, reports, scuffing, wind_reports
+from gearwright.validate.gears import (
+    bevels,
+    losses,
+    measured,
+    mesh_stiffness,
+    rating,
+    reports,
+    scuffing,
+    wind_dynamics,
+    wind_reports,
+)
 
 CASES = (
     *mesh_stiffness.CASES,
@@ -11,6 +21,7 @@ CASES = (
     *scuffing.CASES,
     *bevels.CASES,
     *wind_reports.CASES,
+    *wind_dynamics.CASES,
 )
 """In the order of the table."""
 

@@ -1,4 +1,4 @@
-/* Natural frequencies and orders over speed; what lies under the pointer is named, with its margin. */
+/* Natural frequencies and orders over speed; what lies under the pointer is named, with its separation margin. */
 import {at, made, number} from "/static/made.js";
 import {ink, plot, upright, word} from "/static/plots.js";
 
@@ -68,15 +68,17 @@ function dots(one, criticals) {
   }
 }
 
-const said = row => `mode ${row.mode} at ${number(row.frequency_hz)} Hz meets ${row.order}${row.why ? ` (${row.why})` : ""} at ${number(row.speed_rpm)} rpm: margin ${row.margin_percent > 0 ? "+" : "−"}${number(Math.abs(row.margin_percent), 3)} %, force amplitude ${number(row.dynamic_force_percent, 3)} % of the mean, ${row.verdict}`;
+const apart = row => `${row.separation_margin_percent > 0 ? "+" : "−"}${number(Math.abs(row.separation_margin_percent), 3)} %`;
+
+const said = row => `mode ${row.mode} at ${number(row.frequency_hz)} Hz meets ${row.order}${row.why ? ` (${row.why})` : ""} at ${number(row.speed_rpm)} rpm: separation margin ${apart(row)}, force amplitude ${number(row.dynamic_force_percent, 3)} % of the mean, ${row.verdict}`;
 
 /* What is nearest to the pointer: a critical speed, else a natural frequency, with the order that comes nearest to it. */
 function under(one, head, criticals, modes, speeds) {
   const {left, top} = one.cursor;
   if (left < 0) return "";
-  const apart = row => Math.hypot(one.valToPos(row.speed_rpm, "x") - left, one.valToPos(row.frequency_hz, "y") - top);
-  const nearest = [...criticals].sort((a, b) => apart(a) - apart(b))[0];
-  if (nearest && apart(nearest) < NEAR) return said(nearest);
+  const off = row => Math.hypot(one.valToPos(row.speed_rpm, "x") - left, one.valToPos(row.frequency_hz, "y") - top);
+  const nearest = [...criticals].sort((a, b) => off(a) - off(b))[0];
+  if (nearest && off(nearest) < NEAR) return said(nearest);
   const rpm = one.posToVal(left, "x"), k = one.cursor.idx ?? 0;
   const found = modes.map((values, mode) => ({mode, value: values[k], off: Math.abs(one.valToPos(values[k], "y") - top)})).sort((a, b) => a.off - b.off)[0];
   const order = head.orders.map(given => ({...given, now: given.frequency * rpm / head.rpm})).sort((a, b) => Math.abs(a.now - found.value) - Math.abs(b.now - found.value))[0];
@@ -84,7 +86,7 @@ function under(one, head, criticals, modes, speeds) {
 }
 
 function table(criticals) {
-  const row = one => made("tr", {className: ["clear", "not excited"].includes(one.verdict) ? "" : "fails"}, made("th", {scope: "row", textContent: one.order}), ...[one.mode, `${number(one.frequency_hz)} Hz`, `${number(one.speed_rpm)} rpm`, `${one.margin_percent > 0 ? "+" : ""}${number(one.margin_percent, 3)} %`, `${number(one.dynamic_force_percent, 3)} %`, one.verdict].map(textContent => made("td", {textContent})));
+  const row = one => made("tr", {className: ["clear", "not excited", "no criterion"].includes(one.verdict) ? "" : "fails"}, made("th", {scope: "row", textContent: one.order}), ...[one.mode, `${number(one.frequency_hz)} Hz`, `${number(one.speed_rpm)} rpm`, apart(one), one.limit_percent === null ? "–" : `${number(one.limit_percent, 3)} %`, `${number(one.dynamic_force_percent, 3)} %`, one.verdict].map(textContent => made("td", {textContent})));
   at("criticals").replaceChildren(made("table", {}, made("caption", {textContent: "Critical speeds, the worst first"}),
-    made("thead", {}, made("tr", {}, ...["order", "mode", "frequency", "speed", "margin", "force", "verdict"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...criticals.slice(0, 40).map(row))));
+    made("thead", {}, made("tr", {}, ...["order", "mode", "frequency", "critical speed n", "separation margin n_op/n − 1", "limit", "force", "verdict"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...criticals.slice(0, 40).map(row))));
 }

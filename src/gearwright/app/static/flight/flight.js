@@ -1,38 +1,52 @@
 /* A mission flown by the design as it stands: picked or written, flown, and what it does to the gearbox. */
 import {Dropped, Problems, sent} from "/static/api.js";
+import {draft, keep, last, opened} from "/static/drafts.js";
 import {Task, begin, unpacked} from "/static/jobs.js";
-import {at, made, number} from "/static/made.js";
+import {at, made, number, ratio} from "/static/made.js";
 import {library} from "/static/plots.js";
 import {on, set, state} from "/static/state.js";
 import {Text} from "/static/texts.js";
 import {timeline} from "/static/flight/timeline.js";
 import {windows} from "/static/flight/windows.js";
 
-const PAUSE = 400, FIRST = "thesis";
-let editor = null, timer = 0, name = "", saved = "", flown = "";
+const PAUSE = 400, FIRST = "thesis", KIND = "mission";
+let editor = null, timer = 0, flown = "", taking = 0;
+let choice = "", saved = "", tag = ""; // of the mission: its place, its text there, and the tag of that
 
-const kept = () => (state.files || []).filter(file => file !== state.name);
+const nameOf = place => place.slice(place.indexOf(":") + 1);
+const places = () => [...state.missions.map(name => `shipped:${name}`), ...(state.files || []).filter(file => file !== state.name).map(file => `file:${file}`)];
+
+function choices() {
+  if (!editor) return;
+  const group = (label, prefix) => made("optgroup", {label}, ...places().filter(place => place.startsWith(prefix)).map(place => made("option", {value: place, textContent: nameOf(place)})));
+  at("mission").replaceChildren(group("Shipped", "shipped:"), group("In the folder", "file:"));
+  at("mission").value = choice;
+}
 
 /* Missions are read when somebody looks for the first time. */
 async function open() {
   if (state.view !== "flight-view" || editor || !state.missions) return;
   editor = new Text(at("mission-editor"), "Mission in TOML", changed);
-  const group = (label, names, prefix) => made("optgroup", {label}, ...names.map(one => made("option", {value: prefix + one, textContent: one})));
-  at("mission").replaceChildren(group("Shipped", state.missions, "shipped:"), group("In the folder", kept(), "file:"));
   const fitting = state.missions.find(one => one.startsWith(state.name.replace(/\.toml$/, ""))) || FIRST;
-  await take(`shipped:${state.missions.includes(fitting) ? fitting : state.missions[0]}`);
+  await take(last(KIND, places()) || `shipped:${state.missions.includes(fitting) ? fitting : state.missions[0]}`);
 }
 
-async function take(choice) {
-  const shipped = choice.startsWith("shipped:");
-  name = choice.slice(choice.indexOf(":") + 1);
-  at("mission").value = choice;
-  const told = await (await sent(`/api/${shipped ? "designs" : "files"}/${encodeURIComponent(name)}`)).json();
-  saved = shipped ? "" : told.tag;
-  editor.replace(told.text);
+async function take(place) {
+  const mine = ++taking, shipped = place.startsWith("shipped:");
+  try {
+    const told = await (await sent(`/api/${shipped ? "designs" : "files"}/${encodeURIComponent(nameOf(place))}`)).json();
+    if (mine !== taking) return;
+    const own = draft(KIND, place);
+    [choice, saved, tag] = [place, told.text, own?.tag ?? told.tag];
+    opened(KIND, place);
+    editor.open(told.text, own?.text);
+  } finally {
+    choices();
+  }
 }
 
-function changed() {
+function changed(text) {
+  keep(KIND, choice, {text, saved, tag});
   clearTimeout(timer);
   timer = setTimeout(check, PAUSE);
 }
@@ -73,7 +87,7 @@ const task = new Task(at("fly-line"), "Fly", told => {
 
 const KEYS = [
   ["fuel", head => `${number(head.fuel_kg)} kg`], ["flown", head => `${number(head.duration_s / 60)} min`], ["from the battery", head => `${number(head.balance.battery_kj / 3600)} kWh`],
-  ["hottest oil", head => `${number(head.oil_hottest_k - 273.15, 3)} °C`], ["oil", head => `${number(head.oil_flow_l_min, 3)} l/min`], ["worst margin", head => number(head.margin, 3)],
+  ["hottest oil", head => `${number(head.oil_hottest_k - 273.15, 3)} °C`], ["oil", head => `${number(head.oil_flow_l_min, 3)} l/min`], ["worst margin of the flight", head => ratio(head.margin)],
 ];
 
 function show({head}) {
@@ -92,11 +106,15 @@ function show({head}) {
 }
 
 async function save() {
-  const given = name.endsWith(".toml") ? name : `${name}-mine.toml`;
-  const known = saved ? {"if-match": `"${saved}"`} : {"if-none-match": "*"};
+  const mine = taking, place = choice, {text} = editor, name = nameOf(place), given = name.endsWith(".toml") ? name : `${name}-mine.toml`;
   try {
-    saved = (await (await sent(`/api/files/${encodeURIComponent(given)}`, "PUT", {text: editor.text}, known)).json()).tag;
-    name = given;
+    const told = await (await sent(`/api/files/${encodeURIComponent(given)}`, "PUT", {text}, tag ? {"if-match": `"${tag}"`} : {"if-none-match": "*"})).json();
+    keep(KIND, place, {text: draft(KIND, place)?.text ?? text, saved: text, tag: told.tag});
+    if (mine === taking) {
+      [choice, saved, tag] = [`file:${given}`, text, told.tag];
+      opened(KIND, choice);
+    }
+    if (!state.files.includes(given)) set({files: [...state.files, given].sort()});
     at("status").textContent = `saved ${given}; gearwright fly ${state.name} ${given} flies it`;
   } catch (reason) {
     at("status").textContent = reason.message;
@@ -104,6 +122,7 @@ async function save() {
 }
 
 on("answer", () => { if (flown && state.answer && !flown.startsWith(state.answer.text)) at("flight-verdict").textContent += at("flight-verdict").textContent.endsWith("changed since.") ? "" : " The design has changed since."; });
+on("files name", choices);
 on("view missions", () => open().catch(reason => { at("status").textContent = reason.message; }));
 at("mission").addEventListener("change", event => take(event.target.value).catch(reason => { at("status").textContent = reason.message; }));
 at("mission-save").addEventListener("click", save);

@@ -1,6 +1,6 @@
 /* Seconds of a mission on the elastic train, computed on a click. */
 import {Task, begin, unpacked} from "/static/jobs.js";
-import {at, made, number} from "/static/made.js";
+import {at, made, number, ratio} from "/static/made.js";
 import {library, plot} from "/static/plots.js";
 import {state} from "/static/state.js";
 
@@ -37,15 +37,15 @@ function show() {
   at("window-of").replaceChildren(...head.series.map(one => new Option(`${one.name}${one.unit ? ` [${one.unit}]` : ""}`, one.name)));
   const worst = head.meshes[0]?.mesh, first = head.series.find(one => worst && one.name.startsWith(worst));
   if (first) at("window-of").value = first.name;
-  const share = row => row.peak_force_n !== undefined ? [row.mesh, `${number(row.peak_force_n)} N`, `${number(row.rated_force_n)} N`, row.bending_margin ?? row.margin] : [row.shaft, `${number(row.peak_torque_nm)} N m`, `${number(row.rated_torque_nm)} N m`, row.margin];
-  const rows = [...head.meshes, ...head.shafts].map(share).map(([name, ...cells]) => made("tr", {}, made("th", {scope: "row", textContent: name}), ...cells.map(value => made("td", {textContent: typeof value === "number" ? number(value, 3) : value ?? "–"}))));
-  at("window-peaks").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["part", "peak", "rated", "margin"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...rows)));
+  const share = row => row.peak_force_n !== undefined ? [row.mesh, `${number(row.peak_force_n)} N`, `${number(row.rated_force_n)} N`, Math.min(row.bending_margin, row.contact_margin)] : [row.shaft, `${number(row.peak_torque_nm)} N m`, `${number(row.rated_torque_nm)} N m`, row.margin];
+  const rows = [...head.meshes, ...head.shafts].map(share).map(([name, ...cells]) => made("tr", {}, made("th", {scope: "row", textContent: name}), ...cells.map(value => made("td", {textContent: typeof value === "string" ? value : ratio(value)}))));
+  at("window-peaks").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["part", "peak tangential force F_t, or torque", "sized for", "least margin"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...rows)));
   draw();
 }
 
 function draw() {
   const one = found?.head.series.find(line => line.name === at("window-of").value);
-  if (one) plot(at("window-plot"), {x: found.column("time"), xLabel: "time [s]", yLabel: `${one.name} [${one.unit || "-"}]`, lines: [{label: one.name, values: found.column(one.name)}]});
+  if (one) plot(at("window-plot"), {x: found.column("time"), xLabel: "time [s]", yLabel: `${one.what ? `${one.what}, ` : ""}${one.name} [${one.unit || "-"}]`, lines: [{label: one.name, values: found.column(one.name)}]});
 }
 
 at("window-of").addEventListener("change", draw);

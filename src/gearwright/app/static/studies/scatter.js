@@ -1,5 +1,5 @@
 /* Two numbers of every kept design: the front stands out, what breaks a limit is pale; a dot opens its design. */
-import {at, number} from "/static/made.js";
+import {at, number, told} from "/static/made.js";
 import {ink} from "/static/plots.js";
 import {held, title} from "/static/studies/table.js";
 
@@ -61,7 +61,7 @@ const under = event => dots.map(dot => ({...dot, off: Math.hypot(dot.left - even
 
 at("scatter").addEventListener("pointermove", event => {
   const row = under(event);
-  if (row) at("scatter-read").textContent = `${row.design}: ${Object.entries(row.values).filter(([name]) => last.table.columns.includes(name)).map(([name, value]) => `${title(name)} ${number(value)}`).join(", ")}`;
+  if (row) at("scatter-read").textContent = `${row.design}: ${Object.entries(row.values).filter(([name]) => last.table.columns.includes(name)).map(([name, value]) => `${title(name)} ${told(name, value)}`).join(", ")}`;
 });
 at("scatter").addEventListener("click", event => { const row = under(event); if (row) last.picked(row); });
 new ResizeObserver(draw).observe(at("scatter"));

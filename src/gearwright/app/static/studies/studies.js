@@ -1,5 +1,6 @@
 /* Studies: written, run in the journal that the command line has too, paused and gone on with; a dot opens its design. */
 import {Dropped, Problems, sent} from "/static/api.js";
+import {draft, keep, last, opened} from "/static/drafts.js";
 import {offered} from "/static/files.js";
 import {Task, begin} from "/static/jobs.js";
 import {at, made, number} from "/static/made.js";
@@ -10,31 +11,31 @@ import {scatter} from "/static/studies/scatter.js";
 import {flat, listed} from "/static/studies/table.js";
 
 const OWN = "this"; // the design on the page, as studies call it
-let editor = null, table = null, parallel = null, shipped = "", running = "";
+const KIND = "study";
+let editor = null, table = null, parallel = null, shipped = "", running = "", saved = "", picking = 0;
 
 function open() {
   if (state.view !== "studies-view" || !state.studies) return;
   if (!editor) {
-    editor = new Text(at("study-editor"), "Study in TOML", () => {});
+    editor = new Text(at("study-editor"), "Study in TOML", text => keep(KIND, shipped, {text, saved, tag: ""}));
     at("study").replaceChildren(new Option("of this design", ""), ...state.studies.map(name => new Option(name, name)));
-    fresh();
+    pick(last(KIND, state.studies) || "").catch(wrong);
   }
   journals();
   vary();
 }
 
 /* A study of the design on the page: what is to be varied is added by the list. */
-function fresh() {
-  editor.replace(`schema = 1\nname = "What makes it lighter"\ndesigns = ["${OWN}"]                  # the design on the page, as it stands\nresults = ["mass", "complete_mass", "worst_margin", "power_density"]\n\n[axes]\n\n[objectives]\ncomplete_mass = "minimum"\n\n[constraints]\nworst_margin = {minimum = 0.9999}\n\n[sampling]\nmethod = "sobol"\ncount = 128\nseed = 1\n`);
-  shipped = "";
-  at("journal").value = free("lighter");
-}
+const FRESH = `schema = 1\nname = "What makes it lighter"\ndesigns = ["${OWN}"]                  # the design on the page, as it stands\nresults = ["mass", "complete_mass", "worst_margin", "power_density"]\n\n[axes]\n\n[objectives]\ncomplete_mass = "minimum"\n\n[constraints]\nworst_margin = {minimum = 0.9999}\n\n[sampling]\nmethod = "sobol"\ncount = 128\nseed = 1\n`;
 
 async function pick(name) {
-  if (!name) return fresh();
-  shipped = name;
-  editor.replace((await (await sent(`/api/designs/${encodeURIComponent(name)}`)).json()).text);
-  at("journal").value = free(name);
+  const mine = ++picking, text = name ? (await (await sent(`/api/designs/${encodeURIComponent(name)}`)).json()).text : FRESH;
+  if (mine !== picking) return;
+  [shipped, saved] = [name, text];
+  at("study").value = name;
+  at("journal").value = free(name || "lighter");
+  opened(KIND, name);
+  editor.open(text, draft(KIND, name)?.text);
 }
 
 /* A name that no journal has. */
@@ -127,7 +128,7 @@ async function variant(row) {
   try {
     const changes = {...table.changes, ...row.inputs};
     const told = await (await begin("variant", state.text, {design: row.design, changes}).answer).json();
-    offered(told.text, `a variant of ${row.design}: ${Object.entries(row.inputs).map(([path, value]) => `${path} = ${value}`).join(", ")}`);
+    await offered(told.text, `a variant of ${row.design}: ${Object.entries(row.inputs).map(([path, value]) => `${path} = ${value}`).join(", ")}`, row.design === OWN ? state.name : row.design);
     location.hash = "design-view";
   } catch (reason) {
     at("status").textContent = reason.message;

@@ -1,5 +1,5 @@
 /* Rows of a study as numbers by name, and the best of them as a table. */
-import {made, named, number} from "/static/made.js";
+import {made, named, told} from "/static/made.js";
 
 const LISTED = 30;
 
@@ -29,7 +29,7 @@ export function listed(box, table, rows, picked) {
   const body = sorted.map(row => {
     const open = made("button", {type: "button", textContent: row.design});
     open.addEventListener("click", () => picked(row));
-    return made("tr", {className: held(table, row) ? "" : "fails"}, made("th", {scope: "row"}, open), ...table.columns.map(name => made("td", {textContent: number(row.values[name])})), made("td", {textContent: row.front ? "front" : held(table, row) ? "" : "breaks a limit"}));
+    return made("tr", {className: held(table, row) ? "" : "fails"}, made("th", {scope: "row"}, open), ...table.columns.map(name => made("td", {textContent: told(name, row.values[name])})), made("td", {textContent: row.front ? "front" : held(table, row) ? "" : "breaks a limit"}));
   });
   box.replaceChildren(made("table", {}, made("caption", {textContent: `The first ${sorted.length}; click one to open it`}), made("thead", {}, made("tr", {}, ...["design", ...table.columns.map(title), ""].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...body)));
 }

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.completion import designs
+from gearwright.cli.ends import CTRL_C, interrupted_code
 from gearwright.cli.terminal.output import show, show_commands
 
 
@@ -31,5 +32,6 @@ def app(
 
     try:
         serve(design, folder=folder, port=port, browser=browser, told=told)
-    except KeyboardInterrupt:  # the usual end
-        return
+    except KeyboardInterrupt:
+        if interrupted_code() != CTRL_C:  # which is the usual end
+            raise

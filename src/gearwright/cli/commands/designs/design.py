@@ -9,9 +9,10 @@ import typer
 
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import reviewed, sized, stamped
-from gearwright.cli.ends import end_interrupted, named_after, save_run
+from gearwright.cli.ends import end_interrupted, named_after, save_runs
 from gearwright.cli.options import CaseOption, DateOption, DesignArgument, JsonOption, LinesOption, PdfOption
 from gearwright.cli.terminal.output import progress, show, tell
+from gearwright.errors import DesignError, Problem
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -31,13 +32,12 @@ DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=
 def check(design: DesignArgument, json: JsonOption = False) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
     from gearwright.checks import unneeded
-    from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.checks import check_sentence
     from gearwright.render.words.headline import implied_text, sizing_headline, unneeded_text
 
     sizing = sized(design)
-    for case in sizing.flows:  # what the dynamic model would refuse is said here
-        assemble(sizing, case)
+    for problem in _not_assembled(sizing):
+        tell(f"not assessed, as the dynamic model ends there: {problem}")
     weak = [check for check in sizing.checks if check.fails]
     if json:
         from gearwright.render.answers.design import check_answer
@@ -59,6 +59,19 @@ def check(design: DesignArgument, json: JsonOption = False) -> None:
     show(sizing_headline(sizing))
     if by_default := implied_text(sizing.design):
         show(by_default)
+
+
+def _not_assembled(sizing: Sizing) -> list[Problem]:
+    """Return what the dynamic model refuses of a design that is sized, over all its cases, once each."""
+    from gearwright.dynamics.assembly import assemble
+
+    problems = dict[Problem, None]()
+    for case in sizing.flows:
+        try:
+            assemble(sizing, case)
+        except DesignError as error:
+            problems |= dict.fromkeys(error.problems)
+    return list(problems)
 
 
 def size(
@@ -100,16 +113,17 @@ def size(
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
     """Natural frequencies and mode shapes of a design's drive train."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assembly import default_case
     from gearwright.render.answers.motion import modes_answer
     from gearwright.render.words.text import modes_text
+    from gearwright.sizing import governing_case
 
     sizing = sized(design)
+    case = case or governing_case(sizing)
     solved = find_modes(_assemble(sizing, case))
     if json:
-        show_answer("modes", modes_answer(solved, case or default_case(sizing)), design=sizing.design.name)
+        show_answer("modes", modes_answer(solved, case), design=sizing.design.name)
     else:
-        show(modes_text(solved))
+        show(modes_text(solved, case=case))
 
 
 def simulate(
@@ -121,23 +135,21 @@ def simulate(
     json: JsonOption = False,
     jsonl: LinesOption = False,
 ) -> None:
-    """Simulate a design's drive train in a load case."""
-    from gearwright.dynamics.assembly import default_case
+    """Simulate a design's drive train in a load case; without one in the governing case, and in those that fail."""
     from gearwright.render.answers.motion import instants, simulate_answer
     from gearwright.render.words.text import trace_text
 
     sizing = sized(design)
-    case = case or default_case(sizing)
-    system = _assemble(sizing, case, stiffness)
-    trace = simulated(system, duration)
-    kept = save_run(output, trace, sizing, case) if output is not None else None
+    traces = simulated_cases(sizing, case, duration, stiffness)
+    kept = save_runs(output, traces, sizing) if output is not None else [None]
+    first = next(iter(traces))
     if jsonl:
-        show_rows("simulate", simulate_answer(trace, case), instants(trace), design=sizing.design.name)
+        show_rows("simulate", simulate_answer(traces), instants(traces[first]), design=sizing.design.name)
     elif json:
-        show_answer("simulate", simulate_answer(trace, case), design=sizing.design.name)
+        show_answer("simulate", simulate_answer(traces), design=sizing.design.name)
     else:
-        show(trace_text(trace, sizing))
-    end_interrupted(trace, kept)
+        show(*(trace_text(trace, sizing, case=name) for name, trace in traces.items()))
+    end_interrupted([*traces.values()][-1], kept[-1])
 
 
 def report(
@@ -152,16 +164,16 @@ def report(
     """Write the report of a design as one self-contained HTML file that also prints well."""
     from gearwright.cli.terminal.printing import find_browser, print_pdf
     from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assembly import default_case
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.pages.designs.report import report as make_report
+    from gearwright.sizing import governing_case
 
     if pdf is not None:
         find_browser()
 
     sizing = sized(design)
     stored = _run_of(sizing, results) if results is not None else None
-    case = stored.case if stored else default_case(sizing)
+    case = stored.case if stored else governing_case(sizing)
     system, campbell = _assemble(sizing, case), critical_speeds(sizing)
     page = make_report(
         sizing,
@@ -198,6 +210,29 @@ def _assemble(sizing: Sizing, case: str | None, stiffness: Literal["constant", "
     from gearwright.dynamics.assembly import assemble
 
     return assemble(sizing, case, stiffness=stiffness)
+
+
+def simulated_cases(
+    sizing: Sizing, case: str | None, duration: float, stiffness: Literal["constant", "varying"] | None
+) -> dict[str, Trace]:
+    """Return the runs of the case that is asked for, or of the governing one and of those that fail.
+
+    An interruption ends the last run that is returned, and all that were to follow.
+
+    Args:
+        sizing: As sized.
+        case: Load case, if one is asked for.
+        duration: Of each run [s].
+        stiffness: Of the meshes; None: as the design says.
+    """
+    from gearwright.sizing import telling_cases
+
+    traces: dict[str, Trace] = {}
+    for name in telling_cases(sizing) if case is None else (case,):
+        traces[name] = simulated(_assemble(sizing, name, stiffness), duration)
+        if traces[name].interrupted:
+            break
+    return traces
 
 
 def simulated(system: System, duration: float) -> Trace:

@@ -31,7 +31,7 @@ def export(
     detail: Annotated[
         Literal["fine", "coarse"] | None, typer.Option(help="Of the solids of glb and html; left out: fine")
     ] = None,
-    case: Annotated[str | None, typer.Option(help="Load case of fmu; left out: the design's first one")] = None,
+    case: Annotated[str | None, typer.Option(help="Load case of fmu; left out: the governing one")] = None,
     step: Annotated[
         float | None, typer.Option("--step", help="Of fmu's integration [s]; left out: that of simulate")
     ] = None,

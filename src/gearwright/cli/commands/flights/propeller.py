@@ -75,7 +75,8 @@ def propeller(
     if rpm is not None:
         point = FlightPoint(diameter_m, rpm * _RPM, tas_m_s, altitude_m, math.radians(incidence_deg))
         angle = None if blade_angle_deg is None else math.radians(blade_angle_deg)
-        flight = propeller_loads(given, point, power=None if power_kw is None else power_kw * 1e3, blade_angle=angle)
+        power = None if power_kw is None else power_kw * 1e3
+        flight = propeller_loads(given, point, power=power, blade_angle=angle, by=by.value)
     if jsonl:
         show_rows("propeller", propeller_answer(made, flight), map_points(made))
     elif json:
@@ -83,7 +84,7 @@ def propeller(
     else:
         show(made_text(made))
         if flight is not None:
-            show(loads_text(flight))
+            show(loads_text(flight, by.value))
     if out is not None:
         write_text(out, map_text(made.chart))
         tell(f"wrote {out}")

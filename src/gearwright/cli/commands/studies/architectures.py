@@ -48,15 +48,21 @@ def architectures(
 
     from gearwright.enumeration import STAGES
     from gearwright.enumeration import architectures as ranked
+    from gearwright.errors import DesignError, Problem
     from gearwright.render.answers.architectures import architectures_answer
     from gearwright.units import RPM
     from gearwright.writing import make_folder
 
     refuse_files(csv, None, report)
+    own = design_of(design)
+    if motor_rpm is not None and not own.motors:
+        raise DesignError(
+            [Problem("--motor-rpm", "the design has no motor; leave it out, or add a table [motors.NAME]")]
+        )
     if out is not None:
         make_folder(out)
     ranking = ranked(
-        design_of(design),
+        own,
         life=life_h * 3600.0,
         stages=tuple(stages or STAGES),
         closed=close,

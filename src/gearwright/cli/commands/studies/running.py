@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from gearwright.cli.answers import show_row, show_rows
-from gearwright.cli.ends import INTERRUPTED
+from gearwright.cli.ends import interrupted_code
 from gearwright.cli.terminal.output import screen, tell
 
 if TYPE_CHECKING:
@@ -77,14 +77,14 @@ def start_of(cluster: str | None, tls: tuple[Path, Path, Path] | None) -> Start:
 
 @contextmanager
 def stopped_cleanly(journal: Path | None, following: str = "") -> Iterator[None]:
-    """Say what is kept where Ctrl-C ends a run, and how it goes on."""
+    """Say what is kept where Ctrl-C or its like ends a run, and how it goes on."""
     try:
         yield
     except KeyboardInterrupt:
         following = following or f"gearwright resume {journal}"
         kept = f"what is finished is kept; next: {following}" if journal else "nothing was kept"
         tell(f"interrupted: {kept}")
-        raise typer.Exit(INTERRUPTED) from None
+        raise typer.Exit(interrupted_code()) from None
 
 
 def row_printer(command: str, study: Study) -> Callable[[Progress], None]:

@@ -29,6 +29,8 @@ from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from gearwright.spec import Design, Study
     from gearwright.spec.studies import Value
     from gearwright.study import Table
@@ -70,7 +72,9 @@ def study(
         return
     path = find_study(name)
     read = read_study(path)
-    read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
+    asked = _changes(changes)
+    _refuse_varied(asked, read)
+    read = read.model_copy(update={"changes": {**read.changes, **asked}})
     designs = {design: design_of(design, path.parent) for design in read.designs}
     if read.reduced is not None:
         from gearwright.cli.commands.studies.reduced import study_reduced
@@ -213,6 +217,14 @@ def _draw(study: Study, table: Table, path: Path) -> None:
     from gearwright.render.figures.study.spread import figure_of
 
     write_figure(figure_of(study, table), path)
+
+
+def _refuse_varied(changes: Mapping[str, Value], study: Study) -> None:
+    """Refuse changes for all cases of what an axis varies from case to case."""
+    from gearwright.errors import Problem, refuse
+
+    fix = "an axis of the study gives it from case to case; leave it out, or change the axis in the file"
+    refuse(Problem(f"--set {path}", fix) for path in changes if path in study.axes)
 
 
 def _changes(written: list[str] | None) -> dict[str, Value]:

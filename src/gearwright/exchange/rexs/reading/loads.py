@@ -231,6 +231,8 @@ def _cases(
         for name, load in names.items():
             speed, power = said.speeds[loads[load]], said.power(load, loads[load])
             table[name] = {"power_w": power} if abs(speed) > _SLOW else {"torque_nm": said.torques[load]}
+            if name not in motors and max(table[name].values()) > 0.0:
+                table[name]["drives"] = True
             if (power > 0.0 or name in motors) and abs(speed) > _SLOW:
                 table[name]["speed_rad_s"] = abs(speed)
         if said.share == 0.0:

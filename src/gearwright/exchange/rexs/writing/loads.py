@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearwright.exchange.rexs.writing.sheet import Value
 from gearwright.exchange.rexs.writing.task import Task
+from gearwright.sizing import governing_case
 from gearwright.spec import GROUND
 from gearwright.spec.design import levels_of, shares_of
 
@@ -47,7 +48,7 @@ def write_cases(task: Task) -> None:
         task: Whose machines and clutches are written.
     """
     sizing = task.sizing
-    shares = shares_of(sizing.design) or {next(iter(sizing.flows)): 1.0}
+    shares = shares_of(sizing.design) or {governing_case(sizing): 1.0}
     for name in sizing.flows:
         for load, share in levels_of(sizing.design, name):
             if share > 0.0:  # a case without a share of the life is a static one

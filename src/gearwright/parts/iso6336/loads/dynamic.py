@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Annotated
 
 import numpy as np
@@ -16,6 +17,10 @@ _PART1 = "ISO 6336-1:2019"
 _UNIT_LOAD = 100e3  # N/m, the specific load below which the resonance region widens
 _MICRON = 1e-6
 _MPA = 1e6
+_THINNEST = 0.99
+"""Bore over the mean diameter of a tooth, at most [-]: what is bored further is refused where it is written."""
+RESONANCE_ENDS = 1.15
+"""Reference speed N at which the main resonance range of a mesh ends [-] (ISO 6336-1:2019, clause 6.5.3)."""
 
 
 @dataclass(frozen=True)
@@ -26,8 +31,8 @@ class MeshDeviations:
     """Effective base pitch deviation [m]."""
     profile: Annotated[Value, Quantity("length"), Origin("f_fα,eff = f_fα − y_f", f"{_PART1}, 6.5")]
     """Effective profile form deviation [m]."""
-    tip_relief: Annotated[Value, Quantity("length"), Origin("C_a, or C_ay by running in", f"{_PART1}, 6.5")] = 0.0
-    """Tip relief C_a [m]; zero makes B_k = 1."""
+    relief_term: Annotated[Value, Quantity("ratio"), Origin("B_k", f"{_PART1}, 6.5.5")] = 1.0
+    """What tip relief leaves of the vibration B_k [-], from `relief_term`; 1 without relief."""
 
 
 @dataclass(frozen=True)
@@ -35,16 +40,18 @@ class DynamicFactor:
     """K_V with what it is made of."""
 
     reduced_mass: Annotated[
-        Value, Quantity("mass_per_length"), Origin("m_red = m*_1 m*_2/(m*_1 + m*_2)", f"{_PART1}, 6.5.3")
+        Value, Quantity("mass_per_length"), Origin("1/m_red = p_1/m*_1 + p_2/m*_2", f"{_PART1}, 6.5.3 and 6.5.9")
     ]
-    """Reduced mass of the pair per face width m_red [kg/m]."""
+    """Reduced mass of the mesh per face width m_red [kg/m], p meshes moving a gear together."""
     resonance_ratio: Annotated[Value, Quantity("ratio"), Origin("N = n_1/n_E1", f"{_PART1}, 6.5.3")]
     """Reference speed N [-]; 1 is the main resonance."""
     pitch_term: Annotated[Value, Quantity("ratio"), Origin("B_p = c′ f_pb,eff b/(F_t K_A)", f"{_PART1}, 6.5.4")]
     """Effect of pitch deviation B_p [-]."""
     profile_term: Annotated[Value, Quantity("ratio"), Origin("B_f = c′ f_fα,eff b/(F_t K_A)", f"{_PART1}, 6.5.4")]
     """Effect of profile deviation B_f [-]."""
-    relief_term: Annotated[Value, Quantity("ratio"), Origin("B_k = |1 − c′ C_a b/(F_t K_A)|", f"{_PART1}, 6.5.4")]
+    relief_term: Annotated[
+        Value, Quantity("ratio"), Origin("B_k = |1 − c′ C_a b/(F_t K_A K_γ)|, worse end", f"{_PART1}, 6.5.5")
+    ]
     """Effect of tip relief B_k [-]."""
     factor: Annotated[Value, Quantity("ratio"), Origin("K_V by region of N", f"{_PART1}, 6.5.4 to 6.5.7")]
     """Dynamic factor K_V [-]."""
@@ -74,28 +81,118 @@ def running_in_allowance(deviation: Value, steel: GearSteel, speed: Value) -> Va
     return np.minimum(160.0 / strength * deviation, limit / strength * _MICRON)
 
 
+@dataclass(frozen=True)
+class MovingBody:
+    """How one gear of a mesh moves with the teeth."""
+
+    inside: Value | None = None
+    """Inner diameter of the body, or of the rim of a webbed one d_i; of a ring its outer diameter [m]. None: a solid
+    gear, a ring that stands still."""
+    meshes: float = 1.0
+    """Equal meshes that move it together: the number of planets on a sun or a ring, of wheels on a split pinion [-]."""
+    held: bool = False
+    """It stands still, bolted or splined into the housing."""
+
+
+SOLID = MovingBody()
+"""A solid gear with one mate."""
+
+
+def moving_mass(mesh: MeshGeometry, gear: int, density: float, body: MovingBody = SOLID) -> Value:
+    """Return the mass of one gear that moves along the line of action, per face width m* [kg/m].
+
+    Args:
+        mesh: The pair.
+        gear: 0 the first, 1 the second.
+        density: ρ [kg/m³].
+        body: Its bore or rim.
+
+    Source: ISO 6336-1:2006, clause 6.5.9: J*/r_b² = π/8 ρ d_m⁴/d_b² (1 − q⁴), d_m = (d_a + d_f)/2, q = d_i/d_m; web and
+        hub are left out. A ring has its wall outside: (q⁴ − 1).
+    """
+    sign = 1.0 if gear == 0 else mesh.side
+    mean = 2.0 * mesh.tip_radii[gear] - sign * mesh.tooth_heights[gear]
+    hollow = (
+        0.0 if body.inside is None else np.minimum(body.inside, _THINNEST * mean) if _external(sign) else body.inside
+    )
+    wall = np.abs(mean**4 - np.asarray(hollow) ** 4)
+    return as_value(np.pi / 8.0 * density * wall / mesh.base_diameters[gear] ** 2)
+
+
+def _external(sign: Value) -> bool:
+    return bool(np.all(np.asarray(sign) > 0.0))
+
+
 def reduced_mass(
-    mesh: MeshGeometry, densities: tuple[float, float], *, bore_ratios: tuple[Value, Value] = (0.0, 0.0)
+    mesh: MeshGeometry, densities: tuple[float, float], bodies: tuple[MovingBody, MovingBody] = (SOLID, SOLID)
 ) -> Value:
-    """Return the mass of a pair that moves along its line of action, per face width.
+    """Return the mass of a mesh that moves along its line of action, per face width.
+
+    A central gear with p equal mates moves like a gear of m*/p: sun and planets, turning rings, split pinions, bull
+    gears. A gear that is held moves not at all: planets in a standing ring have m_red = m*.
 
     Args:
         mesh: The pair.
         densities: ρ_1 and ρ_2 [kg/m³].
-        bore_ratios: Inner diameter of the rim over the mean diameter, q_1 and q_2 [-]; 0 for solid gears.
+        bodies: Bores, mates and hold of both gears.
 
     Returns:
         m_red [kg/m].
 
-    Source: ISO 6336-1:2006, clause 6.5.9: m* = π/8 ρ d_m² (d_m/d_b)² (1 − q⁴), d_m = (d_a + d_f)/2. A wheel that is
-        held (ring) has m* = ∞: give q < 1 and a great density.
+    Source: ISO 6336-1:2006, clause 6.5.9: m*_1 m*_2/(m*_1 + m*_2); sun and p planets m*_s m*_p/(m*_s + p m*_p); the
+        other cases are the same rule. Held against a printed report of sun, planets and a bored helical pair.
     """
-    masses = []
-    for gear, (density, bore) in enumerate(zip(densities, bore_ratios, strict=True)):
-        sign = 1.0 if gear == 0 else mesh.side
-        mean = 2.0 * mesh.tip_radii[gear] - sign * mesh.tooth_heights[gear]
-        masses.append(np.pi / 8.0 * density * mean**4 / mesh.base_diameters[gear] ** 2 * (1.0 - bore**4))
-    return masses[0] * masses[1] / (masses[0] + masses[1])
+    return as_value(1.0 / sum(lightness(mesh, gear, densities[gear], bodies[gear]) for gear in (0, 1)))
+
+
+def lightness(mesh: MeshGeometry, gear: int, density: float, body: MovingBody = SOLID) -> Value:
+    """Return what one gear adds to 1/m_red: p/m*, 0 of a gear that is held [m/kg].
+
+    Args:
+        mesh: The pair.
+        gear: 0 the first, 1 the second.
+        density: ρ [kg/m³].
+        body: Its bore, mates and hold.
+
+    Source: ISO 6336-1:2006, clause 6.5.9.
+    """
+    internal = gear == 1 and not _external(mesh.side)
+    if body.held or (internal and body.inside is None):
+        return 0.0
+    return as_value(body.meshes / moving_mass(mesh, gear, density, body))
+
+
+def idler_masses(first: Value, idler: Value, last: Value) -> tuple[Value, Value]:
+    """Return the masses c_γ/ω² of the two vibrations of an idler between two gears, per face width [kg/m].
+
+    Args:
+        first: 1/m*_1 of the gear before it [m/kg].
+        idler: 1/m*_2 of the idler [m/kg].
+        last: 1/m*_3 of the gear behind it [m/kg].
+
+    Source: ISO 6336-1:2006, clause 6.5.9: ω² = (A ± √(A² − 4 B))/2 with A = c/m_1 + 2 c/m_2 + c/m_3 and
+        B = c² (m_1 + m_2 + m_3)/(m_1 m_2 m_3), c the mean of both meshes.
+
+    >>> slow, fast = idler_masses(1.0, 1.0, 0.0)  # two equal masses, the second against a wall
+    >>> round(float(1.0 / slow), 4), round(float(1.0 / fast), 4)
+    (0.382, 2.618)
+    """
+    total = first + 2.0 * idler + last
+    product = first * idler + first * last + idler * last
+    root = np.sqrt(np.maximum(total**2 - 4.0 * product, 0.0))
+    return as_value((total + root) / (2.0 * product)), as_value(2.0 / (total + root))
+
+
+def resonance_begins(specific_load: Value) -> Value:
+    """Return the reference speed N_S at which the main resonance range of a mesh begins [-]; it ends at 1.15.
+
+    Args:
+        specific_load: F_t K_A K_γ / b [N/m].
+
+    Source: ISO 6336-1:2019, clause 6.5.3: 0.85 from 100 N/mm on, 0.5 + 0.35 √(F_t K_A/(100 b)) below.
+    """
+    light = np.minimum(np.asarray(specific_load) / _UNIT_LOAD, 1.0)
+    return as_value(0.5 + 0.35 * np.sqrt(light))
 
 
 def dynamic_factor(
@@ -105,7 +202,7 @@ def dynamic_factor(
     *,
     specific_load: Value,
     pinion_speed: Value,
-    mass: Value,
+    masses: tuple[Value, ...],
 ) -> DynamicFactor:
     """Return K_V of a mesh by method B.
 
@@ -115,24 +212,42 @@ def dynamic_factor(
         deviations: Effective deviations and relief.
         specific_load: F_t K_A K_γ / b [N/m].
         pinion_speed: ω_1 relative to the carrier [rad/s].
-        mass: m_red [kg/m].
+        masses: m_red [kg/m]; of a mesh with an idler both, of which that counts which gives the larger K_V.
 
     Source: ISO 6336-1:2019, clause 6.5 (2006: 6.5), tables of C_v1 to C_v7.
     Valid for: v z_1/100 √(u²/(1 + u²)) ≥ 3 m/s; below, K_V by method B is small and safe to use.
 
     >>> mesh = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))
-    >>> light = MeshDeviations(0.0, 0.0, 0.0)
+    >>> light = MeshDeviations(0.0, 0.0)
     >>> springs = MeshSprings(14e9, 20e9, 17e9)
-    >>> k = dynamic_factor(mesh, springs, light, specific_load=2e5, pinion_speed=100.0, mass=0.2)
+    >>> k = dynamic_factor(mesh, springs, light, specific_load=2e5, pinion_speed=100.0, masses=(0.2,))
     >>> round(float(k.factor), 4)
     1.0015
     """
-    ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
     pitch = springs.single * deviations.base_pitch / specific_load
     profile = springs.single * deviations.profile / specific_load
-    relief = np.abs(1.0 - springs.single * deviations.tip_relief / specific_load)
-    factor = _by_region(ratio, mesh.total_contact_ratio, specific_load, pitch=pitch, profile=profile, relief=relief)
-    return DynamicFactor(mass, ratio, pitch, profile, relief, factor)
+    relief = deviations.relief_term
+    every = list[DynamicFactor]()
+    for mass in masses:
+        ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
+        factor = _by_region(ratio, mesh.total_contact_ratio, specific_load, pitch=pitch, profile=profile, relief=relief)
+        every.append(DynamicFactor(mass, as_value(ratio), pitch, profile, relief, factor))
+    return reduce(_larger, every)
+
+
+def _larger(first: DynamicFactor, second: DynamicFactor) -> DynamicFactor:
+    """Return the vibration of a mesh that gives the larger K_V, of every pair of an array."""
+    larger = np.asarray(second.factor) > np.asarray(first.factor)
+
+    def chosen(own: Value, other: Value) -> Value:
+        return as_value(np.where(larger, other, own))
+
+    return replace(
+        first,
+        reduced_mass=chosen(first.reduced_mass, second.reduced_mass),
+        resonance_ratio=chosen(first.resonance_ratio, second.resonance_ratio),
+        factor=chosen(first.factor, second.factor),
+    )
 
 
 def _by_region(
@@ -140,14 +255,12 @@ def _by_region(
 ) -> Value:
     """K_V below, in, above and between the main resonance."""
     c_2, c_3, c_4, c_6, c_7 = _coefficients(np.asarray(overlap, dtype=float))
-    lower = np.where(
-        np.asarray(specific_load) < _UNIT_LOAD, 0.5 + 0.35 * np.sqrt(np.asarray(specific_load) / _UNIT_LOAD), 0.85
-    )
+    lower = resonance_begins(specific_load)
     resonant = 0.32 * pitch + c_2 * profile + c_4 * relief + 1.0
     above = 0.47 * pitch + c_6 * profile + c_7
     below = ratio * (0.32 * pitch + c_2 * profile + c_3 * relief) + 1.0
     between = above + (resonant - above) * (1.5 - ratio) / 0.35
-    regions = [np.asarray(ratio) <= lower, np.asarray(ratio) <= 1.15, np.asarray(ratio) < 1.5]
+    regions = [np.asarray(ratio) <= lower, np.asarray(ratio) <= RESONANCE_ENDS, np.asarray(ratio) < 1.5]
     return as_value(np.select(regions, [below, resonant, between], above))
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336.choices import USUAL_CHOICES, Choices, RatingMethod
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.geometry import MeshGeometry, ToothProportions, Value, as_value
 from gearwright.parts.iso6336.loads.distribution import (
     CENTRED,
     UNMODIFIED,
@@ -22,19 +23,44 @@ from gearwright.parts.iso6336.loads.distribution import (
     transverse_load_factor,
 )
 from gearwright.parts.iso6336.loads.dynamic import (
+    SOLID,
     DynamicFactor,
     MeshDeviations,
+    MovingBody,
     dynamic_factor,
+    idler_masses,
+    lightness,
     mean_allowance,
     reduced_mass,
 )
 from gearwright.parts.iso6336.loads.dynamic_by_speed import DynamicFactorBySpeed, dynamic_factor_by_speed
+from gearwright.parts.iso6336.loads.relief import (
+    ReliefRule,
+    TipRelief,
+    in_ring,
+    load_deflection,
+    relief_for,
+    relief_term,
+    running_in_relief,
+    usual_class,
+)
 from gearwright.parts.iso6336.loads.stiffness import MeshSprings
 from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 from gearwright.parts.iso6336.pitting import contact_ratio_factor
 from gearwright.parts.iso6336.steels import GearSteel
 
 Steels = tuple[GearSteel, GearSteel]
+
+
+class Neighbour(NamedTuple):
+    """The gear beyond an idler, as the vibration of a mesh with it takes it."""
+
+    teeth: Value
+    """z, negative of an internal gear [-]."""
+    density: float
+    """ρ [kg/m³]."""
+    body: MovingBody = SOLID
+    """Its bore, mates and hold."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +78,11 @@ class MeshDuty:
     mesh_load_factor: float = 1.0
     """K_γ of parallel paths [-]."""
     meshes_per_turn: tuple[float, float] = (1.0, 1.0)
-    """Load cycles per turn of pinion and wheel [-]; for a sun the number of planets."""
+    """Load cycles per turn of pinion and wheel [-]; for a sun the number of planets. So many equal meshes move it."""
+    relief_torque: Value | None = None
+    """Torque on the pinion for which tips are relieved where no relief is stated [N m]; None: this one."""
+    fastest: Value | None = None
+    """Greatest speed of the pinion relative to the carrier, for a class that is not stated [rad/s]; None: this one."""
 
     def __post_init__(self) -> None:
         refuse(
@@ -72,14 +102,26 @@ class MeshDuty:
 class MeshQuality:
     """How the flanks are made and mounted."""
 
-    grade: int = 5
-    """Flank tolerance class of ISO 1328-1 [-]."""
+    grade: Value | None = 5
+    """Flank tolerance class of ISO 1328-1 [-]; None: the usual one of the pitch-line velocity."""
     flank_roughness: float | tuple[float, float] = 4e-6
     """R_z of the flanks of both gears, or of each [m]."""
     root_roughness: float = 10e-6
     """R_z of the root fillets [m]."""
-    tip_relief: float = 0.0
-    """C_a of well-made tip relief [m]."""
+    tip_relief: Value | None = 0.0
+    """C_a of well-made tip relief [m]; None: by `relief_rule`."""
+    relief_rule: ReliefRule = ReliefRule.LOAD
+    """What tips are relieved for where no amount is stated."""
+    relief_tolerance: float | None = None
+    """By how much C_a may miss [m]; None: not at all where an amount is stated, else as ground teeth do."""
+    planet: int | None = None
+    """Which gear is a planet, 0 or 1: its tips are relieved once, for its stiffer mesh in the ring. None: neither."""
+    bodies: tuple[MovingBody, MovingBody] = (SOLID, SOLID)
+    """Bores and rims of both gears, for K_V; how many meshes move them is in the duty."""
+    blank: float = 1.0
+    """Gear blank factor C_R of the stiffness [-]; 1 of solid and bored gears."""
+    beyond: tuple[Neighbour | None, Neighbour | None] = (None, None)
+    """What the first and the second gear mesh with besides, where they are idlers."""
     helix: HelixModification = UNMODIFIED
     """Helix modification."""
     shaft: PinionShaft = CENTRED
@@ -132,6 +174,90 @@ def specific_load(mesh: MeshGeometry, duty: MeshDuty) -> Value:
     return nominal * duty.application_factor * duty.mesh_load_factor
 
 
+def flank_class(mesh: MeshGeometry, duty: MeshDuty, quality: MeshQuality) -> Value:
+    """Return the flank tolerance class of a mesh: as stated, or the usual one of its greatest speed [-].
+
+    Args:
+        mesh: The pair.
+        duty: With its greatest speed.
+        quality: With the class, if it is stated.
+
+    Source: ISO 1328-1:2013; `usual_class`.
+    """
+    if quality.grade is not None:
+        return quality.grade
+    fastest = duty.pinion_speed if duty.fastest is None else duty.fastest
+    return usual_class(0.5 * np.abs(fastest) * mesh.pitch_diameters[0])
+
+
+def tip_relief(
+    mesh: MeshGeometry, springs: MeshSprings, steels: Steels, *, duty: MeshDuty, quality: MeshQuality
+) -> TipRelief:
+    """Return the tip relief of a mesh: as stated, or for the load that does most damage, or what running in leaves.
+
+    Args:
+        mesh: The pair.
+        springs: Its stiffness.
+        steels: Of the two gears.
+        duty: With the torque for which tips are relieved.
+        quality: With the relief, if it is stated.
+
+    Source: ISO 6336-1:2019, clause 6.5.5; ISO/TS 6336-20:2017, C_eff.
+    """
+    load, single = specific_load(mesh, duty), springs.single
+    design = load if duty.relief_torque is None else load * np.asarray(duty.relief_torque) / duty.pinion_torque
+    if quality.planet is not None:
+        springs = in_ring(mesh, springs, quality.planet)
+    deflection = load_deflection(mesh, springs, load, design)
+    run_in = running_in_relief(steels)
+    tolerance = quality.relief_tolerance
+    if quality.tip_relief is not None:
+        made = TipRelief(quality.tip_relief, deflection)
+    elif quality.relief_rule is ReliefRule.RUN_IN:
+        made = TipRelief(run_in, deflection)
+    else:
+        made = relief_for(deflection, mesh.module, run_in)
+    made = replace(made, stiffness=single)
+    return made if tolerance is None else replace(made, tolerance=tolerance, stated=True)
+
+
+def moving_masses(mesh: MeshGeometry, steels: Steels, *, duty: MeshDuty, quality: MeshQuality) -> tuple[Value, ...]:
+    """Return the masses per face width that a mesh moves: one, or two for each of its gears that is an idler [kg/m].
+
+    Args:
+        mesh: The pair.
+        steels: Of the two gears.
+        duty: With the meshes that move each gear.
+        quality: With bores, rims, and the gears beyond idlers.
+
+    Source: ISO 6336-1:2006, clause 6.5.9.
+    """
+    pairs = zip(quality.bodies, duty.meshes_per_turn, strict=True)
+    first, second = (replace(body, meshes=max(body.meshes, meshes)) for body, meshes in pairs)
+    own = tuple(lightness(mesh, gear, steels[gear].density, body) for gear, body in enumerate((first, second)))
+    masses = list[Value]()
+    for gear, neighbour in enumerate(quality.beyond):
+        if neighbour is not None:
+            row = _beyond(mesh, gear, neighbour.teeth)
+            far = lightness(row, 1, neighbour.density, neighbour.body)
+            masses += idler_masses(own[1 - gear], own[gear], far)
+    return tuple(masses) or (reduced_mass(mesh, (steels[0].density, steels[1].density), (first, second)),)
+
+
+def _beyond(mesh: MeshGeometry, gear: int, teeth: Value) -> MeshGeometry:
+    """Return an idler and the gear beyond it, unshifted, of the mesh's module."""
+    module = mesh.module / np.cos(mesh.helix_angle)
+    idler, side = np.abs(mesh.teeth[gear]), np.sign(teeth)
+    radii = 0.5 * idler * module, 0.5 * np.abs(teeth) * module
+    return replace(
+        mesh,
+        teeth=(idler, teeth),
+        centre_distance=radii[1] + side * radii[0],
+        tip_radii=(radii[0] + mesh.module, radii[1] + side * mesh.module),
+        proportions=(ToothProportions(), ToothProportions()),
+    )
+
+
 def load_distribution(
     mesh: MeshGeometry, springs: MeshSprings, steels: Steels, *, duty: MeshDuty, quality: MeshQuality
 ) -> tuple[DynamicFactor | DynamicFactorBySpeed, FaceLoadFactor, TransverseLoadFactor]:
@@ -148,20 +274,23 @@ def load_distribution(
     """
     specific = specific_load(mesh, duty)
     speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
-    pitch, profile, slope = _deviations(mesh, quality.grade)
+    grade = flank_class(mesh, duty, quality)
+    pitch, profile, slope = _deviations(mesh, grade)
     pitch_left = pitch - mean_allowance(pitch, steels, speed)
     if quality.choices.dynamic is RatingMethod.C:
         dynamic: DynamicFactor | DynamicFactorBySpeed = dynamic_factor_by_speed(
-            mesh, quality.grade, specific_load=specific, speed=speed
+            mesh, grade, specific_load=specific, speed=speed
         )
     else:
+        relief = tip_relief(mesh, springs, steels, duty=duty, quality=quality)
+        left = relief_term(relief, specific, grade=grade)
         dynamic = dynamic_factor(
             mesh,
             springs,
-            MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), quality.tip_relief),
+            MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), left),
             specific_load=specific,
             pinion_speed=np.abs(duty.pinion_speed),
-            mass=reduced_mass(mesh, (steels[0].density, steels[1].density)),
+            masses=moving_masses(mesh, steels, duty=duty, quality=quality),
         )
     dynamic = replace(dynamic, factor=as_value(np.maximum(dynamic.factor, quality.choices.least_dynamic)))
     with_dynamic = specific * dynamic.factor
@@ -191,7 +320,7 @@ def load_distribution(
     return dynamic, face, transverse
 
 
-def _deviations(mesh: MeshGeometry, grade: int) -> tuple[Value, Value, Value]:
+def _deviations(mesh: MeshGeometry, grade: Value) -> tuple[Value, Value, Value]:
     """Greater f_pb of the two gears, f_fα of their module, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
     pinion, wheel = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
     return (

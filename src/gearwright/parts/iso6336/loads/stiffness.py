@@ -31,14 +31,19 @@ class MeshSprings:
 
 
 def mesh_springs(
-    mesh: MeshGeometry, specific_load: Value = LINEAR_LOAD, *, steels: tuple[GearSteel, GearSteel] | None = None
+    mesh: MeshGeometry,
+    specific_load: Value = LINEAR_LOAD,
+    *,
+    steels: tuple[GearSteel, GearSteel] | None = None,
+    blank: float = 1.0,
 ) -> MeshSprings:
-    """Return c′, c_γα and c_γβ of solid gears.
+    """Return c′, c_γα and c_γβ of a mesh.
 
     Args:
         mesh: The pair.
         specific_load: F_t K_A K_γ / b [N/m]; softens the mesh below 100 N/mm.
         steels: Of both gears, for E/E_St; None: of E_St.
+        blank: Gear blank factor C_R [-]; 1 of solid and bored gears.
 
     Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel; E = 2 E_1 E_2/(E_1 + E_2).
     Valid for: β ≤ 45°, 1.2 < ε_α < 1.9 (higher is taken as it is), −0.5 ≤ x_1 + x_2 ≤ 2; not checked for arrays.
@@ -51,7 +56,7 @@ def mesh_springs(
     rack = 1.0 + 0.5 * (1.2 - 0.5 * (mesh.proportions[0].dedendum + mesh.proportions[1].dedendum))
     rack = rack * (1.0 - 0.02 * (20.0 - np.degrees(mesh.pressure_angle)))
     light = np.minimum(1.0, (specific_load / LINEAR_LOAD) ** 0.25)
-    single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light
+    single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light * blank
     if steels is not None:
         single = single * modulus_factor((steels[0].elastic_modulus, steels[1].elastic_modulus))
     mean = single * (0.75 * mesh.transverse_contact_ratio + 0.25)

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
+from itertools import count
 
 from gearwright.render.drawings.sheet.dimensions import arrow
 from gearwright.render.drawings.sheet.entities import SMALL, TEXT, Arc, Entity, Layer, Path, Words, words_length
 
+LETTERS = "ABCDEFGHJKLMNPRSTUVWXYZ"
+"""Of datums and sections: without I, O and Q (ISO 5459)."""
 SHORT, LONG = 3.5, 7.5
 """Heights of the two legs of a texture mark with letters of 2.5 mm [mm] (ISO 1302:2002, annex A)."""
 
@@ -40,6 +44,19 @@ def texture_length(text: str) -> float:
         text: Under the bar.
     """
     return SHORT * math.tan(math.radians(30.0)) + LONG * math.tan(math.radians(30.0)) + words_length(text, SMALL) + 1.5
+
+
+def section_letters() -> Iterator[str]:
+    """Yield letters of datums and sections, without end: A, B, ... Z, AA, BB, ...
+
+    Source: ISO 5459:2011, 7.2.1: capital letters without I, O and Q, repeated where they are used up.
+
+    >>> from itertools import islice
+    >>> list(islice(section_letters(), 21, 25))
+    ['Y', 'Z', 'AA', 'BB']
+    """
+    for times in count(1):
+        yield from (letter * times for letter in LETTERS)
 
 
 def cutting_plane(axis_point: complex, reach: float, letter: str, *, looking: complex) -> list[Entity]:

@@ -12,9 +12,9 @@ from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.gear_parts import Hub, Web
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
-from gearwright.sizing.blanks import BACKUP
 from gearwright.sizing.casing import RingSeat
 from gearwright.sizing.places import Bell
+from gearwright.sizing.rating import BACKUP
 
 
 def cylinder_section(

@@ -36,6 +36,7 @@ from gearwright.shape.teeth import (
     sized_mesh,
 )
 from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, stated_pitch, thickness_of
+from gearwright.sizing.as_sized import gear_relief
 from gearwright.spec import Pair
 from gearwright.units import INCH
 
@@ -252,8 +253,8 @@ def _deviations(sizing: Sizing, gear: GearSizing, grade: int) -> Iterator[Row]:
     yield "Helix slope", "f_{HβT}", _microns(may.helix_slope)
     yield "Run-out of the teeth", "F_{rT}", _microns(runout_tolerance(d, gear.module, grade))
     rules = sizing.design.rules(gear.stage).iso6336
-    relief = f"{1e6 * rules.tip_relief:.3g} µm" if rules.tip_relief else "none"
-    yield "Tip relief", "C_{a}", relief
+    relief = gear_relief(sizing, gear.name)
+    yield "Tip relief", "C_{a}", f"{1e6 * relief:.3g} µm" if relief else "none"
     yield "Lead", "", LEADS[rules.helix_modification]
 
 

@@ -9,10 +9,7 @@ from gearwright.latest import of_latest
 from gearwright.parts.gears import Blank
 from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.mass import complete_mass, gear_blanks
-
-DRAWN = ("gears", "shafts", "carriers")
-"""Groups of the complete mass whose parts drawings show one by one."""
+from gearwright.sizing.mass import TRAIN, complete_mass, gear_blanks
 
 
 class Made(NamedTuple):
@@ -36,7 +33,7 @@ def made_of(sizing: Sizing) -> Made:
         sizing: What was sized.
     """
     whole = complete_mass(sizing)
-    weights = {str(item.part): item.each for item in whole.parts if item.group in DRAWN}
+    weights = {str(item.part): item.each for item in whole.parts if item.group in TRAIN}
     casing = {item.part: item.total for item in whole.parts if item.group == "housing"}
     return Made(weights, casing, whole.total, gear_blanks(sizing))
 

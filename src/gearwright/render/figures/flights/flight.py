@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import cycle
 from typing import NamedTuple
 
 import numpy as np
@@ -171,7 +172,7 @@ def power_figure(flight: Flight) -> Figure:
     powers.legend("upper right", columns=2)
     most = max(float(history.propeller_power.max()), float(history.turbine_available.max())) / _KILO
     powers.set_ylim(min(0.0, powers.get_ylim()[0]), 1.3 * most)
-    for colour, name in zip(theme.CYCLE * 4, flight.sizing.design.shafts, strict=False):
+    for colour, name in zip(cycle(theme.CYCLE), flight.sizing.design.shafts, strict=False):
         torques.plot(time, flight.nodes[name].torque, color=colour, label=name)
     torques.set_yscale("log")
     torques.set_ylim(bottom=LEAST_TORQUE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import cycle
 from typing import NamedTuple
 
 import numpy as np
@@ -53,7 +54,7 @@ def spectrum_figure(flight: Flight) -> Figure:
 
 
 def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
-    for colour, duty in zip(theme.CYCLE * 4, duties, strict=False):
+    for colour, duty in zip(cycle(theme.CYCLE), duties, strict=False):
         order = np.argsort(-np.abs(duty.load), kind="stable")
         reached = np.maximum(np.cumsum(duty.turns[order]), 1e-3)
         load = np.abs(duty.load)[order]

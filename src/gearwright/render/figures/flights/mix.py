@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 from gearwright.mission import FlownMix
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -23,7 +25,7 @@ def eaten_figure(flown: FlownMix) -> Figure:
     figure = theme.sheet(WIDTH, 30.0 + 6.0 * max(len(known), 1))
     axes = figure.panel()
     left = [0.0] * len(known)
-    for colour, name in zip(theme.CYCLE * 4, flown.flights, strict=False):
+    for colour, name in zip(cycle(theme.CYCLE), flown.flights, strict=False):
         sums = [flown.damage_by_mission(part) for part in known]
         widths = [100.0 * damage[name] / sum(damage.values()) for damage in sums]
         axes.barh(range(len(known)), widths, left=left, height=0.72, color=colour, label=name)

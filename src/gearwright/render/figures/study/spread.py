@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import product
+from itertools import cycle, product
 
 import numpy as np
 
@@ -73,7 +73,7 @@ def distribution_figure(table: Table) -> Figure:
             continue
         everything = np.array([row.shown(result) for row in table.good])
         bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))
-        for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
+        for design, colour in zip(designs, cycle(theme.CYCLE), strict=False):
             values = np.array([row.shown(result) for row in table.good if row.design == design])
             if len(values):
                 low, median, high = np.quantile(values, (0.05, 0.5, 0.95))
@@ -182,7 +182,7 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
     figure = theme.sheet(150.0, 100.0)
     axes = figure.panel()
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
-    for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
+    for design, (mark, colour) in zip(designs, cycle(product(_MARKS, theme.CYCLE)), strict=False):
         rows = [row for row in table.good if row.design == design]
         axes.plot(*_points(rows, across, up), mark, color=colour, ms=2.5, alpha=0.35, mew=0)
         best = [row for row in front if row.design == design]

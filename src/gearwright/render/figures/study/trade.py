@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.render.grid.table import written
 from gearwright.render.style import theme
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.render.vector.axes import Axes
@@ -16,6 +15,7 @@ from gearwright.render.vector.figure import Figure
 from gearwright.spec import Study
 from gearwright.study import Table
 from gearwright.study.answers import Standing, Verdict
+from gearwright.units import written
 
 RANGE = (0.05, 0.5, 0.95)
 """Quantiles of a bar's ends and its dot [-]."""

@@ -42,7 +42,7 @@ def dynamics_sections(
     """
     sections = [
         _critical(sizing, campbell),
-        _shapes(sizing, system, modes, campbell),
+        _shapes(sizing, system, modes, campbell, case=case),
         _paths(sizing, system, trace, case),
         Section("Assumptions of the dynamic model", tables=(assumption_table(assumptions(sizing, system)),)),
     ]
@@ -50,20 +50,23 @@ def dynamics_sections(
 
 
 def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
-    caption = "Natural frequencies, orders and excited resonances against speed; margins of the nearest ones."
+    caption = "Natural frequencies, orders and excited resonances against speed; separation margins of the nearest."
     figures = [figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
     tables = (*map(critical_table, campbell), *map(machine_table, campbell))
     return Section("Critical speeds", tables=tables, figures=tuple(figures))
 
 
-def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase]) -> Section:
+def _shapes(
+    sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase], *, case: str
+) -> Section:
     """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
     if modes is None:
         return Section("Mode shapes")
-    near = [critical.modes[0] for case in campbell for critical in case.critical if critical.excited]
+    near = [critical.modes[0] for case in campbell for critical in case.nearest]
     lowest = list(range(modes.rigid + 1, len(modes.frequency) + 1))
     numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
-    caption = "Modes excited nearest to the operating speed, on the train." if near else "Lowest modes, on the train."
+    which = "Modes excited nearest to the operating speed" if near else "Lowest modes"
+    caption = f"{which}, on the train, case {case}."
     drawing = drawn_modes_figure(sizing, system, modes, numbers=numbers)
     return Section("Mode shapes", figures=(figure(drawing, "drawn-modes", caption),))
 
@@ -74,13 +77,13 @@ def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Se
         return Section("Transmission error and paths")
     lines = first_meshes(sizing, system)
     centres = moving_centres(samples)[:MOST_PATHS]
-    caption = "Phase portraits of the meshes: a closed curve repeats; the teeth part left of zero."
+    caption = f"Phase portraits of the meshes, case {case}: a closed curve repeats; the teeth part left of zero."
     figures = [
         *_errors(sizing, lines, trace, case),
         figure(phase_figure(samples, lines[:MOST_PATHS]), "phase", caption),
     ]
     if centres:
-        caption = "Paths of centres about their means; of planetary sets in the frame of the carrier."
+        caption = f"Paths of centres about their means, case {case}; of planetary sets in the frame of the carrier."
         figures.append(figure(orbit_figure(samples, centres), "orbits", caption))
     return Section("Transmission error and paths", figures=tuple(figures))
 
@@ -93,7 +96,7 @@ def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str
         meshes, rate = list(rows.values()), max(rates[row] for row in rows)
         if samples is not None and meshes and rate > 0.0:
             drawing = transmission_error_figure(samples, meshes, mesh_frequency=rate)
-            yield figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}.")
+            yield figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}, case {case}.")
 
 
 def _safe(stage: str) -> str:

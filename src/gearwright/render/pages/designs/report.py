@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from gearwright.dynamics import Modes, System, Trace
-from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.errors import by_name
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import (
     aged_bearings,
@@ -41,12 +41,12 @@ from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.factors import factor_tables, usual_table
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, governing_case
 from gearwright.verbs import verb
 
 
@@ -57,6 +57,7 @@ def report(
     modes: Modes | None = None,
     trace: Trace | None = None,
     case: str | None = None,
+    others: Mapping[str, Trace] | None = None,
     system: System | None = None,
     campbell: Sequence[SpeedCase] = (),
     review: Review | None = None,
@@ -68,47 +69,52 @@ def report(
         sizing: As sized.
         modes: Natural modes, if they are to be in it.
         trace: A run, if it is to be in it.
-        case: Load case of the summary, of modes and run; left out: the design's first one, or ``rated``.
+        case: Load case of the summary, of modes and run; left out: the governing one, which has the least margin.
+        others: Load case -> run, of further cases that are to be in it.
         system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
         campbell: Critical speeds, if they are to be in it.
         review: Every check, from `gw.review`; left out: the page shows those of sizing alone, and says so.
         stamp: Date of the page and lines of the design file, which only the caller knows.
     """
-    case = case or default_case(sizing)
+    case = case or governing_case(sizing)
+    traces = {**({case: trace} if trace else {}), **(others or {})}
+    for name in traces:
+        by_name(name, sizing.flows, "case")
     tables = tables_of(sizing)
-    told = warnings(sizing, trace, review)
+    told = warnings(sizing, traces, review)
     sections = [
         Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=told),
         _power(sizing, tables["speeds"], case),
         *_parts(sizing, tables),
-        *([_modes(modes, drawn=system is not None)] if modes else []),
-        *([_dynamics(sizing, trace, case)] if trace else []),
+        *([_modes(modes, case, drawn=system is not None)] if modes else []),
+        *(_dynamics(sizing, run, name) for name, run in traces.items()),
     ]
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    sections.append(Section("Assumptions", listed=assumptions(sizing)))
+    sections.append(Section("Assumptions", tables=_filled(usual_table(sizing)), listed=assumptions(sizing)))
     given, default = inputs(entries(sizing.design), of="design", lines=stamp.lines)
     given = replace(given, tables=_filled(tables["overrides"]))
     return set_page(
         Page(
-            "Report", sizing.design.name, sizing.design.description, _verdict(sizing, trace, review),
+            "Report", sizing.design.name, sizing.design.description, _verdict(sizing, traces, review),
             key_numbers(sizing, review), tuple(sections), (given, default), sizing.design, stamp,
         )
     )  # fmt: skip
 
 
-def _verdict(sizing: Sizing, trace: Trace | None, review: Review | None) -> Verdict:
+def _verdict(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None) -> Verdict:
     """Return the verdict of the review, or of sizing; a run whose peaks break a margin lets neither pass."""
     said = judged_by_sizing(sizing) if review is None else judged(review)
-    if trace is None or said.tone is Tone.BAD:
+    if said.tone is Tone.BAD:
         return said
-    loads = dynamic_loads(sizing, trace)
-    broken = [load for load in loads if min(load.bending_margin, load.contact_margin) < 1.0]
-    if not broken:
-        return said
-    least = min(broken, key=lambda load: min(load.bending_margin, load.contact_margin))
-    words = f"Under the simulated peaks {len(broken)} of {len(loads)} meshes break a margin, most of all {least.mesh}."
-    return Verdict(Tone.BAD, "Fails", f"{words} {said.said}")
+    for case, trace in traces.items():
+        loads = dynamic_loads(sizing, trace)  # the worst first
+        broken = [load for load in loads if min(load.bending_margin, load.contact_margin) < 1.0]
+        if broken:
+            most = f"most of all {broken[0].mesh}, case {case}"
+            words = f"Under the simulated peaks {len(broken)} of {len(loads)} meshes break a margin, {most}."
+            return Verdict(Tone.BAD, "Fails", f"{words} {said.said}")
+    return said
 
 
 def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:
@@ -133,7 +139,9 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     margins = figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
     mass = figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
-    yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))
+    yield _chapter(
+        "Meshes: forces, stresses and margins", tables, "meshes", "load_factors", "rating", figures=(margins,)
+    )
     factors = tuple(factor_tables(sizing).values())
     if factors:
         yield Section("Rating of the gears", tables=factors)
@@ -162,26 +170,29 @@ def _filled(*tables: Table) -> tuple[Table, ...]:
     return tuple(table for table in tables if table.rows)
 
 
-def _modes(modes: Modes, *, drawn: bool) -> Section:
+def _modes(modes: Modes, case: str, *, drawn: bool) -> Section:
     """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
-    caption = "Lowest elastic modes; each coordinate over the largest of its kind."
+    caption = f"Lowest elastic modes, case {case}; each coordinate over the largest of its kind."
     figures = () if drawn else (figure(mode_figure(modes), "modes", caption),)
-    return Section("Natural modes", tables=(mode_table(modes),), figures=figures)
+    return Section("Natural modes", tables=(mode_table(modes, case=case),), figures=figures)
 
 
 def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
-    figures = [figure(time_figure(trace), "time", "Forces and torques against time.")]
+    figures = [figure(time_figure(trace), f"time-{_safe(case)}", f"Forces and torques against time, case {case}.")]
     notes = [
         f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
         f" {Error(trace.error, trace.rms_error).words()}."
     ]
     if every_step(trace) is not None:
         drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))
-        figures.append(figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
+        caption = f"Amplitude spectra with mesh frequencies and their multiples, case {case}."
+        figures.append(figure(drawing, f"spectrum-{_safe(case)}", caption))
     else:
         notes.append("No spectrum: no stretch of the run was kept at every step.")
     tables = (*motion_tables(trace), dynamic_table(sizing, trace), energy_table(trace))
-    return Section("Dynamic response", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes))
+    return Section(
+        f"Dynamic response, case {case}", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes)
+    )
 
 
 def _safe(name: str) -> str:

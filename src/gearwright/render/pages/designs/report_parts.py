@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from gearwright.checks import worst
+from collections.abc import Mapping, Sequence
+
+from gearwright.checks import Check, worst
 from gearwright.dynamics import Trace
-from gearwright.dynamics.vibration import dynamic_loads
+from gearwright.dynamics.vibration import DynamicLoad, dynamic_loads
 from gearwright.render.pages.page import Number, quantity, reserve
 from gearwright.render.tables.checks import check_sentence
 from gearwright.render.words.headline import unneeded_text
@@ -15,8 +17,10 @@ from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
-from gearwright.units import Origin, text
+from gearwright.units import Origin, margin_text, text
 
+EQUAL = 1e-6
+"""Part by which a peak of one run may lie above that of another and be the same [-]."""
 TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
 
@@ -37,21 +41,22 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, .
         quantity("complete mass", whole.total, "mass", digits=3, band=whole.band, share="68 %"),
         quantity("rated power", sizing.rated_power, "power"),
         quantity("output torque", torque, "torque"),
-        quantity("power density of the train", sizing.power_density, "specific_power"),
+        quantity("power density of the train as sized", sizing.power_density, "specific_power"),
         *reserve(worst(sizing.checks) if review is None else review.worst),
-        quantity("mass of the train", sizing.mass, "mass", origin=gears),
+        *([quantity("its gears, shafts, carriers", whole.train, "mass", digits=3)] if whole.train else []),
+        quantity("train as sized", sizing.mass, "mass", origin=gears),
         *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
         Number("level", sizing.level if "level" not in implied(sizing.design) else f"{sizing.level}, by default"),
     ]
     return tuple(numbers)
 
 
-def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) -> tuple[str, ...]:
+def warnings(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None = None) -> tuple[str, ...]:
     """Return what is not as asked.
 
     Args:
         sizing: As sized.
-        trace: As simulated, if it was.
+        traces: Load case -> run, of those that were simulated.
         review: Of it, if it is shown.
     """
     checks = sizing.checks if review is None else review.checks
@@ -67,16 +72,24 @@ def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) 
         for loop in recirculation(sizing.train, flow)
     ]
     sentences += _given(sizing)
-    if trace is not None:
+    for case, trace in traces.items():
         sentences += [
-            f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
-            f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
+            f"{load.mesh}, case {case}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the"
+            f" margins are {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)}"
+            " (contact)."
             for load in dynamic_loads(sizing, trace)
-            if min(load.bending_margin, load.contact_margin) < 1.0
+            if min(load.bending_margin, load.contact_margin) < 1.0 and not _said(load, checks)
         ]
         telling = (note for note in trace.notes if any(words in note for words in TOLD))
-        sentences += [f"{note[0].upper()}{note[1:]}." for note in telling]
+        sentences += [f"Case {case}: {note}." for note in telling]
     return tuple(sentences)
+
+
+def _said(load: DynamicLoad, checks: Sequence[Check]) -> bool:
+    """Return whether a review tells of a peak that is as large, in whatever case."""
+    peaks = {check.mode: check.margin or 0.0 for check in checks if str(check.part) == load.mesh}
+    both = (("peak bending", load.bending_margin), ("peak contact", load.contact_margin))
+    return all(mode in peaks and peaks[mode] <= margin * (1.0 + EQUAL) for mode, margin in both)
 
 
 def _given(sizing: Sizing) -> list[str]:
@@ -100,8 +113,9 @@ def _yielded(sizing: Sizing) -> list[str]:
 
 
 _COUNTED = (
-    "The mass of the train, by which designs are chosen, counts gears, shafts and carriers; the complete mass counts"
-    " housing, bearings, oil system and small parts, too. Motors are in neither."
+    "The train as sized, by which designs are chosen, counts gears, shafts and carriers before webs and seats are cut"
+    " out of them or added; the complete mass takes them as manufactured, with housing, bearings, oil system and small"
+    " parts. Motors are in neither."
 )
 _MOUNTED = (
     "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"

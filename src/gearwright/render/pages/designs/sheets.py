@@ -18,6 +18,7 @@ from gearwright.render.pages.page import (
 )
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement import envelope
+from gearwright.sizing.mass import complete_mass
 
 
 class DrawnSheet(NamedTuple):
@@ -45,7 +46,7 @@ def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = U
     room = envelope(sizing)
     numbers = (
         Number("sheets", f"{len(drawn)}", "", float(len(drawn))),
-        quantity("mass of the train", sizing.mass, "mass"),
+        quantity("gears, shafts, carriers", complete_mass(sizing).train, "mass"),
         quantity("width", room.width, "length"),
         quantity("height", room.height, "length"),
         quantity("length", room.length, "length"),

@@ -13,7 +13,7 @@ from gearwright.checks import Check, worst_first
 from gearwright.identity import HOUSING, Kind, PartId
 from gearwright.shape import Node, Scene
 from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
-from gearwright.units import text
+from gearwright.units import margin_text, text
 
 MOST = 8
 """Checks of a part that are shown [-]."""
@@ -57,7 +57,7 @@ def _part(sizing: Sizing, scene: Scene, node: Node, checks: Sequence[Check]) -> 
         check for check in checks if check.margin is not None and _concerns(sizing, check.part, node.part)
     )
     margins = [check.margin for check in own if check.margin is not None and math.isfinite(check.margin)]
-    shown = [[f"{check.part} {check.what}", f"{check.margin:.2f}"] for check in own[:MOST]
+    shown = [[f"{check.part} {check.what}", margin_text(check.margin or 0.0)] for check in own[:MOST]
              if check.margin is not None and math.isfinite(check.margin)]  # fmt: skip
     found: dict[str, Any] = {"title": _label(node.part), "rows": _rows(sizing, node.part), "checks": shown,
                              "margin": round(min(margins), 4) if margins else None}  # fmt: skip

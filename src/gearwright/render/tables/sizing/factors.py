@@ -8,15 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.render.grid.table import Table, table, written
+from gearwright.render.grid.table import Table, table
 from gearwright.sizing import MeshSizing, Sizing, pair_data
+from gearwright.sizing.insight import usual_values
 from gearwright.sizing.rating import METHODS, Factor, factor_rows
-from gearwright.units import shown, unit
+from gearwright.units import shown, unit, written
 
 _NOTE = (
     "In the heaviest case over the whole life, application factor included; a single value holds for both gears."
     " The safeties under all cases stand in the table of checks. At a limit: the standard holds the factor there."
 )
+_USUAL = "Open in the design. Mass: by how much its gears would weigh more otherwise, with their teeth as they are."
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,16 @@ def factor_tables(sizing: Sizing) -> dict[str, Table]:
         sizing: As sized.
     """
     return {mesh.name: _table(mesh, rows) for mesh, rows in rated_factors(sizing)}
+
+
+def usual_table(sizing: Sizing) -> Table:
+    """Return the load factors, reliefs and classes that a design leaves open, and what others would weigh.
+
+    Args:
+        sizing: As sized.
+    """
+    fields = ("stage", "quantity", "value", "source", "otherwise", "mass")
+    return table("Usual values taken", usual_values(sizing), fields, note=_USUAL)
 
 
 def rated_factors(sizing: Sizing) -> Iterator[tuple[MeshSizing, tuple[Factor, ...]]]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.sizing import Influence, MeshInfluences, Sizing, influences
-from gearwright.units import shown, unit
+from gearwright.units import margin_text, shown, unit, written
 
 _NOTE = (
     "%/%: by how many per cent a safety grows for one per cent more of the value, ∂ ln S/∂ ln x; teeth and all else"
@@ -25,7 +25,7 @@ def influence_tables(sizing: Sizing, wish: float) -> dict[str, Table]:
 
 def _table(mesh: MeshInfluences) -> Table:
     heads = ("", "as it is", "unit", "S_H, %/%", "S_F, %/%", f"margin {mesh.wish:g}")
-    title = f"What moves {mesh.mesh} ({mesh.method}): worst margin {written(mesh.margin)}"
+    title = f"What moves {mesh.mesh} ({mesh.method}): worst margin {margin_text(mesh.margin, 4)}"
     columns = tuple(Column(head, head, "", "") for head in heads)
     return Table(title, columns, tuple(_row(row) for row in mesh.rows), _NOTE)
 

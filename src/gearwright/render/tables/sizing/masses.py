@@ -47,10 +47,11 @@ def mass_sentence(mass: CompleteMass, statistics: Statistics) -> str:
 
 
 def with_band(mass: CompleteMass) -> str:
-    """Return a complete mass in words, with its band.
+    """Return a complete mass in words, with its band and what the train is of it.
 
     Args:
         mass: Complete mass.
     """
     low, high = (text(limit, "mass", 3) for limit in mass.band)
-    return f"{text(mass.total, 'mass', 3)}, 68 % from {low} to {high}"
+    train = f", of it gears, shafts and carriers {text(mass.train, 'mass', 3)}" if mass.train else ""
+    return f"{text(mass.total, 'mass', 3)}, 68 % from {low} to {high}{train}"

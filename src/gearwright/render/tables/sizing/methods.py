@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.sizing import Beside, MeshBeside, Sizing, methods_beside
 from gearwright.sizing.rating import METHODS
-from gearwright.units import shown, unit
+from gearwright.units import margin_text, shown, unit, written
 
 _NOTE = (
     "Teeth, module, width and loads of the design; steel and making of each method's own rules. In the heaviest case,"
@@ -30,7 +30,7 @@ def _table(mesh: MeshBeside) -> Table:
     columns += [Column("unit", "unit", "", ""), Column("why", "why they differ", "", "")]
     rows = [_row(line, tuple(mesh.margins)) for line in mesh.rows]
     for place, words in enumerate(("margin of flanks", "margin of roots")):
-        cells = [_number(f"{written(margin[place])}", margin[place]) for margin in mesh.margins.values()]
+        cells = [_number(margin_text(margin[place], 4), margin[place]) for margin in mesh.margins.values()]
         rows.append((_words(words), *cells, _words(""), _words("")))
     left = "".join(f" Not by {METHODS[name].edition}: {why}." for name, why in mesh.refused.items())
     return Table(f"Rating of {mesh.mesh} by every method", tuple(columns), tuple(rows), _NOTE + left)

@@ -16,8 +16,14 @@ from gearwright.render.tables.sizing.planets import planet_table
 from gearwright.render.tables.sizing.teeth import chosen_teeth
 from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_groups, mass_parts, passing, planet_positions
 from gearwright.sizing.arrangement import envelope
+from gearwright.sizing.summaries import mesh_factors
 from gearwright.train import Branch, branches
 
+_FACTORS = (
+    "name", "load_factor", "shared", "case", "resonance_ratio", "dynamic_factor", "relief_term", "tip_relief",
+    "tolerance_class",
+)  # fmt: skip
+_OF_FACTORS = "N in the case nearest to the main resonance; K_V and B_k in the heaviest case."
 _KEPT = (
     "Whole teeth give them. A speed is kept, met exactly, of the first machine that [speeds] keep names: left out, a"
     " turbine's, else a motor's."
@@ -91,6 +97,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "passing": passing_table(sizing),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark, note=_searched(sizing)),
         "meshes": table("Mesh forces", sizing.meshes, _mesh_fields(sizing), note="Forces of one mesh."),
+        "load_factors": table("Load factors", tuple(mesh_factors(sizing)), _FACTORS, note=_OF_FACTORS),
         "rating": table("Mesh rating", sizing.meshes,
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
                          "contact_stress", "contact_margin")),
@@ -111,7 +118,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "planet_bearings": planet_table(sizing),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
-        "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
+        "mass": table("Train as sized", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
                       note=not_in_the_mass(sizing)),
     }  # fmt: skip
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gearwright.enumeration import Candidate
 from gearwright.render.grid.csv_text import table_csv
 from gearwright.render.grid.table import Table, table
-from gearwright.units import Mass, Speed
+from gearwright.units import Mass, Speed, margin_text
 
 SHOWN = 24
 """Rows on the screen and on the page [-]."""
@@ -71,7 +71,7 @@ def _lacked(row: Candidate) -> str:
         return ""
     name, margin = min(row.lacks, key=lambda lack: lack[1])
     more = f" and {len(row.lacks) - 1} more" if len(row.lacks) > 1 else ""
-    return f"{name} {margin:.2f}{more}"
+    return f"{name} {margin_text(margin)}{more}"
 
 
 def architectures_table(candidates: Iterable[Candidate], title: str) -> Table:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study, value_at
 from gearwright.study.answers import Limit
 from gearwright.study.running.reliable import LimitState, Reliability
+from gearwright.units import written
 
 LITTLE = 0.005
 """Weight of an axis below which it has no side [-]."""

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.render.tables.study.variants import heading, percent, spread
 from gearwright.sizing import Named
 from gearwright.spec import Axis, Study
 from gearwright.study import Row
 from gearwright.study import Table as Rows
 from gearwright.study.answers import Verdict, bound, quantiles
+from gearwright.units import written
 
 MILLION = 1e6
 """From here a number is written with a power of ten in narrow columns."""

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.optimum import Best, Optimum
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.render.tables.study.lists import front_list, letter
 from gearwright.render.tables.study.variants import heading
 from gearwright.study import Row
 from gearwright.study import Table as Rows
-from gearwright.units import shown, unit
+from gearwright.units import margin_text, shown, unit, written
 
 SHOWN = 12
 """Designs of a front that are listed: evenly along it, the chosen one among them [-]."""
@@ -84,7 +84,7 @@ def binding_table(optimum: Optimum) -> Table:
 
 
 def _bound(kind: str, name: str, margin: float) -> str:
-    return f"end of {name}" if kind == "end of a range" else f"{name} {margin:.3f}"
+    return f"end of {name}" if kind == "end of a range" else f"{name} {margin_text(margin, 4)}"
 
 
 def price_table(optimum: Optimum) -> Table:

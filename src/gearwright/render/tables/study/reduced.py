@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.render.grid.grid import Grid
-from gearwright.render.grid.table import written
 from gearwright.render.tables.study.variants import heading
 from gearwright.spec.studies import value_at
 from gearwright.study.answers import Reduced
 from gearwright.study.answers.reduced import SECTIONS
+from gearwright.units import written
 
 FEW = 6
 """Sections of an axis that are listed, evenly spaced [-]."""
@@ -85,5 +85,5 @@ def _best(reduced: Reduced) -> Grid:
     step = max(1, len(rows) // FEW)
     for number, row in rows[::step]:
         inputs = [f"{value:.5g}" if isinstance(value, float) else str(value) for value in row.inputs.values()]
-        grid.add_row(f"{number:,}", row.design, *inputs, *(written(row.shown(name)) for name in names))
+        grid.add_row(f"{number:,}", row.design, *inputs, *map(row.text, names))
     return grid

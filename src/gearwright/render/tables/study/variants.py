@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 from gearwright.render.grid.csv_text import csv_text
 from gearwright.render.grid.grid import Grid
-from gearwright.render.grid.table import written
 from gearwright.study import Row, Table
 from gearwright.study.answers import kind_of, quantiles
+from gearwright.units import NOISE, written
 
-_WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
+_WORDS = {"mass": "train as sized", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "complete_mass": "complete", "complete_mass.low": "68 % from",
           "complete_mass.high": "to",
-          "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
+          "total_mass": "train as sized + motors", "total_power_density": "power density with motors",
           "envelope.volume": "envelope",
           "worst_margin": "worst margin of sizing", "review.margin": "worst margin", "review.worst": "worst check",
           "review.verdict": "verdict", "review.failing": "failing checks",
@@ -41,16 +41,18 @@ def heading(result: str) -> str:
 
 
 def percent(part: float, digits: int = 0) -> str:
-    """Return a part as it is read.
+    """Return a part as it is read; what is less than all never reads as 100 %.
 
     Args:
         part: Of 1 [-].
         digits: After the point.
 
-    >>> percent(0.954), percent(0.954, 1)
-    ('95 %', '95.4 %')
+    >>> percent(0.954), percent(0.954, 1), percent(1599 / 1600)
+    ('95 %', '95.4 %', '99.9 %')
     """
-    return f"{100.0 * part:.{digits}f} %"
+    whole = not part < 1.0 - NOISE
+    enough = next(more for more in range(digits, 99) if whole or float(f"{100.0 * part:.{more}f}") < 100.0)
+    return f"{100.0 * part:.{enough}f} %"
 
 
 def result_unit(table: Table, result: str) -> str:
@@ -77,7 +79,7 @@ def study_grid(table: Table) -> Grid:
         grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
     for row in table.rows:
         if not row.problem:
-            grid.add_row(row.design, *_inputs(row, paths), *(_shown(row, result) for result in table.results))
+            grid.add_row(row.design, *_inputs(row, paths), *map(row.text, table.results))
     return grid
 
 
@@ -164,11 +166,6 @@ def _caption(table: Table) -> str:
 def _inputs(row: Row, paths: tuple[str, ...]) -> list[str]:
     values = [row.inputs[path] for path in paths]
     return [f"{value:g}" if isinstance(value, float) else str(value) for value in values]
-
-
-def _shown(row: Row, result: str) -> str:
-    value = row.results[result].value
-    return value if isinstance(value, str) else written(row.shown(result))
 
 
 def study_records(table: Table) -> list[dict[str, float | int | str | bool | None]]:

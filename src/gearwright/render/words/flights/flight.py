@@ -30,7 +30,7 @@ def flight_text(flight: Flight, parts: Durability, review: Review, *, life: Life
     lines = [head, f"{headline(review)}.", "", _heading()]
     lines += [_phase(row) for row in phase_summaries(flight)]
     lines += [*forces_text(flight), "", *_totals(flight), "", *_damage(parts.parts), *_bearings(parts)]
-    lines += [f"Note: {note}" for note in parts.notes]
+    lines += [f"Note: {note}" for note in (*_of_the_day(flight), *parts.notes)]
     return "\n".join([*lines, *([life_text(life)] if life is not None else [])])
 
 
@@ -72,6 +72,18 @@ def life_text(life: LifeSizing) -> str:
         words += f"; bearings for it weigh {life.bearings.mass:.2f} kg,"
         words += f" those for the mission's own life {life.bearings_before:.2f} kg"
     return words
+
+
+def _of_the_day(flight: Flight) -> list[str]:
+    """Return by what law the turbines of a day that is not standard have their power; none where there are none."""
+    mission, rules = flight.mission, flight.mission.engine
+    if not mission.isa_offset_k or not flight.sizing.design.turbines:
+        return []
+    of = "the deck's power, which is that of a standard day," if rules.deck else "the turbines' power"
+    return [
+        f"on ISA{mission.isa_offset_k:+g} K {of} follows θ_t^n, n = {rules.temperature_exponent:g} up to 15 °C at the"
+        f" inlet and {rules.hot_exponent:g} beyond: as of engines by their components, no measurement of this one"
+    ]
 
 
 def _heading() -> str:

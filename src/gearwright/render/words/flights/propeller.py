@@ -9,7 +9,9 @@ from gearwright.catalogue import MadePropeller, PropellerLoads
 from gearwright.machines.propellers import BladeShape, Feathered, activity_factor, integrated_lift
 from gearwright.render.tables.propeller import propeller_table
 from gearwright.render.words.text import table_text
-from gearwright.units import text
+from gearwright.units import number_text, text
+
+_SOURCES = {"elements": "by blade elements", "charts": "by the Hamilton Standard charts"}
 
 
 def blades_line(shape: BladeShape) -> str:
@@ -29,9 +31,9 @@ def made_text(made: MadePropeller) -> RenderableType:
     """
     _, chart = made.maps[0]
     machs = f" at {len(made.maps)} tip Mach numbers" if len(made.maps) > 1 else ""
-    source = "by blade elements" if made.by == "elements" else "by the Hamilton Standard charts"
     lines = [] if made.blades is None else [Text(blades_line(made.blades))]
-    size = f"{len(chart.advance_ratio)} advance ratios by {len(chart.blade_angle)} blade angles{machs}, {source}"
+    angles = f"{len(chart.blade_angle)} blade angles{machs}"
+    size = f"{len(chart.advance_ratio)} advance ratios by {angles}, {_SOURCES[made.by]}"
     feather = made.feather
     stands = [] if feather is None else [Text(), Text(_stands(feather))]
     return Group(*lines, Text(size), Text(), table_text(propeller_table(made)), *stands)
@@ -44,17 +46,23 @@ def _stands(feather: Feathered) -> str:
     )
 
 
-def loads_text(found: PropellerLoads) -> RenderableType:
+def loads_text(found: PropellerLoads, by: str) -> RenderableType:
     """Return what a propeller does at a point of flight, with the two keys of a design that its incidence gives.
 
     Args:
         found: At that point.
+        by: ``elements`` or ``charts``, which say nothing of incidence.
     """
-    lines = (
-        f"At advance ratio {found.advance_ratio:.4g}, tip Mach {found.tip_mach:.3f},"
+    point = (
+        f"At advance ratio {found.advance_ratio:.4g}, tip Mach {found.tip_mach:.3f}, {_SOURCES[by]},"
         f" blade angle {text(found.blade_angle, 'angle')}:",
         f"  power {text(found.power, 'power')}, torque {text(found.torque, 'torque')},"
-        f" thrust {text(found.thrust, 'force')}, efficiency {found.efficiency:.4f}",
+        f" thrust {text(found.thrust, 'force')}, efficiency {number_text(found.efficiency, 'ratio')}",
+    )
+    if by == "charts":
+        return Group(*map(Text, point))
+    lines = (
+        *point,
         f"  by incidence {text(found.in_plane_force, 'force')} across the shaft and"
         f" {text(found.hub_moment, 'torque')} at the hub,",
         f"  which bend the shaft once a turn; each blade by ±{text(found.blade_bending, 'torque')}",

@@ -18,17 +18,22 @@ def engine_text(made: MadeEngine) -> RenderableType:
         made: The engine.
     """
     keys, design = made.keys, made.design
+    exponents = (
+        f"  temperature_exponent = {keys.temperature_exponent:.2f}",
+        f"  hot_exponent = {keys.hot_exponent:.2f}",
+    )
     lines = (
         f"Its power turbine has an efficiency of {made.power_turbine:.3f}; T_45 is {made.hottest:.0f} K at most.",
         f"This deck of {len(made.rows)} rows is a file with --out deck.csv; a mission then has",
         "  [engine]",
         '  deck = "deck.csv"',
+        *exponents,
         f"or, up to {100 * keys.worst_fuel:.0f} % in fuel and {100 * keys.worst_power:.0f} % in power from it,",
         "  [engine]",
         f"  thermal_power_kw = {design.power / 1e3:.4g}",
         f"  fuel_kg_kwh = {design.fuel_per_energy * 3.6e6:.4g}",
         f"  idle_fuel = {keys.idle_fuel:.3f}",
-        f"  temperature_exponent = {keys.temperature_exponent:.2f}",
+        *exponents,
         f"  air_flow_kg_s = {design.air_flow:.4g}",
     )
     words = "\n".join(lines)

@@ -12,7 +12,7 @@ from gearwright.dynamics import Trace
 from gearwright.dynamics.motion import Error, Statistics
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.words.headline import energy_text
-from gearwright.units import shown, unit
+from gearwright.units import margin_text, shown, unit
 
 
 class Range(NamedTuple):
@@ -100,11 +100,11 @@ def _peaks(window: DynamicWindow) -> Iterator[str]:
     yield f"{'peak beside what it is sized for':32} {'peak':>9} {'sized for':>9} {'':3}  margin left"
     for load in window.meshes:
         numbers = f"{shown(load.peak_force, 'force'):9.5g} {shown(load.rated_force, 'force'):9.5g} {unit('force'):3}"
-        margins = f"bending {load.bending_margin:.2f}, contact {load.contact_margin:.2f}"
+        margins = f"bending {margin_text(load.bending_margin)}, contact {margin_text(load.contact_margin)}"
         yield f"{f'{load.mesh}, tangential':32} {numbers}  {margins}"
     for shaft in window.shafts:
         torques = " ".join(f"{shown(value, 'torque'):9.5g}" for value in (shaft.peak_torque, shaft.rated_torque))
-        yield f"{f'{shaft.shaft} shaft':32} {torques} {unit('torque'):3}  yield {shaft.margin:.2f}"
+        yield f"{f'{shaft.shaft} shaft':32} {torques} {unit('torque'):3}  yield {margin_text(shaft.margin)}"
     yield ""
 
 

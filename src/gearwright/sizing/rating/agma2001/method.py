@@ -26,7 +26,7 @@ from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
-from gearwright.sizing.rating.search import module_for
+from gearwright.sizing.rating.search import module_for, untabulated
 from gearwright.sizing.rating.standard_teeth import widest_ratio
 from gearwright.spec.missions import GearLifeRules
 
@@ -42,7 +42,8 @@ class Agma2001:
     )
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
-        """Yield pinions with more teeth than their wheels."""
+        """Yield pinions with more teeth than their wheels, and fewer teeth than the table of its size factor has."""
+        yield from untabulated(rating, teeth)
         if teeth[0] > teeth[1]:
             message = f"{teeth[0]} teeth drive or meet {teeth[1]}; AGMA 2001 calls the smaller gear pinion, name it so"
             yield Problem("pinion", message)

@@ -18,6 +18,8 @@ from gearwright.parts.bevel import (
 from gearwright.sizing.rating.iso6336.inputs import SQUARE_MM
 from gearwright.sizing.rating.rules import Rating
 
+USUAL_CLASS = 5
+"""Tolerance class of ISO 17485 where none is stated [-]."""
 _MOUNTING = {"straddle": STRADDLE, "one-overhung": ONE_OVERHUNG, "both-overhung": BOTH_OVERHUNG}
 
 
@@ -34,7 +36,7 @@ def bevel_duty(rating: Rating, pair: BevelPair, torque: float, speed: float) -> 
     return BevelDuty(
         torque,
         speed,
-        bevel_pitch_tolerance(pair.mean_diameters[1], pair.mean_module, rules.tolerance_class),
+        bevel_pitch_tolerance(pair.mean_diameters[1], pair.mean_module, rules.tolerance_class or USUAL_CLASS),
         application_factor=rating.service.application_factor,
         mounting=_MOUNTING[rules.mounting],
         cutter_radius=math.inf if rating.rules.cutter_radius is None else rating.rules.cutter_radius,

@@ -12,6 +12,7 @@ from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integral_temperature
 from gearwright.sizing.rating.iso6336.inputs import steel_of
 from gearwright.sizing.rating.iso6336.scuffing import FlashPeak, flash_peak, oil_of
+from gearwright.sizing.rating.iso10300.inputs import USUAL_CLASS
 from gearwright.sizing.rating.rules import Rating
 
 SCUFFING = ("ISO/TR 13989-2, 6.2", "ISO/TS 6336-20 on the virtual cylindrical gears")
@@ -48,7 +49,7 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         nominal_load=force * float(factors.loads.application),
         speed=factors.speed,
         roughness=rules.flank_roughness / RZ_OVER_RA,
-        grade=rules.tolerance_class,
+        grade=rules.tolerance_class or USUAL_CLASS,
         elastic_modulus=steel.elastic_modulus,
         poisson_ratio=steel.poisson_ratio,
     )

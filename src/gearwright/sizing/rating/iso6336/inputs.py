@@ -22,13 +22,18 @@ from gearwright.parts.iso6336 import (
     GearSteel,
     MeshDuty,
     MeshQuality,
+    MovingBody,
+    Neighbour,
     PinionShaft,
     RatingMethod,
+    ReliefRule,
     Steels,
+    Value,
     bending_life_curve,
     contact_life_curve,
 )
-from gearwright.sizing.rating.rules import Rating
+from gearwright.sizing.rating.rims import body_inside, rim_factors
+from gearwright.sizing.rating.rules import Ask, Beyond, Rating
 
 IDLER_MEAN_STRESS = 0.7
 """Y_M of gears that are loaded on both flanks alike [-] (ISO 6336-3:2019, annex B)."""
@@ -160,6 +165,9 @@ def quality_of(
         flank_roughness=rules.flank_roughness,
         root_roughness=rules.root_roughness,
         tip_relief=rules.tip_relief,
+        relief_rule=ReliefRule(rules.tip_relief_for),
+        relief_tolerance=rules.tip_relief_tolerance,
+        blank=rules.blank_factor,
         helix=_HELIX[rules.helix_modification],
         shaft=shaft,
         viscosity=rules.oil_viscosity * SQUARE_MM,
@@ -173,9 +181,46 @@ def quality_of(
     )
 
 
-def duty_of(
-    rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayLike, passes: tuple[float, float]
-) -> MeshDuty:
+def mesh_quality(rating: Rating, ask: Ask, module: Value) -> MeshQuality:
+    """Return how the flanks and bodies of a mesh are made: rims, bores, and relief and class once they are sized.
+
+    Args:
+        rating: Resolved rules.
+        ask: Teeth and kind of the mesh.
+        module: m_n [m].
+    """
+    rims = rim_factors(rating, ask.roles, internal=ask.internal)
+    quality = quality_of(rating, idlers=ask.idlers, reverse=ask.reverse, rims=rims)
+    bodies = tuple(
+        _body(rating, ask.roles[gear], ask.teeth[gear], module, bore=ask.bores[gear], held=ask.held[gear],
+              internal=ask.internal and gear == 1)
+        for gear in (0, 1)
+    )  # fmt: skip
+    beyond = tuple(None if far is None else _neighbour(rating, far, module) for far in ask.beyond)
+    planet = ask.roles.index(Role.PLANET) if Role.PLANET in ask.roles else None
+    quality = replace(quality, bodies=(bodies[0], bodies[1]), beyond=(beyond[0], beyond[1]), planet=planet)
+    if ask.made is None:
+        return quality
+    made = ask.made
+    return replace(quality, tip_relief=made.relief, relief_tolerance=made.tolerance or None, grade=made.grade)
+
+
+def _body(
+    rating: Rating, role: Role, teeth: Value, module: Value, *, bore: float | None, held: bool, internal: bool
+) -> MovingBody:
+    inside = body_inside(rating, role, teeth, module, internal=internal) if bore is None else bore
+    return MovingBody(inside, held=held)
+
+
+def _neighbour(rating: Rating, far: Beyond, module: Value) -> Neighbour:
+    """Return the gear beyond an idler, of the steel and the rules of the mesh."""
+    body = _body(
+        rating, far.role, abs(far.teeth), module, bore=far.bore, held=far.held, internal=far.teeth < 0
+    )  # fmt: skip
+    return Neighbour(far.teeth, steel_of(rating, far.role).density, replace(body, meshes=far.meshes))
+
+
+def duty_of(rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayLike, ask: Ask) -> MeshDuty:
     """Return what a cylindrical mesh carries.
 
     Args:
@@ -183,13 +228,16 @@ def duty_of(
         torque: On the first gear, of one mesh, load factor included [N m].
         speed: Of the first gear against the carrier [rad/s].
         life: Time under that load [s].
-        passes: Mates that a tooth of each gear meets in a turn [-].
+        ask: Mates that a tooth of each gear meets in a turn, the load for which tips are relieved, the greatest speed.
     """
+    relieved = np.asarray(ask.relieved, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
     return MeshDuty(
         np.asarray(torque, dtype=float) / rating.load_factor,
         np.asarray(speed, dtype=float),
         np.asarray(life, dtype=float),
         application_factor=rating.service.application_factor,
         mesh_load_factor=rating.load_factor,
-        meshes_per_turn=passes,
+        meshes_per_turn=ask.passes,
+        relief_torque=relieved / rating.load_factor if np.all(relieved > 0.0) else None,
+        fastest=np.asarray(ask.fastest, dtype=float) if np.all(np.asarray(ask.fastest) > 0.0) else None,
     )

@@ -18,23 +18,24 @@ from gearwright.parts.iso6336 import (
     DynamicFactorBySpeed,
     GearSteel,
     MeshDuty,
-    MeshQuality,
     PairRating,
     life_curves,
     outer_single_contact,
     rate_mesh,
+    resonance_begins,
     root_section,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
-from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of, steels_of
+from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, mesh_quality, steel_of, steels_of
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, of_each, safeties
 from gearwright.sizing.rating.iso6336.ranges import Beyond, beyond_ranges, range_checks
-from gearwright.sizing.rating.iso6336.record import Iso6336Rating
+from gearwright.sizing.rating.iso6336.record import Iso6336Rating, MeshResonance
+from gearwright.sizing.rating.iso6336.resonance import resonance_checks
 from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
 from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rims import rim_factors, ring_problems
+from gearwright.sizing.rating.rims import ring_problems
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
@@ -44,6 +45,12 @@ SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"pitting": ("iso6336", "pitting_safety"), "bending": ("iso6336", "bending_safety")}
 )
 """Mode -> rule of its least safety under [gears]."""
+
+
+_WEAR = 6.6
+"""Power of the torque with which flanks are damaged, to tell the cases that matter [-]."""
+_COUNTS = 0.01
+"""Part of the damage or of the life from which on a case counts for resonance [-]."""
 
 
 class Iso6336:
@@ -87,12 +94,12 @@ class Iso6336:
         """Return the modules at which S_F = S_Fmin and S_H = S_Hmin [m]."""
         rules, steels = rating.rules.iso6336, steels_of(rating, ask.roles)
         torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
-        quality = _quality(rating, ask)
 
         def safeties_at(module: Floats) -> tuple[Floats, Floats]:
             width = module * np.asarray(ask.width_ratio)
             mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
-            duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
+            duty = duty_of(rating, torque, ask.speed, life=rating.service.life, ask=ask)
+            quality = mesh_quality(rating, ask, module)
             rated = rate_mesh(mesh, steels, duty, quality=quality, edition=self._part3)
             bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
             return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
@@ -136,6 +143,7 @@ class Iso6336:
             beyond=tuple(
                 replace(entry, clause=clause_of(entry.clause, self._part3)) for entry in _beyond(mesh, factors)
             ),
+            resonances=self._resonances(mesh),
         )
 
     def reserve(self, rated: Iso6336Rating) -> float:
@@ -152,7 +160,7 @@ class Iso6336:
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
         speeds = np.asarray(spectrum.speeds)
-        duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, passes=spectrum.ask.passes)
+        duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, ask=spectrum.ask)
         rated = self._rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
         return damages(strains_of(rated), spectrum, steels_of(spectrum.rating, spectrum.ask.roles))
 
@@ -165,6 +173,7 @@ class Iso6336:
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
+        yield from resonance_checks(rated.resonances, mesh)
         yield from scuffing_checks(rated, mesh)
         yield from film_checks(rated, mesh)
         yield from static_checks(rated, gears)
@@ -205,7 +214,7 @@ class Iso6336:
         return iso_making(rating, "ISO 1328-1", rating.rules.iso6336.tolerance_class)
 
     def _rated(self, mesh: LoadedMesh, load: Load) -> PairRating:
-        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
+        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, ask=load.ask)
         return self._rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
 
     def _strains(self, mesh: LoadedMesh) -> list[Strains]:
@@ -216,26 +225,38 @@ class Iso6336:
             [float(load.torque) for load in loads],
             [float(np.asarray(load.ask.speed)) for load in loads],
             life=[load.life for load in loads],
-            passes=ask.passes,
+            ask=ask,
         )
         return of_each(strains_of(self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)), len(loads))
 
+    def _resonances(self, mesh: LoadedMesh) -> tuple[MeshResonance, ...]:
+        """Return N in every case with at least one per cent of the damage or of the life; without shares in all."""
+        loads = [*mesh.loads, *mesh.others]
+        whole = sum(load.life for load in mesh.loads)
+        wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**_WEAR for load in loads]
+        found = dict[str, MeshResonance]()
+        for load, worn in zip(loads, wear, strict=True):
+            counts = load in mesh.others or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
+            if load.static or not counts or load.case in found:
+                continue
+            dynamic = (rated := self._rated(mesh, load)).dynamic
+            if isinstance(dynamic, DynamicFactorBySpeed):
+                return ()
+            specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
+            begins = float(resonance_begins(specific))
+            found[load.case] = MeshResonance(load.case, float(dynamic.resonance_ratio), begins)
+        return tuple(found.values())
+
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
-        steels, quality = steels_of(rating, ask.roles), _quality(rating, ask)
+        steels, quality = steels_of(rating, ask.roles), mesh_quality(rating, ask, module)
         mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
         return rate_mesh(mesh, steels, duty, quality=quality, edition=self._part3)
 
     def _once(self, mesh: LoadedMesh, load: Load) -> PairRating:
         """Rate a limit load: it is the peak itself, K_A = 1."""
-        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
+        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, ask=load.ask)
         alone = replace(duty, application_factor=1.0)
         return self._rate(mesh.rating, load.ask, alone, mesh.module, mesh.face_width)
-
-
-def _quality(rating: Rating, ask: Ask) -> MeshQuality:
-    """How the flanks and bodies of a mesh are made."""
-    rims = rim_factors(rating, ask.roles, internal=ask.internal)
-    return quality_of(rating, idlers=ask.idlers, reverse=ask.reverse, rims=rims)
 
 
 def life_slope(rating: Rating, mode: str) -> float:
@@ -269,7 +290,8 @@ def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:
     if rules.wheel is not None and rating.kind == "cylindrical":
         words += f"; wheels and rings {_of_steel(steel_of(rating, Role.WHEEL))}"
     roughness = (rules.flank_roughness, rules.root_roughness)
-    return Making(f"{rules.tolerance_class} {standard}", iso_class, roughness, ("ISO 6336-5", words), steel)
+    accuracy = f"{rules.tolerance_class} {standard}" if rules.tolerance_class else f"by speed, {standard}"
+    return Making(accuracy, iso_class, roughness, ("ISO 6336-5", words), steel)
 
 
 def _of_steel(steel: GearSteel) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.checks import Check
 from gearwright.identity import PartId
 from gearwright.parts.iso6336 import MeshGeometry, PairRating
-from gearwright.units import Angle, text
+from gearwright.units import Angle, apart, text
 
 _SCOPE, _ROOT = "ISO 6336-1:2019, clause 1", "ISO 6336-3:2019, clause 7"
 _CLASSES, _STIFFNESS = "ISO 1328-1:2013, clause 1", "ISO 6336-1:2019, clause 9"
@@ -84,8 +84,9 @@ def range_checks(beyond: tuple[Beyond, ...], mesh: PartId) -> Iterator[Check]:
         mesh: The mesh.
     """
     for entry in beyond:
-        words = (
-            f"{text(entry.value, entry.dimension)}; the formulas hold from {text(entry.least, entry.dimension)}"
-            f" to {text(entry.most, entry.dimension)}, and the safeties are extrapolated"
-        )
+        below = entry.value < entry.least
+        value, bound = apart(entry.value, entry.least if below else entry.most, entry.dimension)
+        other = text(entry.most if below else entry.least, entry.dimension)
+        least, most = (bound, other) if below else (other, bound)
+        words = f"{value}; the formulas hold from {least} to {most}, and the safeties are extrapolated"
         yield Check(mesh, f"range of {entry.quantity}", entry.clause, None, None, why=words)

@@ -5,15 +5,40 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.parts.iso6336 import GearSteel, PairRating
+from gearwright.parts.iso6336 import RESONANCE_ENDS, GearSteel, PairRating
 from gearwright.parts.micropitting import Micropitting
 from gearwright.parts.scuffing import IntegralTemperature
 from gearwright.sizing.rating.iso6336.ranges import Beyond
 from gearwright.sizing.rating.iso6336.scuffing import FlashPeak
 from gearwright.sizing.rating.iso6336.static_cases import StaticCase
+from gearwright.sizing.rating.rules import Made
 from gearwright.units import Origin, Quantity, Ratio
 
 _CONTACT, _ROOT = "ISO 6336-2:2019", "ISO 6336-3:2019"
+
+
+@dataclass(frozen=True)
+class MeshResonance:
+    """How near a mesh runs to its main resonance in a load case."""
+
+    case: str
+    """Load case."""
+    ratio: Annotated[float, Quantity("ratio"), Origin("N = n_1/n_E1", "ISO 6336-1:2019, 6.5.3")]
+    """Reference speed N [-]."""
+    begins: Annotated[
+        float, Quantity("ratio"), Origin("N_S = 0.5 + 0.35 √(F_t K_A/(100 b)) ≤ 0.85", "ISO 6336-1:2019, 6.5.3")
+    ]
+    """N_S at which the main resonance range begins [-]; it ends at 1.15."""
+
+    @property
+    def separation(self) -> float:
+        """Distance from the main resonance |1 − N| [-]."""
+        return abs(1.0 - self.ratio)
+
+    @property
+    def least(self) -> float:
+        """Distance outside the main resonance range, on this side of it [-]."""
+        return 1.0 - self.begins if self.ratio < 1.0 else RESONANCE_ENDS - 1.0
 
 
 @dataclass(frozen=True)
@@ -82,3 +107,16 @@ class Iso6336Rating:
     """Factor on the nominal force for peaks of the load in the heaviest case [-]."""
     beyond: tuple[Beyond, ...] = ()
     """What of the mesh lies beyond the ranges of the formulas."""
+    resonances: tuple[MeshResonance, ...] = ()
+    """N in every case that matters; empty where K_V knows no resonance (method C)."""
+
+    @property
+    def made(self) -> Made:
+        """Relief and class of the teeth, whatever they carry later."""
+        relief = self.factors.relief
+        return Made(float(relief.amount), float(relief.tolerance), float(self.factors.grade))
+
+    @property
+    def nearest(self) -> MeshResonance | None:
+        """Case in which the mesh runs nearest to its main resonance, for the range there."""
+        return min(self.resonances, key=lambda found: found.separation / found.least, default=None)

@@ -41,7 +41,7 @@ class FlashPeak:
 
     friction: Annotated[float, Quantity("ratio"), Origin("μ_m", f"{_FLASH}, eq. 25")]
     """Mean coefficient of friction [-]."""
-    bulk: Annotated[float, Quantity("temperature"), Origin("ϑ_M = ϑ_oil + 0.47 X_S ϑ_flm", f"{_FLASH}, eq. 22")]
+    bulk: Annotated[float, Quantity("temperature"), Origin("ϑ_M = ϑ_oil + 0.47 X_S X_mp ϑ_flm", f"{_FLASH}, eq. 22")]
     """Bulk temperature [°C]."""
     contact: Annotated[float, Quantity("temperature"), Origin("ϑ_B = ϑ_M + ϑ_flmax", f"{_FLASH}, eq. 2")]
     """Greatest contact temperature [°C]."""
@@ -116,11 +116,12 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         nominal_load=force * float(factors.loads.application) * float(factors.loads.mesh_load),
         speed=float(factors.speed),
         roughness=rules.flank_roughness / RZ_OVER_RA,
-        grade=rules.tolerance_class,
+        grade=int(factors.grade),
         elastic_modulus=first.elastic_modulus,
         poisson_ratio=first.poisson_ratio,
         mate=(second.elastic_modulus, second.poisson_ratio),
-        reliefs=(rules.tip_relief, rules.tip_relief),
+        reliefs=(float(factors.relief.amount), float(factors.relief.amount)),
+        mates=ask.passes[0],
     )
     oil = oil_of(rules)
     around = min(float(ratio) for ratio in geometry.addendum_contact_ratios) > 0.0

@@ -20,6 +20,7 @@ from gearwright.sizing.rating.lewis_hertz import strength
 from gearwright.sizing.rating.lewis_hertz.record import LewisHertzRating
 from gearwright.sizing.rating.protocol import ClassDamage, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.sizing.rating.search import untabulated
 from gearwright.sizing.rating.standard_teeth import working_radii
 from gearwright.spec.design import Iso6336Rules
 from gearwright.spec.missions import GearLifeRules
@@ -39,8 +40,8 @@ class LewisHertz:
     )
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
-        """Yield nothing: whatever the search for teeth finds is covered."""
-        yield from ()
+        """Yield fewer teeth than its table has."""
+        yield from untabulated(rating, teeth)
 
     def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of the overlap ratio, or that of spur gears [-]."""
@@ -126,6 +127,7 @@ def _by_iso(rating: Rating, steel: GearLifeRules) -> Rating:
         hardness_hv=steel.hardness_hv,
         tolerance_class=steel.flank_class,
         helix_modification="none",
+        tip_relief_for="run-in",
         oil_viscosity=_OIL_VISCOSITY,
     )
     return replace(rating, rules=rating.rules.model_copy(update={"iso6336": rules}))

@@ -21,7 +21,7 @@ from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BuiltShaft
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec.design import LOCATES
-from gearwright.units import text
+from gearwright.units import apart, text
 
 CLAUSE = "DIN 471, groove"
 NUT = "thread sheared at 200 N/mm² yield"
@@ -193,7 +193,8 @@ def _lacking(held: Retention) -> str:
     if held.ring is None:
         return f"DIN 471 has no ring for {1e3 * held.diameter:g} mm"
     if held.room < held.ring.room:
-        return f"groove and collar need {1e3 * held.ring.room:.3g} mm beside it, and there are {1e3 * held.room:.3g} mm"
+        needed, there = apart(held.ring.room, held.room, "length", 3)
+        return f"groove and collar need {needed} beside it, and there are {there}"
     if held.ring.capacity < held.force:
         return f"the groove of {held.ring.designation} bears {text(held.ring.capacity, 'force')}"
     return ""

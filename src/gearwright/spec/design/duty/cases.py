@@ -18,16 +18,24 @@ class Drive(Record):
         None,
         ge=-1e9,
         le=1e9,
-        description="Power into the train; negative takes power out; left out, and no other: it balances the rest",
+        description="Power into the train; negative takes power out; of a propeller, rotor or load more than 0 asks for"
+        " drives = true; left out, and no other: it balances the rest",
     )
     torque: Torque | None = Field(
-        None, description="Torque into the train, instead of power; negative takes power out; it may stand still"
+        None,
+        description="Torque into the train, instead of power; negative takes power out; it may stand still; of a"
+        " propeller, rotor or load more than 0 asks for drives = true",
     )
     rating: Ratio | None = Field(
         None, ge=-1, le=1, description="Part of its rated power, instead of power; -1 takes all of it"
     )
     balances: bool = Field(
         False, description="Its torque follows from equilibrium, also where it takes a power of its own otherwise"
+    )
+    drives: bool = Field(
+        False,
+        description="Of a propeller, rotor or load, which take power: in this case it gives what is said, driven by the"
+        " air or by what it moves",
     )
     speed: Speed | None = Field(None, ge=0.1, le=2e4, description="Speed, where it is not the rated one")
 

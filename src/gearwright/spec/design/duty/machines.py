@@ -158,13 +158,14 @@ class Airscrew(Machine):
 
 
 class Propeller(Airscrew):
-    """A propeller; it takes the power that the machines give."""
+    """A propeller; it takes the power that the machines give, and drives where a case says so."""
 
     shaft: str = Field(description="Shaft that carries it")
 
 
 class Rotor(Airscrew):
-    """A rotor of a helicopter, main or tail; one that a case gives a power leaves the balance to the other."""
+    """A rotor of a helicopter, main or tail, or of a wind turbine, which drives where a case says so; one that a case
+    gives a power leaves the balance to the other."""
 
     shaft: str = Field(description="Shaft that carries it")
 
@@ -173,7 +174,11 @@ class Accessory(Machine):
     """A pump, fan or other accessory: it takes its power whenever its shaft turns."""
 
     shaft: str = Field(description="Shaft that drives it")
-    power: Power = Field(ge=0, le=1e9, description="Power that it takes where a case says nothing else")
+    power: Power = Field(
+        ge=0,
+        le=1e9,
+        description="Power that it takes where a case says nothing else; a case writes what it takes with a minus",
+    )
     speed: Speed | None = Field(None, ge=0.1, le=2e4, description="Largest speed that it may turn at; left out: any")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; left out: none, as it is not stated")
     mass: Mass | None = Field(None, gt=0, description="Its mass; left out: none, as it is not stated")
@@ -200,13 +205,21 @@ class Accessory(Machine):
 
 
 class Load(Machine):
-    """Anything else that takes power: a wheel, a pump, a brake; driven by what it moves it gives power."""
+    """Anything else that takes power: a wheel, a pump, a brake; driven by what it moves it gives power, where a case
+    says so."""
 
     gives: ClassVar[bool] = True
 
     shaft: str = Field(description="Shaft that drives it")
-    power: Power | None = Field(None, gt=0, le=1e9, description="Power that it takes where a case says nothing else")
-    torque: Torque | None = Field(None, gt=0, description="Torque that it takes where a case says nothing else")
+    power: Power | None = Field(
+        None,
+        gt=0,
+        le=1e9,
+        description="Power that it takes where a case says nothing else; a case writes what it takes with a minus",
+    )
+    torque: Torque | None = Field(
+        None, gt=0, description="Torque that it takes where a case says nothing else; a case writes it with a minus"
+    )
     speed: Speed | None = Field(None, ge=0.1, le=2e4, description="Asked speed; left out: as the teeth give it")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; left out: none, as it is not stated")
 

@@ -7,6 +7,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.parts.bearings import Lubrication
 from gearwright.parts.losses import TURBINE_OIL
 from gearwright.spec.record import Record
 from gearwright.units import Density, Ratio
@@ -26,10 +27,14 @@ class BearingRules(Record):
     )
     reliability: Ratio = Field(0.9, ge=0.9, le=0.999, description="Part of the bearings that reach the modified life")
     limits: bool = Field(
-        False, description="Check least load against skidding, thermal reference speed (ISO 15312) and n d_m"
+        False, description="Check least load against skidding and thermal reference speed (ISO 15312) too"
     )
-    speed_factor: float = Field(
-        1e6, ge=1e4, le=4e6, description="Largest n d_m of cage and lubrication, from the maker [mm/min]"
+    lubrication: Lubrication = Field(
+        "jet",
+        description="How oil comes to bearings: limits their n d_m; under-race: through inner rings, to taper ribs",
+    )
+    speed_factor: float | None = Field(
+        None, ge=1e4, le=4e6, description="Largest n d_m from the maker; left out: by kind and lubrication [mm/min]"
     )
 
 

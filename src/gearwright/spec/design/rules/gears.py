@@ -49,12 +49,16 @@ class GearRules(Record):
     bending_safety: Ratio = Field(2.5, ge=1, description="Factor on R_p0.2 in Lewis's bending")
     contact_safety: Ratio = Field(1.5, ge=1, description="Factor on 2.5 HB in Hertz's contact")
     mesh_load_factor: Ratio | None = Field(
-        None, ge=1, le=3, description="K_γ, largest over mean load of parallel meshes; left out: 1 (equal sharing)"
+        None,
+        ge=1,
+        le=3,
+        description="K_γ, largest over mean load of parallel meshes; left out: by the load_sharing of the stage, 1 with"
+        " Lewis and Hertz",
     )
     planet_load_factors: dict[str, Ratio] = Field(
         default_factory=dict,
-        description="K_γ of sets by number of planets, { 3 = 1.1, 4 = 1.25 }: only those are chosen; left out: "
-        "mesh_load_factor",
+        description="K_γ of sets by number of planets, { 3 = 1.1, 4 = 1.25 }: only those are chosen; left out:"
+        " mesh_load_factor, or the load_sharing of the set",
     )
     idler_factor: Ratio = Field(
         1.0,

@@ -87,14 +87,37 @@ class Iso6336Rules(Record):
         description="Z_NT and Y_NT at 1e10 cycles; beyond, the line goes on; 1, a flat line that bears loads without"
         " end, asks for the best quality and experience",
     )
-    tolerance_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1 or ISO 17485")
+    tolerance_class: int | None = Field(
+        None,
+        ge=1,
+        le=11,
+        description="Flank tolerance class of ISO 1328-1 or ISO 17485; left out: by pitch-line velocity 4 above 60 m/s,"
+        " 5 from 15 m/s on, 6 below; 5 for bevel gears",
+    )
     helix_modification: Literal["none", "crowning", "corrected"] = Field(
         "corrected", description="Lead of cylindrical gears: as cut, crowned, or corrected for the shafts' deflection"
     )
     flank_roughness: Length = Field(4e-6, ge=1e-8, le=1e-4, description="Mean R_z of the flanks")
     root_roughness: Length = Field(10e-6, ge=1e-8, le=1e-3, description="R_z of the root fillets")
-    tip_relief: Length = Field(
-        0.0, ge=0, le=5e-4, description="Tip relief C_a of both gears of cylindrical pairs, for K_V and scuffing"
+    tip_relief: Length | None = Field(
+        None,
+        ge=0,
+        le=5e-4,
+        description="Tip relief C_a of both gears of cylindrical meshes; left out: by tip_relief_for",
+    )
+    tip_relief_for: Literal["load", "run-in"] = Field(
+        "load",
+        description="What an open tip relief makes up for: load, the deflection in the case that does most damage, 0.02"
+        " m_n at most; run-in, nothing but what running in leaves",
+    )
+    tip_relief_tolerance: Length | None = Field(
+        None,
+        ge=0,
+        le=1e-4,
+        description="By how much C_a may miss; left out: ±3 µm or ±15 % where C_a is open, 0 where it is given",
+    )
+    blank_factor: Ratio = Field(
+        1.0, ge=0.5, le=1.1, description="Gear blank factor C_R of the mesh stiffness; 1 is a solid or bored gear"
     )
     ring_cutter: RingCutter | None = Field(
         None,

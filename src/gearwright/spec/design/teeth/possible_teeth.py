@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import count, islice, takewhile
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
@@ -21,6 +22,8 @@ from gearwright.parts.gears import (
 
 _NEAREST = 60
 """Teeth that are tried one after the other to find some that can be [-]."""
+_LARGEST_SHIFT = 2.0
+"""Of the gears that are tried, either way [-]."""
 _LEAST_TIP = -0.6
 """Least tip alteration that a design may give [-]."""
 _SHORTEST = 0.5
@@ -69,27 +72,39 @@ def pointed_cones(
     """
     rack, cone = BasicRack(pressure_angle=pressure_angle), math.hypot(*teeth)
     virtual = {"pinion": (teeth[0] * cone / teeth[1], shift), "wheel": (teeth[1] * cone / teeth[0], -shift)}
-    for role, (count, x) in virtual.items():
-        gear = CylindricalGear(max(math.ceil(count), 5), 1.0, 1.0, spiral_angle, x, rack)
+    for role, (teeth_of_cone, x) in virtual.items():
+        gear = CylindricalGear(max(math.ceil(teeth_of_cone), 5), 1.0, 1.0, spiral_angle, x, rack)
         if tip_thickness(gear) <= 0.0:
-            less = next(x for x in _falling(x) if tip_thickness(replace(gear, profile_shift=x)) > 0.0)
-            message = f"{x:.4g} points its teeth below their tips, {count:.3g} virtual ones; give at most {less:.2f}"
+            message = f"{x:.4g} points its teeth below their tips, {teeth_of_cone:.3g} virtual ones; {_instead(gear)}"
             yield Problem(f"{path}.{role}_shift", message)
 
 
 def _pointed(key: str, gear: CylindricalGear) -> Iterator[Problem]:
     if tip_thickness(gear) > 0.0:
         return
-    able = (replace(gear, teeth=gear.teeth + more) for more in range(1, _NEAREST))
-    more = next((f", or {tooth.teeth} teeth" for tooth in able if tip_thickness(tooth) > 0.0), "")
-    less = next(x for x in _falling(gear.profile_shift) if tip_thickness(replace(gear, profile_shift=x)) > 0.0)
-    message = f"{gear.profile_shift:.4g} points {gear.teeth} teeth below the tip circle; give at most {less:.2f}{more}"
+    message = f"{gear.profile_shift:.4g} points {gear.teeth} teeth below the tip circle; {_instead(gear, _NEAREST)}"
     yield Problem(key, message)
 
 
+def _instead(gear: CylindricalGear, more_teeth: int = 0) -> str:
+    """Return which shift, or up to how many more teeth, leave a gear with tips."""
+    less = (replace(gear, profile_shift=x) for x in _falling(gear.profile_shift))
+    more = (replace(gear, teeth=gear.teeth + more) for more in range(1, more_teeth))
+    words = [
+        *(f"at most {one.profile_shift:.2f}" for one in _blunt(less)),
+        *(f"{one.teeth} teeth" for one in _blunt(more)),
+    ]
+    return f"give {', or '.join(words)}" if words else "no shift from −2 to 2 leaves them tips: give more teeth"
+
+
+def _blunt(gears: Iterable[CylindricalGear]) -> list[CylindricalGear]:
+    """Return the first gear that has tips, if any."""
+    return list(islice((gear for gear in gears if tip_thickness(gear) > 0.0), 1))
+
+
 def _falling(shift: float) -> Iterator[float]:
-    """Yield smaller and smaller shifts, in hundredths [-]."""
-    yield from (round(shift - 0.01 * step, 2) for step in range(1, 400))
+    """Yield smaller and smaller shifts, in hundredths, down to the least of all [-]."""
+    yield from takewhile(lambda less: less >= -_LARGEST_SHIFT, (round(shift - 0.01 * step, 2) for step in count(1)))
 
 
 def _undercut(key: str, gear: CylindricalGear) -> Iterator[Problem]:
