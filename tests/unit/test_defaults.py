@@ -72,7 +72,7 @@ NOTHINGS = """
 NO = """
     Groove.is_thread
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
-    ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
+    ShaftSection.hard_surface rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
     Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still
@@ -105,11 +105,14 @@ OF_STANDARDS = {
     # AGMA 908-B89: hob of 1.25 with a tip radius of 0.25, 20°, Δs_n = 0.024 over the diametral pitch.
     "HobbedPair.pressure_angle": math.radians(20.0), "HobbedPair.hob_addendum": 1.25, "HobbedPair.hob_radius": 0.25,
     "HobbedPair.thinning": 0.024, "HobbedPair.face_width": 10.0,
-    # Steel: ISO 6336-1 206 GPa; AGMA 2003 30 · 10⁶ psi, rounded; ISO 10300 and DIN 743 by their own examples.
+    # Steel: ISO 6336-1 206 GPa; AGMA 2003 30 · 10⁶ psi, rounded; DIN 7190 by its own examples.
     "GearSteel.elastic_modulus": 206e9, "GearSteel.poisson_ratio": 0.3, "GearSteel.density": 7830.0,
     "FilmMesh.elastic_modulus": 206e9, "FilmMesh.poisson_ratio": 0.3, "ScuffingMesh.elastic_modulus": 206e9,
     "ScuffingMesh.poisson_ratio": 0.3, "AgmaBevelMaking.elastic_modulus": 207e9, "AgmaBevelMaking.poisson_ratio": 0.3,
-    "BevelDuty.density": 7860.0, "FitPart.density": 7850.0, "FitPart.poisson_ratio": 0.3, "Segment.elasticity": 206e9,
+    "modulus_factor.steel": 206e9, "mesh_stiffness_kuang_yang.elastic_moduli": (206e9, 206e9),
+    "deflection_misalignment.elastic_modulus": 206e9, "module_hertz.poisson_ratio": 0.3,
+    "contact_stress.poisson_ratio": 0.3,
+    "FitPart.density": 7850.0, "FitPart.poisson_ratio": 0.3, "Segment.elasticity": 206e9,
     "Segment.poisson": 0.3, "Segment.density": 7850.0, "Disc.of_steel.density": 7850.0,
     # Quality: grade 5 of ISO 1328, 6 in scuffing and micropitting, 11 of AGMA; R_z of 4 µm on flanks, 10 µm at roots.
     "MeshQuality.grade": 5, "FilmMesh.grade": 6, "ScuffingMesh.grade": 6, "AgmaMaking.quality": 11,

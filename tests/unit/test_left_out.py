@@ -119,7 +119,6 @@ USUAL = [
     (bevel_bending.bevel_bending, {"roughness": 16e-6}),
     (bevel_geometry.BevelTooth, {"addendum": 1.0, "dedendum": 1.25, "edge_radii": (0.3, 0.3)}),
     (bevel_geometry.BevelPair, {"pressure_angle": math.radians(20.0), "shaft_angle": math.radians(90.0)}),
-    (bevel_pitting.BevelDuty, {"density": 7860.0}),
     (bevel_pitting.bevel_pitting, {"viscosity": 100e-6, "roughness": 8e-6}),
     (bevel_rating.BevelSurfaces, {"flank_roughness": 4e-6, "root_roughness": 10e-6, "viscosity": 100e-6}),
     # ISO 53, profile A.

@@ -15,7 +15,6 @@ from gearwright.parts.agma2001 import (
     agma_rating,
     agma_strength,
     bending_geometry,
-    cycle_factor,
     dynamic_factor_agma,
     hardness_ratio_factor,
     load_distribution_factor,
@@ -24,6 +23,7 @@ from gearwright.parts.agma2001 import (
     size_factor,
 )
 from gearwright.parts.gears import lewis_form_factor
+from gearwright.parts.iso6336 import life_factor
 from gearwright.units import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
 from gearwright.validate.gears.rating import AGMA_FACTORS
 
@@ -75,8 +75,8 @@ def shigley(gear):
         bending_factor=(0.30, 0.40)[gear],
         strength=agma_strength(AgmaSteel.THROUGH_HARDENED, 1, HARDNESS[gear]),
         size=size_factor(WIDTH, MODULE, (0.303, float(lewis_form_factor(52.0)))[gear]),
-        bending_cycles=cycle_factor(BENDING_HB250, cycles),
-        contact_cycles=cycle_factor(PITTING, cycles),
+        bending_cycles=life_factor(BENDING_HB250, cycles),
+        contact_cycles=life_factor(PITTING, cycles),
         hardness_ratio=1.0 if gear == 0 else hardness_ratio_factor(*HARDNESS, RATIO),
     )
     return body, agma_rating(

@@ -35,8 +35,8 @@ PAIR = BevelPair(
 )
 VIRTUAL = VirtualPair(PAIR, peak_exponent=3.0)
 DUTY = BevelDuty(300.0, 1200.0 * RPM, 26e-6, 1.1, cutter_radius=114.3e-3)
-STEEL = GearSteel("sample", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 480e6, elastic_modulus=210e9)
-LOADS, DYNAMICS = bevel_load_factors(VIRTUAL, DUTY)
+STEEL = GearSteel("sample", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 480e6, elastic_modulus=210e9, density=7860.0)
+LOADS, DYNAMICS = bevel_load_factors(VIRTUAL, DUTY, (STEEL, STEEL))
 PITTING = bevel_pitting(VIRTUAL, (STEEL, STEEL), DUTY, loads=LOADS, lives=(1.0, 1.0), viscosity=150e-6)
 BENDING = [bevel_bending(VIRTUAL, gear, STEEL, duty=DUTY, loads=LOADS, life=1.0) for gear in (0, 1)]
 MM, MPA = 1e-3, 1e6

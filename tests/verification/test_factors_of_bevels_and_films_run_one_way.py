@@ -12,14 +12,15 @@ import pytest
 
 from gearwright.parts.agma2001 import Hardnesses, HobbedPair, hardness_ratio_of, pitting_geometry_factor
 from gearwright.parts.agma2003 import (
+    BENDING,
+    BENDING_CRITICAL,
+    CONTACT,
     AgmaBevelDuty,
     AgmaBevelMaking,
     BevelEdition,
     BevelSteel,
-    bending_cycle_factor,
     bevel_geometry,
     bevel_strength,
-    contact_cycle_factor,
     lengthwise_curvature,
     load_distribution,
     rate_agma_bevel,
@@ -38,7 +39,7 @@ from gearwright.parts.bevel import (
     spiral_angle_factor,
 )
 from gearwright.parts.gears import lewis_form_factor
-from gearwright.parts.iso6336 import GearSteel, MeshGeometry, Treatment
+from gearwright.parts.iso6336 import GearSteel, MeshGeometry, Treatment, life_factor
 from gearwright.parts.micropitting import OilGrade
 from gearwright.parts.micropitting.film import helical_factor, path_places
 from gearwright.parts.micropitting.film import load_sharing as film_sharing
@@ -93,9 +94,9 @@ SWEEPS = {
     "K_m over b": (lambda x: load_distribution(x, 1.1), (5e-3, 0.355), UP),
     "K_x over r_c0": (lambda x: lengthwise_curvature(math.radians(35.0), x, 0.1), (0.02, 1.0), DOWN),
     "K_T over ϑ": (temperature_factor, (50.0, 200.0), UP),
-    "C_L over N": (contact_cycle_factor, (1.0, 1e10), DOWN),
-    "K_L over N": (bending_cycle_factor, (1.0, 1e10), DOWN),
-    "K_L in critical service": (lambda x: bending_cycle_factor(x, is_critical=True), (1.0, 1e10), DOWN),
+    "C_L over N": (lambda x: life_factor(CONTACT, x), (1.0, 1e12), DOWN),
+    "K_L over N": (lambda x: life_factor(BENDING, x), (1.0, 1e12), DOWN),
+    "K_L in critical service": (lambda x: life_factor(BENDING_CRITICAL, x), (1.0, 1e12), DOWN),
     "I of AGMA 2003 over x": (
         lambda x: bevel_geometry(replace(PAIR, tooth=BevelTooth(profile_shift=x))).pitting.factor, (0.15, 0.5), EITHER),
     "J of AGMA 2003 over ρ_a0": (
@@ -136,7 +137,7 @@ SWEEPS = {
     "α over ϑ": (GRADE.pressure_coefficient, (20.0, 160.0), DOWN),
 }  # fmt: skip
 """Factor -> its function of one input, the range that is swept, and which way it runs."""
-STEPS = {"K_s over m_et": 2e-4, "K_L over N": 2e-4, "K_L in critical service": 2e-4}
+STEPS = {"K_s over m_et": 2e-4}
 """Steps that the standards have at a corner, for formulas whose coefficients are rounded [-]."""
 EVALUATED = 160
 

@@ -12,7 +12,6 @@ import pytest
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     PITTING,
-    cycle_factor,
     dynamic_factor_agma,
     hardened_pinion_factor,
     load_distribution_factor,
@@ -137,13 +136,13 @@ SWEEPS = {
     "K_B over m_B": (rim_factor_agma, (0.6, 2.0), DOWN),
     "K_R over failures": (lambda x: reliability_factor(1.0 - x), (1e-4, 0.5), DOWN),
     "C_H over the gear's hardness": (lambda x: hardened_pinion_factor(x, 0.5e-6), (150.0, 450.0), DOWN),
-    "Z_N over N": (lambda x: cycle_factor(PITTING, x), (1e4, 1e10), DOWN),
-    "Y_N over N": (lambda x: cycle_factor(BENDING_CARBURISED, x), (1e4, 1e10), DOWN),
+    "Z_N over N": (lambda x: life_factor(PITTING, x), (1e3, 1e12), DOWN),
+    "Y_N over N": (lambda x: life_factor(BENDING_CARBURISED, x), (1e2, 1e12), DOWN),
     "λ_GF over R_a": (_film, (0.1e-6, 2e-6), DOWN),
     "λ_GFT over the load stage": (lambda x: film_of_test(OilGrade(100e-6), x), (5.0, 10.0), DOWN),
 }  # fmt: skip
 """Factor -> its function of one input, the range that is swept, and which way it runs."""
-STEPS = {"Z_N over N": 2e-5, "Y_B over s_R": 1e-4}
+STEPS = {"Y_B over s_R": 1e-4}
 """Steps that the standards have at a corner, for formulas whose coefficients are rounded [-]."""
 EVALUATED = 400
 

@@ -12,7 +12,6 @@ from gearwright.catalogue.bearing_choice import (
 )
 from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
 from gearwright.catalogue.bearings import (
-    STEEL_DENSITY,
     STEEL_SHARE,
     Bearing,
     bearing,
@@ -36,7 +35,7 @@ from gearwright.catalogue.load_factors import (
     load_factor_tables,
     load_factors,
 )
-from gearwright.catalogue.materials import material_of, materials
+from gearwright.catalogue.materials import hardnesses_of, material_of, materials
 from gearwright.catalogue.propellers import (
     ALL_STATES,
     ANGLES,
@@ -121,6 +120,7 @@ from gearwright.catalogue.turboshafts import (
     read_engine_deck,
     turboshaft,
 )
+from gearwright.parts.bearings import STEEL_DENSITY
 
 __all__ = [
     "ALL_STATES",
@@ -196,6 +196,7 @@ __all__ = [
     "gear_steel_names",
     "gearbox_classes",
     "hamilton_standard_charts",
+    "hardnesses_of",
     "housing_materials",
     "is_cast_iron",
     "key_for_shaft",

@@ -17,15 +17,20 @@ from types import MappingProxyType
 
 from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.bearings import BearingGeometry, BearingKind, dynamic_rating, fatigue_load_limit, static_rating
+from gearwright.parts.bearings import (
+    STEEL_DENSITY,
+    BearingGeometry,
+    BearingKind,
+    dynamic_rating,
+    fatigue_load_limit,
+    static_rating,
+)
 from gearwright.units import Force, Length, Mass
 
 _MM = 1e3
 """Millimetres in a metre."""
 FOUR_POINT_ANGLE = math.radians(35.0)
 """Nominal contact angle of four-point contact bearings [rad]."""
-STEEL_DENSITY = 7850.0
-"""[kg/m³]"""
 STEEL_SHARE = {
     BearingKind.DEEP_GROOVE: 0.67,
     BearingKind.FOUR_POINT: 0.85,

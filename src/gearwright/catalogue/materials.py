@@ -40,15 +40,27 @@ def material_of(name: str, values: Mapping[str, Any]) -> Material:
     665
     """
     known = {key: value for key, value in values.items() if value is not None}
-    vickers, brinell, rockwell = (known.pop(scale, None) for scale in _SCALES)
+    vickers, brinell = hardnesses_of({scale: known.pop(scale, None) for scale in _SCALES})
+    known |= {key: LifeLine(**known[key]) for key in _LIVES if key in known}
+    return Material(name=name, hardness=vickers, surface_hardness=brinell, **known)
+
+
+def hardnesses_of(scales: Mapping[str, float | None]) -> tuple[float | None, float | None]:
+    """Return the hardness of flanks in HV and HB [-]; None where no scale has it.
+
+    Args:
+        scales: ``hardness_hv``, ``hardness_hb`` and ``hardness_hrc``, those that are known.
+
+    Source: ISO 18265:2013, table A.1.
+    """
+    vickers, brinell, rockwell = (scales.get(scale) for scale in _SCALES)
     if vickers is None and rockwell is not None:
         vickers = vickers_of_rockwell(rockwell)
     if vickers is None and brinell is not None:
         vickers = brinell / BRINELL_PER_VICKERS
     if brinell is None and vickers is not None:
         brinell = BRINELL_PER_VICKERS * vickers
-    known |= {key: LifeLine(**known[key]) for key in _LIVES if key in known}
-    return Material(name=name, hardness=vickers, surface_hardness=brinell, **known)
+    return vickers, brinell
 
 
 def _si(row: Mapping[str, Any]) -> dict[str, Any]:

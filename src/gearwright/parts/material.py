@@ -8,10 +8,17 @@ from typing import Annotated
 
 from gearwright.units import Density, Number, Quantity, Ratio, Stress
 
+STEEL_MODULUS: Stress = 206e9
+"""E of steel in the formulas of gears, E_St [Pa] (ISO 6336-1, clause 9; ISO 6336-2, table of Z_E)."""
+STEEL_POISSON: Ratio = 0.3
+"""ν of steel there [-] (ISO 6336-2, table of Z_E)."""
+STEEL_DENSITY: Density = 7830.0
+"""ρ of steel there [kg/m³] (ISO 6336-1, clause 6)."""
+
 
 @dataclass(frozen=True)
 class LifeLine:
-    """The S-N line of a flank or a root up to its knee, beyond which it bends towards 1e10 cycles."""
+    """The S-N line of a flank or a root up to its knee, beyond which it bends towards 1e10 cycles and goes on."""
 
     knee_cycles: Number
     """Cycles at which the steel bears its strength σ_Hlim or σ_Flim [-]."""

@@ -52,7 +52,7 @@ def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
     found = []
     for gear in sizing.gears:
         nodes = [node for node in scene.nodes if node.part.kind is Kind.GEAR and _of(node, gear.stage, gear.part)]
-        density = sizing.design.material(sizing.design.rules(gear.stage).material).density
+        density = sizing.design.gear_material(gear.stage).density
         volume = sum(exact[node.surface] for node in nodes) / gear.bodies
         found.append(SolidMass(gear.part, gear.bodies, volume * density, gear.mass, weighed.get(("gears", gear.name))))
     density = sizing.design.shaft_material.density

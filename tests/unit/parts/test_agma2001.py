@@ -21,7 +21,6 @@ from gearwright.parts.agma2001 import (
     agma_rating,
     agma_strength,
     bending_geometry,
-    cycle_factor,
     dynamic_factor_agma,
     elastic_coefficient,
     hardness_ratio_factor,
@@ -33,6 +32,7 @@ from gearwright.parts.agma2001 import (
     rim_factor_agma,
     stress_correction,
 )
+from gearwright.parts.iso6336 import life_factor
 
 
 def helical(width, helix=20.0):
@@ -102,10 +102,10 @@ def test_load_distribution_joins_its_regimes():
 
 @pytest.mark.parametrize("curve", [BENDING_CARBURISED, PITTING])
 def test_cycle_factors_join_and_fall(curve):
-    """The fitted branches meet at the corner within 4 %, as printed."""
-    below, above = cycle_factor(curve, np.array([curve.corner, curve.corner * 1.001]))
-    assert below == pytest.approx(above, rel=0.04)
-    assert cycle_factor(curve, 1e4) > cycle_factor(curve, 1e6) > cycle_factor(curve, 1e9)
+    """The fitted branches meet where they cross."""
+    below, above = life_factor(curve, curve.cycles[1] * np.array([1.0 - 1e-9, 1.0 + 1e-9]))
+    assert below == pytest.approx(above, rel=1e-9)
+    assert life_factor(curve, 1e4) > life_factor(curve, 1e6) > life_factor(curve, 1e9)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,9 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.agma2003 import (
+    BENDING,
+    BENDING_CRITICAL,
+    CONTACT,
     OVERHUNG,
     STRADDLE,
     UNCROWNED,
@@ -17,10 +20,8 @@ from gearwright.parts.agma2003 import (
     BevelEdition,
     BevelSteel,
     MeanSection,
-    bending_cycle_factor,
     bevel_geometry,
     bevel_strength,
-    contact_cycle_factor,
     lengthwise_curvature,
     load_distribution,
     rate_agma_bevel,
@@ -30,6 +31,7 @@ from gearwright.parts.agma2003 import (
 )
 from gearwright.parts.agma2003.bending import effective_face, load_point, weakest_section
 from gearwright.parts.bevel import BevelPair, BevelTooth, mean_thickness
+from gearwright.parts.iso6336 import life_factor
 
 PSI = 6894.757
 SPIRAL = BevelPair((14, 39), 4.5e-3, 25e-3, math.radians(35.0), tooth=BevelTooth(profile_shift=0.4))
@@ -198,18 +200,13 @@ def test_temperature_counts_from_250_fahrenheit():
 
 def test_cycle_factors_fall_without_steps_and_are_held_at_few_cycles():
     cycles = np.logspace(0, 10, 2001)
-    for factor, most, step in (
-        (contact_cycle_factor, 2.0, 1e-3), (bending_cycle_factor, 2.7, 2e-3),
-        (lambda count: bending_cycle_factor(count, is_critical=True), 2.7, 2e-3),
-    ):  # fmt: skip
-        values = np.array([factor(count) for count in cycles])
+    for curve, most in ((CONTACT, 2.0), (BENDING, 2.7), (BENDING_CRITICAL, 2.7)):
+        values = life_factor(curve, cycles)
         assert values[0] == most
-        assert np.all(np.diff(values) < 2e-4)
-        assert np.max(-np.diff(np.log(values))) < 0.1192 * math.log(cycles[1] / cycles[0]) + step
-    assert contact_cycle_factor(0.0) == 2.0
-    assert bending_cycle_factor(1e9, is_critical=True) < bending_cycle_factor(1e9)
-    with pytest.raises(DesignError, match="figures 5 and 6 end at 1e\\+10"):
-        contact_cycle_factor(1.1e10)
+        assert np.all(np.diff(values) < 1e-12)
+        assert np.max(-np.diff(np.log(values))) < 0.1192 * math.log(cycles[1] / cycles[0]) + 1e-12
+    assert life_factor(CONTACT, 0.0) == pytest.approx(2.0, rel=1e-12)
+    assert life_factor(BENDING_CRITICAL, 1e9) < life_factor(BENDING, 1e9)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.errors import SolveError
+from gearwright.errors import DesignError
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     PITTING,
@@ -15,43 +15,50 @@ from gearwright.parts.agma2001 import (
     HobbedPair,
     agma_strength,
     bending_geometry,
-    cycle_factor,
     dynamic_factor_agma,
     elastic_coefficient,
-    endured_cycles,
     greatest_velocity,
     load_distribution_factor,
-    miner_sum,
     pitting_geometry_factor,
     rate_agma,
     size_factor,
-    spectrum_safety,
 )
 from gearwright.parts.gears import lewis_form_factor
+from gearwright.parts.iso6336 import StressBin, damage_part, endurable_cycles, life_factor, spectrum_damage
 
 
 @pytest.mark.parametrize("curve", [PITTING, BENDING_CARBURISED])
 @pytest.mark.parametrize("cycles", [2e4, 1e6, 2e7, 3e9])
 def test_endured_cycles_are_the_inverse_of_the_factor_on_both_sides_of_the_corner(curve, cycles):
-    assert endured_cycles(curve, float(cycle_factor(curve, cycles))) == pytest.approx(cycles, rel=1e-9)
+    assert endurable_cycles(curve, float(life_factor(curve, cycles))) == pytest.approx(cycles, rel=1e-9)
+
+
+def safety(*loads):
+    return spectrum_damage([StressBin(*load) for load in loads], 1.0, PITTING).safety
 
 
 def test_the_safety_of_one_load_is_its_factor_over_its_stress_and_two_halves_are_as_one_load():
     ratio, cycles = 0.7, 5e8
-    alone = float(cycle_factor(PITTING, cycles)) / ratio
-    assert spectrum_safety(PITTING, [ratio], [cycles]) == pytest.approx(alone, rel=1e-10)
-    assert spectrum_safety(PITTING, [ratio] * 2, [cycles / 2.0] * 2) == pytest.approx(alone, rel=1e-10)
-    assert spectrum_safety(PITTING, [ratio, 0.4], [cycles, cycles]) < alone
+    alone = float(life_factor(PITTING, cycles)) / ratio
+    assert safety((ratio, cycles)) == pytest.approx(alone, rel=1e-10)
+    assert safety((ratio, cycles / 2.0), (ratio, cycles / 2.0)) == pytest.approx(alone, rel=1e-10)
+    assert safety((ratio, cycles), (0.4, cycles)) < alone
 
 
 def test_miners_sum_is_linear_in_the_cycles_and_leaves_out_what_does_not_load():
-    assert miner_sum(PITTING, [0.9, 0.0], [1e8, 1e9]) == pytest.approx(1e8 / endured_cycles(PITTING, 0.9), rel=1e-12)
-    assert miner_sum(PITTING, [0.9], [2e8]) == pytest.approx(2.0 * miner_sum(PITTING, [0.9], [1e8]), rel=1e-12)
+    assert damage_part(1e8, 0.9, PITTING) == pytest.approx(1e8 / endurable_cycles(PITTING, 0.9), rel=1e-12)
+    assert damage_part(2e8, 0.9, PITTING) == pytest.approx(2.0 * damage_part(1e8, 0.9, PITTING), rel=1e-12)
+    assert damage_part(1e9, 0.0, PITTING) == 0.0
+
+
+@pytest.mark.parametrize("ratio", [1e-9, 1e9])
+def test_a_spectrum_of_little_or_much_stress_has_its_safety_too(ratio):
+    assert safety((ratio, 3e8), (ratio, 2e8)) == pytest.approx(float(life_factor(PITTING, 5e8)) / ratio, rel=1e-10)
 
 
 def test_a_spectrum_without_stress_has_no_safety():
-    with pytest.raises(SolveError, match="spectrum"):
-        spectrum_safety(PITTING, [1e-9], [1.0])
+    with pytest.raises(DesignError, match="spectrum"):
+        safety((0.0, 1e9), (0.9, 0.0))
 
 
 PAIR = HobbedPair((21.0, 55.0), helix_angle=math.radians(15.0), face_width=12.0)
@@ -81,9 +88,9 @@ def test_one_call_multiplies_the_factors_of_the_standard():
         )
         assert one.bending_stress == pytest.approx(bending, rel=1e-12)
         assert one.contact_stress == pytest.approx(contact, rel=1e-12)
-        limit = MAKING.strength.bending * cycle_factor(BENDING_CARBURISED, count) / (1.25 * 1.1)
+        limit = MAKING.strength.bending * life_factor(BENDING_CARBURISED, count) / (1.25 * 1.1)
         assert one.bending_safety == pytest.approx(limit / bending, rel=1e-12)
-        limit = MAKING.strength.contact * cycle_factor(PITTING, count) / (1.25 * 1.1)
+        limit = MAKING.strength.contact * life_factor(PITTING, count) / (1.25 * 1.1)
         assert one.contact_safety == pytest.approx(limit / contact, rel=1e-12)
 
 

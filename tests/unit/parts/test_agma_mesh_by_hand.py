@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from gearwright.errors import SolveError
 from gearwright.parts.agma2001 import (
     AgmaGear,
     AgmaLoad,
@@ -13,7 +12,6 @@ from gearwright.parts.agma2001 import (
     HobbedPair,
     agma_rating,
     bending_geometry,
-    cycle_factor,
     dynamic_factor_agma,
     elastic_coefficient,
     load_distribution_factor,
@@ -22,9 +20,9 @@ from gearwright.parts.agma2001 import (
     size_factor,
 )
 from gearwright.parts.agma2001.factors import BENDING_CARBURISED, PITTING, PRECISION
-from gearwright.parts.agma2001.life import endured_cycles, miner_sum, spectrum_safety
 from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, greatest_velocity, rate_agma
 from gearwright.parts.gears import lewis_form_factor
+from gearwright.parts.iso6336 import StressBin, damage_part, endurable_cycles, life_factor, spectrum_damage
 
 HELICAL = HobbedPair((19, 64), math.radians(20.0), math.radians(12.0), 9.0, (0.1, -0.1), (1.0, 1.0), 1.35, 0.3, 0.02)
 STRENGTH = AgmaStrength(450e6, 1550e6)
@@ -39,29 +37,28 @@ def near(value):
 ])  # fmt: skip
 def test_endured_cycles_are_where_the_curve_has_the_factor(factor, constant, exponent):
     """(c/Z_N)^(1/e) on the branch that the factor lies on; the corner of 1e7 has 1.00."""
-    assert endured_cycles(PITTING, factor) == near((constant / factor) ** (1.0 / exponent))
+    assert endurable_cycles(PITTING, factor) == near((constant / factor) ** (1.0 / exponent))
 
 
 def test_nothing_is_endured_without_end_but_no_stress():
-    """e^600 cycles and more are none that a machine makes: 1.4488 e^−13.8 is the factor there."""
-    assert endured_cycles(PITTING, 0.0) == endured_cycles(PITTING, -0.1) == math.inf
-    limit = 1.4488 * math.exp(-0.023 * 600.0)
-    assert endured_cycles(PITTING, limit * 0.99) == math.inf > endured_cycles(PITTING, limit * 1.01)
+    """e^600 times the corner's cycles and more are none that a machine makes."""
+    assert damage_part(1e30, 0.0, PITTING) == damage_part(1e30, -0.1, PITTING) == 0.0
+    limit = 1.4488 * math.exp(-0.023 * (600.0 + math.log(PITTING.cycles[1])))
+    assert endurable_cycles(PITTING, limit * 0.99) == math.inf > endurable_cycles(PITTING, limit * 1.01)
 
 
 def test_miner_adds_what_every_load_takes():
     """n/N by the branches of the curve; the safety brings the sum to one."""
     n_1, n_2 = (2.466 / 1.2) ** (1.0 / 0.056), (1.4488 / 0.8) ** (1.0 / 0.023)
-    made = miner_sum(PITTING, [1.2, 0.8, 0.0], [0.3 * n_1, 0.2 * n_2, 1e30])
-    assert made == near(0.5)
-    safety = spectrum_safety(PITTING, [0.9, 0.6], [1e6, 1e9])
-    assert miner_sum(PITTING, [0.9 * safety, 0.6 * safety], [1e6, 1e9]) == pytest.approx(1.0, rel=1e-9)
+    loads = [StressBin(1.2, 0.3 * n_1), StressBin(0.8, 0.2 * n_2), StressBin(0.0, 1e30)]
+    assert spectrum_damage(loads, 1.0, PITTING).total == near(0.5)
+    safety = spectrum_damage([StressBin(0.9, 1e6), StressBin(0.6, 1e9)], 1.0, PITTING).safety
+    made = damage_part(1e6, 0.9 * safety, PITTING) + damage_part(1e9, 0.6 * safety, PITTING)
+    assert made == pytest.approx(1.0, rel=1e-9)
     n = (2.466 / 1.3) ** (1.0 / 0.056)
-    for ratio in (1.3 / 900.0, 1.3 * 900.0):
-        assert spectrum_safety(PITTING, [ratio], [n]) == pytest.approx(1.3 / ratio, rel=1e-9)
-    for ratio in (1.3 / 1100.0, 1.3 * 1100.0):
-        with pytest.raises(SolveError, match="thousandfold"):
-            spectrum_safety(PITTING, [ratio], [n])
+    for ratio in (1.3 / 1100.0, 1.3 / 900.0, 1.3 * 900.0, 1.3 * 1100.0):
+        alone = spectrum_damage([StressBin(ratio, n)], 1.0, PITTING).safety
+        assert alone == pytest.approx(1.3 / ratio, rel=1e-9)
 
 
 @pytest.mark.parametrize("making", [
@@ -92,7 +89,7 @@ def test_a_mesh_is_rated_by_its_clauses_in_order(making):
     for gear in (0, 1):
         teeth = (19.0, 64.0)[gear] / math.cos(math.radians(12.0)) ** 3
         size = size_factor(width, transverse, float(lewis_form_factor(teeth)))
-        y_n, z_n = cycle_factor(BENDING_CARBURISED, cycles[gear]), cycle_factor(PITTING, cycles[gear])
+        y_n, z_n = life_factor(BENDING_CARBURISED, cycles[gear]), life_factor(PITTING, cycles[gear])
         j = bending_geometry(HELICAL, gear)
         assert made.tooth_root[gear] == j and made.size[gear] == near(size)
         assert (made.bending_cycles[gear], made.contact_cycles[gear]) == (near(y_n), near(z_n))

@@ -19,9 +19,12 @@ from gearwright.parts.bevel import (
     mid_zone_factor,
     spiral_angle_factor,
 )
+from gearwright.parts.iso6336 import GearSteel, Treatment
 
 STRAIGHT = BevelPair((17, 43), 4e-3, 30e-3)
+
 SPIRAL = BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(35.0))
+STEELS = (GearSteel("case-hardened", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6),) * 2
 
 
 def force_vector(forces, gear, angle):
@@ -130,7 +133,7 @@ def test_a_duty_without_load_is_refused():
 def test_a_small_cutter_relieves_the_root():
     """K_F0 lies between 1 and 1.15 (ISO 10300-1, eqs 33 to 35)."""
     virtual = VirtualPair(SPIRAL)
-    wide, _ = bevel_load_factors(virtual, BevelDuty(2000.0, 150.0, 10e-6))
-    tight, _ = bevel_load_factors(virtual, BevelDuty(2000.0, 150.0, 10e-6, cutter_radius=95e-3))
+    wide, _ = bevel_load_factors(virtual, BevelDuty(2000.0, 150.0, 10e-6), STEELS)
+    tight, _ = bevel_load_factors(virtual, BevelDuty(2000.0, 150.0, 10e-6, cutter_radius=95e-3), STEELS)
     assert wide.face_bending == wide.face_contact
     assert 1.0 < wide.face_bending / tight.face_bending <= 1.15

@@ -277,6 +277,8 @@ def test_hertz_at_the_pitch_point_gives_back_its_module(transverse, beta):
                                / (width * math.cos(angles.pressure) * math.sin(angles.pressure)))  # fmt: skip
     assert stress == near(1100e6)
     assert contact_stress(force, width, curvature, angles=angles, elastic_modulus=210e9) == near(stress)
+    other = contact_stress(force, width, curvature, angles=angles, elastic_modulus=210e9, poisson_ratio=0.27)
+    assert other == near(stress * math.sqrt(0.91 / (1.0 - 0.27**2)))
     assert hertz_coefficient(0.27) == near(math.sqrt(1.0 / (2.0 * PI * (1.0 - 0.27**2))))
     assert pytest.approx(hertz_coefficient(0.3), abs=5e-4) == HERTZ_COEFFICIENT
     usual = module_hertz(

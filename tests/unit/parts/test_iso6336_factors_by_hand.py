@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwright.errors import DesignError, SolveError
+from gearwright.errors import DesignError
 from gearwright.parts.iso6336 import (
     CENTRED,
     CORRECTED_AND_CROWNED,
@@ -223,7 +223,8 @@ def test_lives_are_straight_between_the_printed_corners(made, corners):
     curve = made()
     assert tuple(zip(curve.cycles, curve.factors, strict=True)) == corners
     assert life_factor(curve, corners[0][0] / 7.0) == near(corners[0][1])
-    assert life_factor(curve, 3e10) == near(corners[-1][1])
+    (n_1, f_1), (n_2, f_2) = corners[-2:]
+    assert life_factor(curve, n_2 * n_2 / n_1) == near(f_2 * f_2 / f_1)
     for (n_1, f_1), (n_2, f_2) in pairwise(corners):
         middle = (n_1 * n_2) ** 0.5
         assert life_factor(curve, middle) == near((f_1 * f_2) ** 0.5)
@@ -247,8 +248,7 @@ def test_beyond_its_corners_a_curve_goes_on_or_ends():
     """The last slope goes on; a flat end is an endurance limit; above the static value nothing is endured."""
     falling, flat = contact_life_curve(EH), contact_life_curve(EH, at_1e10=1.0)
     assert endurable_cycles(falling, 0.85**2) == pytest.approx(1e10 * (1e10 / 5e7), rel=1e-9)
-    assert endurable_cycles(flat, 0.99) == math.inf
-    assert endurable_cycles(flat, 1.0) == near(5e7)
+    assert endurable_cycles(flat, 1.0) == endurable_cycles(flat, 0.99) == math.inf > endurable_cycles(flat, 1.01)
     assert endurable_cycles(falling, 1.61) == 0.0
     assert endurable_cycles(falling, 1.6) == near(1e5)
 
@@ -268,10 +268,7 @@ def test_damage_adds_up_bin_by_bin():
     assert damage_parts([StressBin(2e9, 1.0)], 1e9, curve) == (math.inf,)
     # At the static value itself 1e5 cycles are endured: fewer leave just the static safety.
     assert spectrum_damage([StressBin(1e9, 10.0)], 1e9, curve).safety == pytest.approx(1.6)
-    for strength in (70.0, 0.006):
-        with pytest.raises(SolveError, match="hundredfold"):
-            spectrum_damage([StressBin(1e9, 1e5)], strength * 1e9, curve)
-    for strength in (60.0, 0.0065):
+    for strength in (6e5, 70.0, 0.006, 6e-6):
         assert spectrum_damage([StressBin(1e9, 1e5)], strength * 1e9, curve).safety == pytest.approx(1.6 * strength)
 
 
@@ -439,7 +436,7 @@ def test_a_rating_hands_every_factor_on_in_the_order_of_the_standard():
     assert rated.tangential_force == near(520.0 / d_1)
     assert rated.speed == near(speed)
     load = 520.0 / d_1 / 19e-3 * 1.25 * 1.1
-    springs = mesh_springs(MESH, load)
+    springs = mesh_springs(MESH, load, steels=steels)
     one, two = (flank_tolerances(d, 3e-3, 19e-3, grade=4) for d in MESH.pitch_diameters)
     pitch = two.single_pitch * math.cos(MESH.transverse_angle)
     assert two.single_pitch > one.single_pitch
@@ -536,7 +533,7 @@ def test_fast_coarse_flanks_run_in_by_their_own_speed():
     pitch = made.single_pitch * math.cos(MESH.transverse_angle)
     assert 0.25 * pitch > 10e-6
     load = specific_load(MESH, MeshDuty(260.0, 1.0, 1.0))
-    assert rated.dynamic.pitch_term == near(mesh_springs(MESH, load).single * 0.75 * pitch / load)
+    assert rated.dynamic.pitch_term == near(mesh_springs(MESH, load).single * 210.0 / 206.0 * 0.75 * pitch / load)
     initial = 1.33 * rated.face.deflection + rated.face.manufacture
     assert 0.5 * initial > 20e-6
     assert rated.face.misalignment == near(initial - min(0.5 * initial, 40e-6))

@@ -20,13 +20,14 @@ from gearwright.parts.agma2001 import (
     load_sharing_ratio,
 )
 from gearwright.parts.agma2003 import (
+    BENDING,
+    BENDING_CRITICAL,
+    CONTACT,
     AgmaBevelDuty,
     AgmaBevelMaking,
     BevelSteel,
     MeanSection,
-    bending_cycle_factor,
     bevel_strength,
-    contact_cycle_factor,
     load_distribution,
     rate_agma_bevel,
     size_factor_bending,
@@ -58,6 +59,7 @@ from gearwright.parts.iso6336 import (
     contact_life_curve,
     deflection_misalignment,
     dynamic_factor_by_speed,
+    life_factor,
     lubricant_factor,
     mesh_geometry,
     rate_mesh,
@@ -249,14 +251,14 @@ def test_cycles_of_a_bevel_wheel_count_its_own_meshes():
 def test_cycle_factors_of_bevel_gears_by_their_printed_lines():
     """3.4822 N^−0.0602; 6.1514 N^−0.1192 up to 3e6, then 1.3558 N^−0.0178, in critical service 1.6831 N^−0.0323."""
     for cycles in (1e5, 2e6, 5e8, 1e10):
-        assert contact_cycle_factor(cycles) == near(3.4822 * cycles**-0.0602)
+        assert life_factor(CONTACT, cycles) == near(3.4822 * cycles**-0.0602)
     for cycles in (2e3, 1e5, 2.9e6):
-        for critical in (False, True):
+        for curve in (BENDING, BENDING_CRITICAL):
             expected = min(6.1514 * cycles**-0.1192, 2.7)
-            assert bending_cycle_factor(cycles, is_critical=critical) == near(expected)
+            assert life_factor(curve, cycles) == near(expected)
     for cycles in (3.1e6, 1e8, 1e10):
-        assert bending_cycle_factor(cycles) == near(1.3558 * cycles**-0.0178)
-        assert bending_cycle_factor(cycles, is_critical=True) == near(1.6831 * cycles**-0.0323)
+        assert life_factor(BENDING, cycles) == near(1.3558 * cycles**-0.0178)
+        assert life_factor(BENDING_CRITICAL, cycles) == near(1.6831 * cycles**-0.0323)
 
 
 def test_mountings_sizes_and_ends_of_bevel_gears_are_the_printed_ones():

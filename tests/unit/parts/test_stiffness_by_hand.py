@@ -270,6 +270,12 @@ def test_two_teeth_of_kuang_and_yang_are_springs_in_series():
     same = pair_curve(ends, series, overlap=0.0, harmonics=8, source="x")
     assert curve.mean == near(same.mean)
     assert curve.cosine == pytest.approx(same.cosine) and curve.sine == pytest.approx(same.sine)
+    half = mesh_stiffness_kuang_yang(mesh, elastic_moduli=(103e9, 103e9))
+    assert half.mean == near(0.5 * curve.mean)
+    first, second = (
+        mesh_stiffness_kuang_yang(mesh, elastic_moduli=moduli).mean for moduli in ((103e9, 206e9), (206e9, 103e9))
+    )
+    assert half.mean < first < curve.mean and half.mean < second < curve.mean
     for refused in (pair(25, 41, helix=10.0), pair(25, -81)):
         with pytest.raises(DesignError, match="external spur"):
             mesh_stiffness_kuang_yang(refused)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from designs import PAIR, changed, problem
-from gearwright.parts.agma2001 import miner_sum
 from gearwright.parts.agma2003 import BENDING, BENDING_CRITICAL, CONTACT, BevelEdition, rate_agma_bevel
+from gearwright.parts.iso6336 import damage_part
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, Ask, MeshSpectrum, bevel_pair, rating_of
 from gearwright.sizing.rating.agma2003.inputs import duty_of, making_of
@@ -53,9 +53,12 @@ def test_what_the_tables_do_not_have_is_told_by_its_key(rules, path, told):
     assert told in found.message
 
 
-def test_a_life_beyond_the_curves_is_refused_with_their_figures():
-    found = problem(BEVEL + "[service]\nlife_h = 30000\n", sized=True)
-    assert "figures 5 and 6 end at 1e+10" in found.message
+def test_a_life_beyond_the_figures_is_rated_by_their_last_lines():
+    """3.4822 N^−0.0602 and 1.3558 N^−0.0178 beyond 1e10 cycles too."""
+    mesh = size(parse(BEVEL + "[service]\nlife_h = 30000\n")).meshes[0].rating.factors.mesh
+    assert mesh.cycles[0] > 1e10
+    assert mesh.contact_cycles[0] == pytest.approx(3.4822 * mesh.cycles[0] ** -0.0602, rel=1e-9)
+    assert mesh.bending_cycles[0] == pytest.approx(1.3558 * mesh.cycles[0] ** -0.0178, rel=1e-9)
 
 
 def test_cylindrical_stages_are_not_rated_by_agma_2003():
@@ -104,8 +107,8 @@ def test_damage_is_stress_over_its_limit_on_the_curves(critical, curve):
             flanks.append(one.gears[gear].contact_stress / making.strengths[gear].contact)
             roots.append(one.gears[gear].bending_stress / making.strengths[gear].bending / (0.7 if gear else 1.0))
         cycles = [turns * 1e6, turns * 4e6]
-        assert found[gear].pitting == pytest.approx(miner_sum(CONTACT, flanks, cycles), rel=1e-9)
-        assert found[gear].bending == pytest.approx(miner_sum(curve, roots, cycles), rel=1e-9)
+        assert found[gear].pitting == pytest.approx(sum(map(damage_part, cycles, flanks, [CONTACT] * 2)), rel=1e-9)
+        assert found[gear].bending == pytest.approx(sum(map(damage_part, cycles, roots, [curve] * 2)), rel=1e-9)
     assert METHODS["agma2003"].life_slope(rating, "pitting", None) == pytest.approx(1.0 / 0.0602)
     assert METHODS["agma2003"].life_slope(rating, "bending", None) == pytest.approx(1.0 / 0.1192)
 

@@ -1,6 +1,7 @@
 """Joints by hand: DIN 6885 keys under DIN 6892 pressure, DIN 5480 splines, Lamé's press fit, and what is too long."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -117,6 +118,17 @@ def test_a_press_fit_slips_at_its_safety_times_the_torque_and_bears_what_its_wea
     assert sized.interference == pytest.approx(interference)
     assert sized.length == 0.07
     assert sized.designation == f"DIN 7190 - 50 with {1e6 * interference:.0f} µm"
+
+
+def test_a_press_fit_has_the_steel_of_its_gear_around_that_of_its_shaft():
+    """Lamé with a hub of its own E, ν and R_p0.2: the interference of both, the pressure that the weaker one bears."""
+    hub = replace(STEEL, elastic_modulus=110e9, poisson_ratio=0.34, yield_strength=400e6)
+    sized = size_joint(Joint(kind="press-fit"), SEAT._replace(hub=hub), D, STEEL)
+    inner, outer = 0.02 / D, D / 0.11
+    of_hub = ((1.0 + outer**2) / (1.0 - outer**2) + 0.34) / 110e9
+    of_shaft = ((1.0 + inner**2) / (1.0 - inner**2) - STEEL.poisson_ratio) / STEEL.elastic_modulus
+    assert sized.interference == pytest.approx(sized.pressure * D * (of_hub + of_shaft) + 0.8 * 8e-6)
+    assert sized.allowed_pressure == pytest.approx(400e6 / (2.0 / (1.0 - outer**2)))
 
 
 def test_a_press_fit_of_a_machine_is_as_long_as_its_shaft_is_thick_in_a_hub_of_twice_its_diameter():

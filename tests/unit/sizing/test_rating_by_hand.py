@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from designs import PAIR
-from gearwright.parts.agma2001 import miner_sum
+from gearwright.parts.iso6336 import damage_part
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, Ask, modules, rating_of, row_ask
@@ -156,9 +156,8 @@ def test_the_curve_of_a_steel_is_that_of_its_hardness(steel, hardness, start):
     if hardness is not None:
         rules["gears.agma2001.hardness_hb"] = hardness
     making = making_of(rating_of(edited(OFF_SET, rules), "first"))
-    c, e = making.bending_curve.low
-    assert c * 1e3**-e == pytest.approx(start, rel=1e-3)
-    assert making.contact_curve.low[1] == (0.0138 if steel == "nitrided-4140" else 0.056)
+    assert making.bending_curve.factors[0] == pytest.approx(start, rel=1e-3)
+    assert 1.0 / making.contact_curve.slope == pytest.approx(0.0138 if steel == "nitrided-4140" else 0.056)
 
 
 def spectrum(rating, torques, *, module=0.003, width=0.03):
@@ -204,11 +203,10 @@ def test_damage_by_agma_is_stress_over_its_limit_on_the_curve():
         one = factors.gears[gear]
         flank = float(one.contact_stress * factors.contact_cycles[gear] / one.contact_limit)
         root = float(one.bending_stress * factors.bending_cycles[gear] / one.bending_limit)
-        assert damage.pitting == pytest.approx(miner_sum(making.contact_curve, [flank], [turns]), rel=1e-9)
-        assert damage.bending == pytest.approx(miner_sum(making.bending_curve, [root], [turns]), rel=1e-9)
-        (c, e), (high, flat) = making.contact_curve.low, making.contact_curve.high
-        below, above = (c / flank) ** (1.0 / e), (high / flank) ** (1.0 / flat)
-        allowed = below if below <= making.contact_curve.corner else above
+        assert damage.pitting == pytest.approx(damage_part(turns, flank, making.contact_curve), rel=1e-9)
+        assert damage.bending == pytest.approx(damage_part(turns, root, making.bending_curve), rel=1e-9)
+        below, above = (2.466 / flank) ** (1.0 / 0.056), (1.4488 / flank) ** (1.0 / 0.023)
+        allowed = below if below <= 1e7 else above
         assert damage.pitting == pytest.approx(turns / allowed, rel=1e-6)
 
 

@@ -81,7 +81,7 @@ def least_web(sizing: Sizing, stage: str) -> float:
     Source: equilibrium of a disc in shear (Tresca), at the largest torque of all cases.
     """
     design, blanks = sizing.design, gear_blanks(sizing)
-    strength = design.material(design.rules(stage).material).yield_strength or design.shaft_material.yield_strength
+    strength = design.gear_material(stage).yield_strength or design.shaft_material.yield_strength
     least = THINNEST_WEB
     for gear in (gear for gear in sizing.gears if gear.stage == stage):
         rows = [(mesh.name, mesh.gears.index(gear.name)) for mesh in sizing.train.meshes if gear.name in mesh.gears]

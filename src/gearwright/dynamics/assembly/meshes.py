@@ -163,7 +163,7 @@ def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) 
         case "energy":
             return mesh_stiffness_energy(pair, materials=made, harmonics=harmonics)
         case "kuang-yang":
-            return mesh_stiffness_kuang_yang(pair, harmonics=harmonics)
+            return mesh_stiffness_kuang_yang(pair, harmonics=harmonics, elastic_moduli=_moduli(made))
         case "square-wave":
             wave = cut_square_wave(_iso(mesh, pair, made).mesh * pair.face_width)
             return replace(wave, cosine=wave.cosine[:harmonics], sine=wave.sine[:harmonics])
@@ -172,7 +172,7 @@ def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) 
 
 def _materials(sizing: Sizing, mesh: MeshSizing) -> tuple[Material, Material]:
     """Return what both gears are of: that of the stage, with E and ν of the classes that they are rated as."""
-    material, rated = sizing.design.material(sizing.design.rules(mesh.stage).material), mesh.rating
+    material, rated = sizing.design.gear_material(mesh.stage), mesh.rating
     if not isinstance(rated, Iso6336Rating):
         return material, material
     first, second = (
@@ -185,8 +185,11 @@ def _materials(sizing: Sizing, mesh: MeshSizing) -> tuple[Material, Material]:
 def _iso(mesh: MeshSizing, pair: GearPair, made: tuple[Material, Material]) -> MeshStiffness:
     # A mesh that idles in every case has no load; the standard's method asks for some.
     load = max(mesh.tangential_force / pair.face_width, 1.0)
-    moduli = made[0].elastic_modulus, made[1].elastic_modulus
-    return mesh_stiffness_iso6336(pair, specific_load=load, elastic_moduli=moduli)
+    return mesh_stiffness_iso6336(pair, specific_load=load, elastic_moduli=_moduli(made))
+
+
+def _moduli(made: tuple[Material, Material]) -> tuple[float, float]:
+    return made[0].elastic_modulus, made[1].elastic_modulus
 
 
 def _known(curve: StiffnessCurve, pair: Pair) -> StiffnessCurve:

@@ -87,13 +87,13 @@ def pin_stiffness(sizing: Sizing, stage: str) -> float:
         sizing: What was sized.
         stage: Name of the planetary set.
 
-    Source: cantilever of round section with its force at the middle of the planet, k = 3 E I/(b/2)³.
+    Source: cantilever of round section of the shafts' steel, its force at the middle of the planet, k = 3 E I/(b/2)³.
     """
     stated = sizing.design.planetaries[stage].bearings.pin
     if stated is not None:
         return stated
     width, diameter = _planet(sizing, stage).face_width, _carrier(sizing, stage).pin_diameter
-    modulus = sizing.design.material(sizing.design.rules(stage).material).elastic_modulus
+    modulus = sizing.design.shaft_material.elastic_modulus
     return 3.0 * modulus * math.pi / 64.0 * diameter**4 / (0.5 * width) ** 3
 
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from gearwright.dynamics.model.line import DampingRatio, Line
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
 from gearwright.verbs import verb
 
 DIRECTIONS = ("x", "y", "z", "tilt x", "tilt y", "twist")
@@ -30,9 +31,9 @@ class Segment:
     """Outer diameter [m]."""
     bore: float = 0.0
     """Inner diameter [m]."""
-    elasticity: float = 206e9
+    elasticity: float = STEEL_MODULUS
     """Young's modulus [Pa]."""
-    poisson: float = 0.3
+    poisson: float = STEEL_POISSON
     """Poisson's ratio [-]."""
     density: float = 7850.0
     """[kg/m³]."""

@@ -1,6 +1,6 @@
 """Rating of cylindrical gears by ANSI/AGMA 2001-D04 with the geometry factors of AGMA 908.
 
-Nothing of ISO lives here.
+Nothing of ISO lives here but its arithmetic of S-N curves and damage.
 """
 
 from gearwright.parts.agma2001.factors import (
@@ -15,14 +15,13 @@ from gearwright.parts.agma2001.factors import (
     PITTING,
     PITTING_NITRIDED,
     PRECISION,
-    CycleCurve,
     Mounting,
-    cycle_factor,
     dynamic_factor_agma,
     hardness_ratio_factor,
     load_distribution_factor,
     reliability_factor,
     size_factor,
+    stress_cycle_curve,
 )
 from gearwright.parts.agma2001.geometry import (
     HobbedPair,
@@ -34,7 +33,6 @@ from gearwright.parts.agma2001.geometry import (
     stress_correction,
 )
 from gearwright.parts.agma2001.hardness import Hardnesses, hardened_pinion_factor, hardness_ratio_of
-from gearwright.parts.agma2001.life import endured_cycles, miner_parts, miner_sum, spectrum_safety
 from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, AgmaPairRating, AgmaWheel, greatest_velocity, rate_agma
 from gearwright.parts.agma2001.rating import (
     AgmaGear,
@@ -71,7 +69,6 @@ __all__ = [
     "AgmaSteel",
     "AgmaStrength",
     "AgmaWheel",
-    "CycleCurve",
     "Hardnesses",
     "HobbedPair",
     "LoadPlace",
@@ -80,10 +77,8 @@ __all__ = [
     "agma_strength",
     "allowable_yield",
     "bending_geometry",
-    "cycle_factor",
     "dynamic_factor_agma",
     "elastic_coefficient",
-    "endured_cycles",
     "greatest_velocity",
     "hardened_pinion_factor",
     "hardness_ratio_factor",
@@ -91,15 +86,13 @@ __all__ = [
     "helical_overlap_factor",
     "load_distribution_factor",
     "load_sharing_ratio",
-    "miner_parts",
-    "miner_sum",
     "overload_distribution",
     "pitting_geometry_factor",
     "rate_agma",
     "reliability_factor",
     "rim_factor_agma",
     "size_factor",
-    "spectrum_safety",
     "stress_correction",
+    "stress_cycle_curve",
     "yield_safety",
 ]

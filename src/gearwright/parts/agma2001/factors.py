@@ -5,11 +5,12 @@ The standard's empirical formulas are written in inches, feet per minute and Bri
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.parts.iso6336 import Value, as_value
+from gearwright.parts.iso6336 import LifeCurve, Value, as_value
 from gearwright.units import FOOT, INCH
 
 _SOURCE = "ANSI/AGMA 2001-D04"
@@ -37,32 +38,44 @@ EXTRA_PRECISION = Mounting(0.0380, 0.0102, -0.822e-4)
 """Extra-precision enclosed units; Shigley prints 0.00360."""
 
 
-@dataclass(frozen=True)
-class CycleCurve:
-    """A stress cycle factor: c_1 N^−e_1 up to a corner, c_2 N^−e_2 beyond."""
-
-    low: tuple[float, float]
-    """c and e below the corner [-]."""
-    high: tuple[float, float]
-    """c and e above the corner [-]."""
-    corner: float
-    """Cycles N at the corner [-]."""
+Line = tuple[float, float]
+"""c and e of c N^−e [-]."""
 
 
+def stress_cycle_curve(start: float, low: Line, high: Line) -> LifeCurve:
+    """Return a stress cycle factor Y_N or Z_N over cycles: two lines that meet where they cross.
+
+    Args:
+        start: Cycles at which the figure begins; fewer bear no more [-].
+        low: c and e of the line from there on [-].
+        high: c and e of the line beyond the crossing, which goes on [-].
+
+    Source: AGMA 2001-D04, figures 17 and 18, whose corners, 3e6 and 1e7 cycles, are rounded crossings.
+
+    >>> round(stress_cycle_curve(1e4, (2.466, 0.056), (1.4488, 0.023)).cycles[1], -5)
+    10000000.0
+    """
+    (c_1, e_1), (c_2, e_2) = low, high
+    crossing = math.exp(math.log(c_1 / c_2) / (e_1 - e_2))
+    return LifeCurve((start, crossing, _LAST), (c_1 * start**-e_1, c_2 * crossing**-e_2, c_2 * _LAST**-e_2))
+
+
+_LAST = 1e10
+"""Cycles at which the figures end [-]."""
 _BENDING_HIGH = (1.3558, 0.0178)
-BENDING_HB160 = CycleCurve((2.3194, 0.0538), _BENDING_HIGH, 3e6)
+BENDING_HB160 = stress_cycle_curve(1e3, (2.3194, 0.0538), _BENDING_HIGH)
 """Y_N of steels around 160 HB (AGMA 2001-D04, figure 17)."""
-BENDING_HB250 = CycleCurve((4.9404, 0.1045), _BENDING_HIGH, 3e6)
+BENDING_HB250 = stress_cycle_curve(1e3, (4.9404, 0.1045), _BENDING_HIGH)
 """Y_N around 250 HB."""
-BENDING_HB400 = CycleCurve((9.4518, 0.148), _BENDING_HIGH, 3e6)
+BENDING_HB400 = stress_cycle_curve(1e3, (9.4518, 0.148), _BENDING_HIGH)
 """Y_N around 400 HB."""
-BENDING_CARBURISED = CycleCurve((6.1514, 0.1192), _BENDING_HIGH, 3e6)
+BENDING_CARBURISED = stress_cycle_curve(1e3, (6.1514, 0.1192), _BENDING_HIGH)
 """Y_N of carburised cases."""
-BENDING_NITRIDED = CycleCurve((3.517, 0.0817), _BENDING_HIGH, 3e6)
+BENDING_NITRIDED = stress_cycle_curve(1e3, (3.517, 0.0817), _BENDING_HIGH)
 """Y_N of nitrided cases."""
-PITTING = CycleCurve((2.466, 0.056), (1.4488, 0.023), 1e7)
+PITTING = stress_cycle_curve(1e4, (2.466, 0.056), (1.4488, 0.023))
 """Z_N of steels other than nitrided (figure 18)."""
-PITTING_NITRIDED = CycleCurve((1.249, 0.0138), (1.4488, 0.023), 1e7)
+PITTING_NITRIDED = stress_cycle_curve(1e4, (1.249, 0.0138), (1.4488, 0.023))
 """Z_N of nitrided steels."""
 
 
@@ -132,23 +145,6 @@ def load_distribution_factor(
     proportion = slender + np.select([width <= 1.0, width <= 17.0], [-0.025, -0.0375 + 0.0125 * width], wide)
     alignment = mounting.constant + mounting.linear * width + mounting.square * width**2
     return as_value(1.0 + crowning * (proportion * offset + alignment * adjustment))
-
-
-def cycle_factor(curve: CycleCurve, cycles: Value) -> Value:
-    """Return the stress cycle factor Y_N or Z_N.
-
-    Args:
-        curve: Curve of the material.
-        cycles: N [-].
-
-    Source: AGMA 2001-D04, clause 17; the upper curves beyond the corner (general use).
-
-    >>> round(float(cycle_factor(PITTING, 1e8)), 3)
-    0.948
-    """
-    (c_1, e_1), (c_2, e_2) = curve.low, curve.high
-    cycles = np.asarray(cycles, dtype=float)
-    return as_value(np.where(cycles <= curve.corner, c_1 * cycles**-e_1, c_2 * cycles**-e_2))
 
 
 def reliability_factor(reliability: Value) -> Value:

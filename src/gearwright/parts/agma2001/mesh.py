@@ -9,9 +9,7 @@ import numpy as np
 
 from gearwright.parts.agma2001.factors import (
     COMMERCIAL,
-    CycleCurve,
     Mounting,
-    cycle_factor,
     dynamic_factor_agma,
     load_distribution_factor,
     reliability_factor,
@@ -29,7 +27,7 @@ from gearwright.parts.agma2001.rating import (
     elastic_coefficient,
 )
 from gearwright.parts.gears import lewis_form_factor
-from gearwright.parts.iso6336 import Value
+from gearwright.parts.iso6336 import LifeCurve, Value, life_factor
 from gearwright.units import FOOT, Origin, Quantity
 
 _SOURCE = "ANSI/AGMA 2001-D04"
@@ -57,9 +55,9 @@ class AgmaWheel:
 
     strength: AgmaStrength
     """Allowable stress numbers."""
-    bending_curve: CycleCurve
+    bending_curve: LifeCurve
     """Y_N over cycles."""
-    contact_curve: CycleCurve
+    contact_curve: LifeCurve
     """Z_N over cycles."""
     hardnesses: Hardnesses
     """Of both gears, for C_H."""
@@ -71,9 +69,9 @@ class AgmaMaking:
 
     strength: AgmaStrength
     """Allowable stress numbers."""
-    bending_curve: CycleCurve
+    bending_curve: LifeCurve
     """Y_N over cycles."""
-    contact_curve: CycleCurve
+    contact_curve: LifeCurve
     """Z_N over cycles."""
     elastic_modulus: float
     """E [Pa]."""
@@ -104,7 +102,7 @@ class AgmaMaking:
         """
         return self.strength if gear == 0 or self.wheel is None else self.wheel.strength
 
-    def curves_of(self, gear: int) -> tuple[CycleCurve, CycleCurve]:
+    def curves_of(self, gear: int) -> tuple[LifeCurve, LifeCurve]:
         """Return Z_N and Y_N of one gear over cycles.
 
         Args:
@@ -233,8 +231,8 @@ def _body(
         strength=making.strength_of(gear),
         size=size_factor(width, transverse, lewis_form_factor(pair.virtual_teeth[gear])),
         rim=making.rims[gear],
-        bending_cycles=cycle_factor(bending_curve, cycles),
-        contact_cycles=cycle_factor(contact_curve, cycles),
+        bending_cycles=life_factor(bending_curve, cycles),
+        contact_cycles=life_factor(contact_curve, cycles),
         hardness_ratio=hardness_ratio_of(harder, pair.teeth[1] / pair.teeth[0]),
     )
     return body, geometry

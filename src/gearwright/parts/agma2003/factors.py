@@ -11,8 +11,9 @@ from enum import Enum
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.parts.agma2001 import CycleCurve, cycle_factor
+from gearwright.parts.agma2001 import stress_cycle_curve
 from gearwright.parts.agma2003.section import SOURCE
+from gearwright.parts.iso6336 import LifeCurve
 from gearwright.units import INCH, POUND_FORCE, Origin, Quantity
 
 _MM = 1e-3
@@ -27,14 +28,22 @@ REVERSED = 0.70
 """Part of s_at of teeth that are loaded on both flanks [-] (clause 21)."""
 GREATEST_CONTACT, GREATEST_BENDING = 2.0, 2.7
 """C_L up to 1e4 and K_L up to 1e3 cycles [-] (figures 5 and 6)."""
-CONTACT = CycleCurve((3.4822, 0.0602), (3.4822, 0.0602), 1e10)
+_CONTACT, _BENDING = (3.4822, 0.0602), (6.1514, 0.1192)
+
+
+def _reached(greatest: float, line: tuple[float, float]) -> float:
+    """Return the cycles at which a line c N^−e comes down to the greatest factor [-]."""
+    return math.exp(math.log(line[0] / greatest) / line[1])
+
+
+CONTACT = LifeCurve(
+    (_reached(GREATEST_CONTACT, _CONTACT), 1e10), (GREATEST_CONTACT, _CONTACT[0] * 1e10 ** -_CONTACT[1])
+)
 """C_L of case-hardened steel (figure 5)."""
-BENDING = CycleCurve((6.1514, 0.1192), (1.3558, 0.0178), 3e6)
+BENDING = stress_cycle_curve(_reached(GREATEST_BENDING, _BENDING), _BENDING, (1.3558, 0.0178))
 """K_L of case-hardened steel in general use, the upper edge of the band (figure 6)."""
-BENDING_CRITICAL = CycleCurve((6.1514, 0.1192), (1.6831, 0.0323), 3e6)
+BENDING_CRITICAL = stress_cycle_curve(_reached(GREATEST_BENDING, _BENDING), _BENDING, (1.6831, 0.0323))
 """K_L in critical service, the lower edge of the band (figure 6)."""
-LONGEST = 1e10
-"""Cycles at which the curves end [-]."""
 
 
 class BevelEdition(Enum):
@@ -128,47 +137,6 @@ def temperature_factor(temperature: float) -> float:
     1.07
     """
     return max(1.0, (492.0 + 1.8 * temperature) / 710.0)
-
-
-def contact_cycle_factor(cycles: float) -> float:
-    """Return the stress cycle factor for pitting C_L [-].
-
-    Args:
-        cycles: N, up to 1e10 [-].
-
-    Source: ANSI/AGMA 2003-D19, figure 5, 3.4822 N^−0.0602, at most 2.
-
-    >>> round(contact_cycle_factor(1e7), 2)  # Shigley 9th ed., example 15-1
-    1.32
-    """
-    return min(float(cycle_factor(CONTACT, _within(cycles))), GREATEST_CONTACT)
-
-
-def bending_cycle_factor(cycles: float, *, is_critical: bool = False) -> float:
-    """Return the stress cycle factor for bending K_L [-].
-
-    Args:
-        cycles: N, up to 1e10 [-].
-        is_critical: The lower edge of the band.
-
-    Source: ANSI/AGMA 2003-D19, figure 6, 6.1514 N^−0.1192 up to 3e6, at most 2.7, then 1.3558 N^−0.0178, or
-        1.6831 N^−0.0323 in critical service.
-
-    >>> round(bending_cycle_factor(1e9, is_critical=True), 4)  # Shigley 9th ed., example 15-1
-    0.8618
-    """
-    curve = BENDING_CRITICAL if is_critical else BENDING
-    return min(float(cycle_factor(curve, _within(cycles))), GREATEST_BENDING)
-
-
-def _within(cycles: float) -> float:
-    """Return cycles where the curves have them: what is rarer than one load counts as one."""
-    refuse(
-        [Problem("cycles", f"{cycles:.3g} asked; {SOURCE}, figures 5 and 6 end at {LONGEST:g}; shorten the life")]
-        if cycles > LONGEST
-        else []
-    )
-    return max(cycles, 1.0)
 
 
 class BevelSteel(Enum):

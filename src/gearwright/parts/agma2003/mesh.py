@@ -13,13 +13,14 @@ from gearwright.parts.agma2001 import (
     reliability_factor,
 )
 from gearwright.parts.agma2003.factors import (
+    BENDING,
+    BENDING_CRITICAL,
+    CONTACT,
     CROWNED,
     ONE_STRADDLE,
     REVERSED,
     BevelEdition,
     BevelStrength,
-    bending_cycle_factor,
-    contact_cycle_factor,
     lengthwise_curvature,
     load_distribution,
     size_factor_bending,
@@ -28,6 +29,7 @@ from gearwright.parts.agma2003.factors import (
 )
 from gearwright.parts.agma2003.section import SOURCE
 from gearwright.parts.bevel import BevelPair
+from gearwright.parts.iso6336 import LifeCurve, life_factor
 from gearwright.units import Origin, Quantity
 
 Both = tuple[float, float]
@@ -80,6 +82,11 @@ class AgmaBevelMaking:
     """K_L by the lower edge of its band."""
     edition: BevelEdition = BevelEdition.D19
     """Whose C_s."""
+
+    @property
+    def bending_curve(self) -> LifeCurve:
+        """K_L over cycles."""
+        return BENDING_CRITICAL if self.is_critical else BENDING
 
 
 @dataclass(frozen=True)
@@ -137,12 +144,11 @@ def bevel_factors(pair: BevelPair, duty: AgmaBevelDuty, making: AgmaBevelMaking)
     Source: ANSI/AGMA 2003-D19, clauses 6 to 20; C_R as the root of K_R, as Shigley 9th ed., eq. 15-20.
 
     Raises:
-        DesignError: A face above 356 mm, more than 1e10 cycles.
+        DesignError: A face above 356 mm.
     """
     diameter, ratio = pair.outer_diameters[0], pair.teeth[1] / pair.teeth[0]
     turns, speed = abs(duty.speed) * duty.life / (2.0 * math.pi), 0.5 * abs(duty.speed) * diameter
     cycles = turns * duty.meshes_per_turn[0], turns * duty.meshes_per_turn[1] / ratio
-    first, second = (bending_cycle_factor(count, is_critical=making.is_critical) for count in cycles)
     survival = float(reliability_factor(making.reliability))
     softer = 1.0 if making.hardnesses is None else hardness_ratio_factor(*making.hardnesses, ratio)
     return AgmaBevelFactors(
@@ -157,11 +163,16 @@ def bevel_factors(pair: BevelPair, duty: AgmaBevelDuty, making: AgmaBevelMaking)
         crowning=making.crowning,
         curvature=lengthwise_curvature(pair.spiral_angle, making.cutter_radius, pair.mean_cone_distance),
         elastic=elastic_coefficient((making.elastic_modulus,) * 2, (making.poisson_ratio,) * 2),
-        contact_cycles=(contact_cycle_factor(cycles[0]), contact_cycle_factor(cycles[1])),
-        bending_cycles=(first, second),
+        contact_cycles=_factors(CONTACT, cycles),
+        bending_cycles=_factors(making.bending_curve, cycles),
         hardness_ratio=(1.0, softer),
         reversal=(REVERSED if duty.is_reversed[0] else 1.0, REVERSED if duty.is_reversed[1] else 1.0),
         reliability_contact=math.sqrt(survival),
         reliability_bending=survival,
         temperature=temperature_factor(making.temperature),
     )
+
+
+def _factors(curve: LifeCurve, cycles: Both) -> Both:
+    first, second = (float(life_factor(curve, count)) for count in cycles)
+    return first, second

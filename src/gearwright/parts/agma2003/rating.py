@@ -94,7 +94,8 @@ def rate_agma_bevel(
         geometry: I and J where they are known, of this pair or of one to scale; left out: by annex C.
 
     Source: ANSI/AGMA 2003-D19, clauses 5 to 21.
-    Valid for: generated straight, Zerol and spiral bevel gears without offset, faces up to 356 mm, up to 1e10 cycles.
+    Valid for: generated straight, Zerol and spiral bevel gears without offset, faces up to 356 mm; beyond 1e10
+        cycles, where the figures end, C_L and K_L fall on along their last lines.
 
     Raises:
         DesignError: Outside of that.

@@ -19,6 +19,7 @@ from gearwright.parts.iso6336 import (
     roughness_factor,
     speed_factor,
 )
+from gearwright.parts.stiffness import modulus_factor
 from gearwright.units import Origin, Quantity
 
 _PART1, _PART2 = "ISO 10300-1:2023", "ISO 10300-2:2023"
@@ -28,6 +29,7 @@ STRADDLE, ONE_OVERHUNG, BOTH_OVERHUNG = 1.05, 1.10, 1.25
 """Mounting factor K_Hβ-be with the contact pattern checked under light load [-] (ISO 10300-1, table 4)."""
 _STIFFNESS = 20e9  # N/m², mean mesh stiffness c_γ0 (ISO 10300-1, 7.7)
 _SINGLE_STIFFNESS = 14e9  # N/m², c′_0
+_STEEL = 210e9  # Pa, E of the steel for which both are printed (ISO/TR 10300-30, sample 1)
 _FULL_LOAD = 100e3  # N/m
 _MICRON = 1e-6
 
@@ -48,8 +50,6 @@ class BevelDuty:
     """K_Hβ-be [-]."""
     cutter_radius: float = math.inf
     """Cutter radius r_c0 [m]; matters below the mean cone distance."""
-    density: float = 7860.0
-    """ρ of the gears [kg/m³]."""
 
     def __post_init__(self) -> None:
         refuse(
@@ -120,24 +120,35 @@ def virtual_force(pair: BevelPair, duty: BevelDuty) -> float:
     return 2.0 * duty.pinion_torque / pair.mean_diameters[0]
 
 
-def bevel_dynamics(virtual: VirtualPair, duty: BevelDuty) -> BevelDynamics:
+def bevel_dynamics(virtual: VirtualPair, duty: BevelDuty, steels: tuple[GearSteel, GearSteel]) -> BevelDynamics:
     """Return K_V by method B.
 
     Args:
         virtual: The virtual pair.
         duty: Load, speed, deviation.
+        steels: Of pinion and wheel, for their mass and stiffness.
 
-    Source: ISO 10300-1:2023, clause 7.7.3, stiffness 14 and 20 N/(mm µm), y_α = 0.075 f_pt ≤ 3 µm of hard flanks.
+    Source: ISO 10300-1:2023, clause 7.7.3, stiffness 14 and 20 N/(mm µm) E/E_St, y_α = 0.075 f_pt ≤ 3 µm of
+        hard flanks.
     """
     pair = virtual.bevel
     specific = virtual_force(pair, duty) * duty.application_factor / virtual.effective_width
-    light = min(1.0, specific / _FULL_LOAD)
-    masses = [math.pi / 8.0 * duty.density * (d / math.cos(pair.pressure_angle)) ** 2 for d in pair.mean_diameters]
+    soft = _softness(specific, steels)
+    masses = [
+        math.pi / 8.0 * steel.density * (d / math.cos(pair.pressure_angle)) ** 2
+        for d, steel in zip(pair.mean_diameters, steels, strict=True)
+    ]
     reduced = masses[0] * masses[1] / (masses[0] + masses[1])
-    ratio = abs(duty.pinion_speed) * pair.teeth[0] / math.sqrt(_STIFFNESS * light / reduced)
+    ratio = abs(duty.pinion_speed) * pair.teeth[0] / math.sqrt(_STIFFNESS * soft / reduced)
     deviation = duty.pitch_deviation - min(0.075 * duty.pitch_deviation, 3.0 * _MICRON)
-    error = _SINGLE_STIFFNESS * light * deviation / specific
+    error = _SINGLE_STIFFNESS * soft * deviation / specific
     return BevelDynamics(reduced, ratio, deviation, _by_region(ratio, error, virtual.total_ratio))
+
+
+def _softness(specific_load: float, steels: tuple[GearSteel, GearSteel]) -> float:
+    """Stiffness over that of fully loaded teeth of steel [-]."""
+    moduli = (steels[0].elastic_modulus, steels[1].elastic_modulus)
+    return min(1.0, specific_load / _FULL_LOAD) * modulus_factor(moduli, _STEEL)
 
 
 def _by_region(ratio: float, error: float, overlap: float) -> float:
@@ -157,20 +168,23 @@ def _by_region(ratio: float, error: float, overlap: float) -> float:
     return above if ratio >= 1.5 else above + (resonant - above) * (1.5 - ratio) / 0.25
 
 
-def bevel_load_factors(virtual: VirtualPair, duty: BevelDuty) -> tuple[LoadFactors, BevelDynamics]:
+def bevel_load_factors(
+    virtual: VirtualPair, duty: BevelDuty, steels: tuple[GearSteel, GearSteel]
+) -> tuple[LoadFactors, BevelDynamics]:
     """Return the K factors of a bevel pair.
 
     Args:
         virtual: The virtual pair.
         duty: Load, speed, deviation, mounting, cutter.
+        steels: Of pinion and wheel.
 
     Source: ISO 10300-1:2023, clauses 7 (K_V method B), 8 (K_Hβ = 1.5 K_Hβ-be, K_Fβ = K_Hβ/K_F0) and 9 (K_Hα method B).
     """
     pair = virtual.bevel
-    dynamic = bevel_dynamics(virtual, duty)
+    dynamic = bevel_dynamics(virtual, duty, steels)
     face = 1.5 * duty.mounting
     force = virtual_force(pair, duty) * duty.application_factor
-    stiffness = _STIFFNESS * min(1.0, force / virtual.effective_width / _FULL_LOAD)
+    stiffness = _STIFFNESS * _softness(force / virtual.effective_width, steels)
     error = stiffness * dynamic.pitch_deviation * pair.face_width / (force * dynamic.factor * face)
     total = virtual.total_ratio
     if total <= 2.0:

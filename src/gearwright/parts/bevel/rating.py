@@ -87,7 +87,7 @@ def rate_bevel(
     32.3
     """
     virtual = VirtualPair(pair, surfaces.peak_exponent)
-    loads, dynamic = bevel_load_factors(virtual, duty)
+    loads, dynamic = bevel_load_factors(virtual, duty, steels)
     turns = abs(duty.pinion_speed) * life / (2.0 * math.pi)
     cycles = (turns, turns * pair.teeth[0] / pair.teeth[1])
     contact, root = _lives(steels, cycles)

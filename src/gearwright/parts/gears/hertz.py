@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearwright.arrays import Floats
 from gearwright.parts.gears.involute import base_helix_angle, transverse_pressure_angle
+from gearwright.parts.material import STEEL_POISSON
 
 Numbers = float | NDArray[Any]
 """One number or many; plain numbers are computed as they are, which is quicker."""
@@ -42,6 +43,11 @@ def hertz_coefficient(poisson_ratio: float) -> float:
     0.4182
     """
     return math.sqrt(1.0 / (2.0 * math.pi * (1.0 - poisson_ratio**2)))
+
+
+def _stiffer(poisson_ratio: float) -> float:
+    """Return 1/(1 − ν²) over that of the ν for which `HERTZ_COEFFICIENT` is rounded [-]."""
+    return (1.0 - STEEL_POISSON**2) / (1.0 - poisson_ratio**2)
 
 
 def reduced_modulus(first: tuple[float, float], second: tuple[float, float] | None = None) -> float:
@@ -79,7 +85,13 @@ def contact_angles(pressure_angle: float, helix_angle: float, *, transverse: boo
 
 
 def contact_stress(
-    tangential_force: float, face_width: float, curvature: float, *, angles: ContactAngles, elastic_modulus: float
+    tangential_force: float,
+    face_width: float,
+    curvature: float,
+    *,
+    angles: ContactAngles,
+    elastic_modulus: float,
+    poisson_ratio: float = STEEL_POISSON,
 ) -> float:
     """Return Hertz's pressure at the pitch point [Pa].
 
@@ -89,17 +101,18 @@ def contact_stress(
         curvature: Sum 1/r_1 ± 1/r_2 of the pitch radii, minus for an internal mesh [1/m].
         angles: From `contact_angles`.
         elastic_modulus: E of both gears [Pa].
+        poisson_ratio: ν of both gears [-].
 
     Source: Pulvirenti 2023, eq. (2.2), coefficient corrected from 0.4118 to 0.418:
         σ_H = 0.418 √(F_t E (1/r_1 ± 1/r_2) cos β / (b cos α sin α)).
     """
-    load = tangential_force * elastic_modulus * curvature * math.cos(angles.line)
+    load = tangential_force * elastic_modulus * _stiffer(poisson_ratio) * curvature * math.cos(angles.line)
     return HERTZ_COEFFICIENT * math.sqrt(load / (face_width * math.cos(angles.pressure) * math.sin(angles.pressure)))
 
 
 def module_hertz(
     torque_per_tooth: Numbers, curvature: Numbers, width_ratio: Numbers, *, allowable: float,
-    elastic_modulus: float, angles: ContactAngles, helix_angle: float = 0.0,
+    elastic_modulus: float, angles: ContactAngles, helix_angle: float = 0.0, poisson_ratio: float = STEEL_POISSON,
 ) -> Floats:  # fmt: skip
     """Return the smallest normal module whose flanks bear contact [m].
 
@@ -111,11 +124,12 @@ def module_hertz(
         elastic_modulus: E of both gears [Pa].
         angles: From `contact_angles`.
         helix_angle: β on the pitch cylinder [rad].
+        poisson_ratio: ν of both gears [-].
 
     Source: Pulvirenti 2023, eqs (2.2) and (2.12) solved for m_n with b = λ m_n, r = m_n z / (2 cos β).
     """
     geometry = (
         math.cos(angles.line) * math.cos(helix_angle) ** 2 / (math.cos(angles.pressure) * math.sin(angles.pressure))
     )
-    load = 4.0 * torque_per_tooth * curvature * elastic_modulus * geometry
+    load = 4.0 * torque_per_tooth * curvature * elastic_modulus * _stiffer(poisson_ratio) * geometry
     return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (width_ratio * allowable**2)))

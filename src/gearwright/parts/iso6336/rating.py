@@ -43,7 +43,6 @@ from gearwright.parts.iso6336.loads import (
     TipRelief,
     TransverseLoadFactor,
     flank_class,
-    iron_factor,
     load_cycles,
     load_distribution,
     mesh_springs,
@@ -112,9 +111,12 @@ def rate_pair(
         DesignError: undercut or interfering teeth, and what the stiffness of clause 9 does not cover.
     """
     mesh = mesh_geometry(pair)
-    stiff = mesh_stiffness_iso6336(pair, specific_load=min(LINEAR_LOAD, float(specific_load(mesh, duty))))
-    factor = iron_factor(steels)
-    springs = MeshSprings(factor * stiff.single, factor * stiff.mesh, factor * stiff.face)
+    stiff = mesh_stiffness_iso6336(
+        pair,
+        specific_load=min(LINEAR_LOAD, float(specific_load(mesh, duty))),
+        elastic_moduli=(steels[0].elastic_modulus, steels[1].elastic_modulus),
+    )
+    springs = MeshSprings(stiff.single, stiff.mesh, stiff.face)
     widths = (pair.driver.face_width, pair.driven.face_width)
     return rate_mesh(mesh, steels, duty, quality=quality, edition=edition, springs=springs, widths=widths)
 

@@ -10,6 +10,7 @@ from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.parts.losses import tooth_loss_factor
+from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
 from gearwright.parts.micropitting.lubricant import OilGrade
 
 POINTS = ("A", "AB", "B", "C", "D", "DE", "E")
@@ -36,9 +37,9 @@ class FilmMesh:
     """Mean R_a of both flanks [m]."""
     grade: int = 6
     """Flank tolerance class [-]."""
-    elastic_modulus: float = 206e9
+    elastic_modulus: float = STEEL_MODULUS
     """E of both gears [Pa]."""
-    poisson_ratio: float = 0.3
+    poisson_ratio: float = STEEL_POISSON
     """ν of both gears [-]."""
     supply: float = 1.0
     """X_S [-]: 1.2 sprayed, 1 dipping, 0.2 submerged."""

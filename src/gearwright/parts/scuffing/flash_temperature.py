@@ -17,6 +17,7 @@ from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import reduced_modulus
 from gearwright.parts.iso6336 import MeshGeometry, Value
+from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
 from gearwright.units import Origin, Quantity
 
 _SOURCE = "ISO/TS 6336-20:2017"
@@ -82,9 +83,9 @@ class ScuffingMesh:
     """Tip reliefs C_a1 and C_a2 [m]."""
     grade: int = 6
     """Flank tolerance class [-]."""
-    elastic_modulus: float = 206e9
+    elastic_modulus: float = STEEL_MODULUS
     """E of both gears [Pa]."""
-    poisson_ratio: float = 0.3
+    poisson_ratio: float = STEEL_POISSON
     """ν of both gears [-]."""
     mate: tuple[float, float] | None = None
     """E [Pa] and ν [-] of the second gear where it is of another material."""

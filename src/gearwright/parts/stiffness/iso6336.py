@@ -14,6 +14,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.gears import BasicRack, GearPair, virtual_teeth
+from gearwright.parts.material import STEEL_MODULUS
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import rectangular_curve
 
@@ -24,7 +25,6 @@ THEORY_TO_MEASUREMENT = 0.8
 """Correction factor C_M [-] (ISO 6336-1:2006, clause 9)."""
 LINEAR_LOAD = 100e3
 """Specific load F_t K_A / b from which load no longer matters [N/m] (ISO 6336-1:2006, clause 9)."""
-_STEEL = 206e9  # Pa, E_St of the standard
 
 
 @dataclass(frozen=True)
@@ -145,11 +145,12 @@ def load_factor(specific_load: float) -> float:
     return float(min(1.0, (specific_load / LINEAR_LOAD) ** 0.25))
 
 
-def modulus_factor(elastic_moduli: tuple[float, float]) -> float:
+def modulus_factor(elastic_moduli: tuple[float, float], steel: float = STEEL_MODULUS) -> float:
     """Return E/E_St, by which c′ of other materials than steel differs [-].
 
     Args:
         elastic_moduli: Young's moduli of the two gears [Pa].
+        steel: E_St [Pa].
 
     Source: ISO 6336-1:2006, clause 9, E = 2 E_1 E_2/(E_1 + E_2), E_St = 206 000 N/mm².
 
@@ -157,7 +158,7 @@ def modulus_factor(elastic_moduli: tuple[float, float]) -> float:
     0.9129
     """
     first, second = elastic_moduli
-    return 2.0 * first * second / (first + second) / _STEEL
+    return 2.0 * first * second / (first + second) / steel
 
 
 def mesh_stiffness_iso6336(
@@ -165,7 +166,7 @@ def mesh_stiffness_iso6336(
     *,
     blank: GearBlank = SOLID,
     specific_load: float = LINEAR_LOAD,
-    elastic_moduli: tuple[float, float] = (_STEEL, _STEEL),
+    elastic_moduli: tuple[float, float] = (STEEL_MODULUS, STEEL_MODULUS),
 ) -> MeshStiffness:
     """Return c′ and c_γ of a mesh by method B of ISO 6336-1.
 

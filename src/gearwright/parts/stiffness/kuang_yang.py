@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii
+from gearwright.parts.material import STEEL_MODULUS
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import pair_curve
 
@@ -65,12 +66,15 @@ def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shi
     return np.asarray(_UNIT * ((a_0 + a_1 * x) + (a_2 + a_3 * x) * np.asarray(radius_offset) / (1.0 + x)))
 
 
-def mesh_stiffness_kuang_yang(pair: GearPair, *, harmonics: int = 8) -> StiffnessCurve:
+def mesh_stiffness_kuang_yang(
+    pair: GearPair, *, harmonics: int = 8, elastic_moduli: tuple[float, float] = (STEEL_MODULUS, STEEL_MODULUS)
+) -> StiffnessCurve:
     """Return the time-varying stiffness of two teeth in series by Kuang and Yang, pairs in contact added.
 
     Args:
         pair: External spur pair.
         harmonics: Harmonics of the mesh phase to keep [-].
+        elastic_moduli: E of driver and driven gear [Pa]; a tooth is as stiff as its E beside that of steel.
 
     Source: Kuang & Yang 1992; Pulvirenti 2023, eq. (3.23). No Hertzian deflection.
     Valid for: as `tooth_stiffness_kuang_yang`.
@@ -83,7 +87,8 @@ def mesh_stiffness_kuang_yang(pair: GearPair, *, harmonics: int = 8) -> Stiffnes
 
     def single(place: Floats) -> Floats:
         radii = np.array([contact_radii(pair, float(s) * pitch) for s in place]).T
-        first, second = (_tooth(gear, r) for gear, r in zip((pair.driver, pair.driven), radii, strict=True))
+        teeth = zip((pair.driver, pair.driven), radii, elastic_moduli, strict=True)
+        first, second = (modulus / STEEL_MODULUS * _tooth(gear, r) for gear, r, modulus in teeth)
         return pair.face_width * first * second / (first + second)
 
     return pair_curve(

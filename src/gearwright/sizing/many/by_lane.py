@@ -194,7 +194,7 @@ def _lives(module: ModuleType) -> None:
             return alone(curve, factor)
         left, cycles = ~lanes_of(factor > curve.factors[0]), chosen(factor > curve.factors[0], 0.0, math.inf)
         for start, greatest, least, longer, weaker in curve.lines:
-            own = left & (factor >= least)
+            own = left & (factor > least)
             exponent = longer * module.math.log(greatest / chosen(own, factor, greatest)) / weaker
             ends = exponent < module.ENDLESS
             life = start * module.math.exp(chosen(ends, exponent, 0.0))
@@ -215,8 +215,8 @@ def _damages(module: ModuleType) -> None:
     def lasts_in(loads: Any, reference: Any, curve: Any) -> Any:
         return sum((damage_part(cycles, stress / reference, curve) for stress, cycles in loads), start=0.0) <= 1.0
 
-    def unit_root(lasts: Any, _near: Any) -> Any:
-        low, high = (lanes_of(end) for end in module._FACTORS)
+    def unit_root(lasts: Any, _near: Any, *ends: Any) -> Any:
+        low, high = (lanes_of(end) for end in ends)
         while (active := high / low > 1.0 + 1e-12).data.any():
             middle = chosen(active, (low * high) ** 0.5, low)
             lasting = lanes_of(lasts(middle))

@@ -41,7 +41,7 @@ def gear_items(sizing: Sizing, bores: Mapping[str, PlanetBore]) -> Iterator[Mass
             yield MassItem(bell_name(bell.ring), "gears", 1, bell.volume * density, SURE_BELL, _BELL, _SHEAR)
     for seat in ring_seats(sizing):
         if f"{seat.ring.name}.mass" not in sizing.given:
-            steel = sizing.design.material(sizing.design.rules(seat.ring.stage).material).density
+            steel = sizing.design.gear_material(seat.ring.stage).density
             teeth, keeper = seat_names(seat.ring)
             yield MassItem(teeth, "gears", 1, seat.teeth_volume * steel, SURE, "half of the height of splines", _SPLINE)
             yield MassItem(keeper, "gears", 1, seat.keeper_volume * density, SURE_BELL, "section", "estimate")
@@ -73,6 +73,6 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
         gear: Of it.
         seats: What gears sit on.
     """
-    density = sizing.design.material(sizing.design.rules(gear.stage).material).density
+    density = sizing.design.gear_material(gear.stage).density
     formula = "(A_z + π (r_o² − r_f²)) b ρ" if gear.rim else _SOLID
     return MassItem(gear.name, "gears", gear.bodies, gear_volume(sizing, gear, seats) * density, SURE, formula, _SOURCE)

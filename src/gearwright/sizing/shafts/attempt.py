@@ -275,6 +275,7 @@ def _seat(task: Task, part: str) -> Seat:
         bore=0.0,
         tooth=TOOTH_HEIGHT * gear.module if gear is not None else 0.0,
         speed=max(abs(flow.speeds[task.name]) for flow in task.context.flows.values()),
+        hub=task.context.ratings[gear.stage].material if gear is not None else None,
     )
 
 

@@ -59,6 +59,8 @@ class Seat(NamedTuple):
     """Height of the gear's teeth [m]."""
     speed: float = 0.0
     """Highest of all cases [rad/s]."""
+    hub: Material | None = None
+    """Of the gear; None: a machine, whose hub counts as the shaft's."""
 
 
 def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
@@ -68,7 +70,7 @@ def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Jo
         joint: As the design gives it.
         seat: Where it sits.
         diameter: Of the shaft [m].
-        steel: Of shaft and hub.
+        steel: Of the shaft.
 
     Raises:
         DesignError: If it is longer than its hub, or does not fit on the shaft; with what would do.
@@ -259,9 +261,11 @@ def _press_fit(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Jo
     """Return a press fit as long as its hub that holds at speed; what the weaker of hub and shaft bears is allowed."""
     length = joint.length or (seat.hub_length if math.isfinite(seat.hub_length) else diameter)
     root = seat.root if math.isfinite(seat.root) else 2.0 * diameter
-    shaft, hub = (_fit_part(ratio, steel) for ratio in (seat.bore / diameter, min(diameter / root, 0.99)))
+    around = seat.hub or steel
+    shaft, hub = _fit_part(seat.bore / diameter, steel), _fit_part(min(diameter / root, 0.99), around)
     needed = joint.safety * seat.torque / fit_torque(1.0, diameter, length, friction=joint.friction)
-    allowed = (steel.yield_strength or 0.0) / max(hub_stress(1.0, hub), shaft_fit_stress(1.0, shaft))
+    own = steel.yield_strength or 0.0
+    allowed = min(own / shaft_fit_stress(1.0, shaft), (around.yield_strength or own) / hub_stress(1.0, hub))
     loosened = centrifugal_loss(seat.speed, diameter, shaft, hub)
     interference = joint.interference or fit_interference(needed, diameter, shaft, hub) + loosened
     name = f"DIN 7190 - {1e3 * diameter:.4g} with {1e6 * interference:.0f} µm"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from gearwright.catalogue import gear_steel_names, is_cast_iron, material_of, materials, rated_steel
+from gearwright.catalogue import gear_steel_names, hardnesses_of, is_cast_iron, material_of, materials, rated_steel
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel
@@ -90,16 +90,12 @@ def _strengths(rules: MaterialRules) -> Iterator[tuple[str, str]]:
             key = next(key for key, meant in keys_of(MaterialRules).items() if meant.field == missing)
             yield stated, f"is half of what a gear needs; give {key} too, or leave both to the class"
     given = [scale for scale in SCALES if getattr(rules, scale) is not None]
-    vickers = {scale: material_of("", {scale: getattr(rules, scale)} | _ELASTIC).hardness or 0.0 for scale in given}
+    vickers = {scale: hardnesses_of({scale: getattr(rules, scale)})[0] or 0.0 for scale in given}
     for scale in given[1:]:
         first, other = vickers[given[0]], vickers[scale]
         if abs(other / first - 1.0) > AGREEMENT:
             message = f"{getattr(rules, scale):g} {SCALES[scale]} is about {other:.0f} HV and {given[0]} {first:.0f} HV"
             yield scale, f"{message} (ISO 18265); keep one"
-
-
-_ELASTIC = {"elastic_modulus": 2e11, "poisson_ratio": 0.3, "density": 7.8e3}
-"""What no conversion of hardness reads."""
 
 
 def _rated(name: str, rules: MaterialRules) -> Iterator[tuple[str, str]]:

@@ -224,6 +224,14 @@ class Design(Shown, Record):
         own = self.materials.get(name)
         return materials()[name] if own is None else material_of(name, own.model_dump())
 
+    def gear_material(self, stage: str) -> Material:
+        """Return the material of the gears of a stage, which all that weighs, rates and shakes them reads.
+
+        Args:
+            stage: Name of a pair, planetary set or compound set.
+        """
+        return self.material(self.rules(stage).material)
+
     @property
     def shaft_material(self) -> Material:
         """The material of shafts and carriers."""

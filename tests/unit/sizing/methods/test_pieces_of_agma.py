@@ -6,9 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.parts.agma2001 import bending_geometry, miner_sum, overload_distribution
+from gearwright.parts.agma2001 import bending_geometry, overload_distribution
 from gearwright.parts.agma2003 import BENDING, CONTACT
-from gearwright.parts.iso6336 import Treatment
+from gearwright.parts.iso6336 import Treatment, damage_part
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, yield_strength_of
 from gearwright.sizing.rating.agma2001.inputs import making_of as cylindrical_making_of
 from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_checks
@@ -124,6 +124,6 @@ def test_damages_of_agma_are_turns_over_what_the_curves_bear(method):
         one = factors.gears[gear]
         flank = float(one.contact_stress * mesh.contact_cycles[gear] / one.contact_limit)
         root = float(one.bending_stress * mesh.bending_cycles[gear] / one.bending_limit)
-        assert damages[gear].pitting == pytest.approx(miner_sum(curves[0], [flank], [turns]), rel=1e-9)
-        assert damages[gear].bending == pytest.approx(miner_sum(curves[1], [root], [turns]), rel=1e-9)
+        assert damages[gear].pitting == pytest.approx(damage_part(turns, flank, curves[0]), rel=1e-9)
+        assert damages[gear].bending == pytest.approx(damage_part(turns, root, curves[1]), rel=1e-9)
         assert damages[gear].pitting > 0.0

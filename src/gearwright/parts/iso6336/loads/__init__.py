@@ -53,7 +53,7 @@ from gearwright.parts.iso6336.loads.relief import (
     running_in_relief,
     usual_class,
 )
-from gearwright.parts.iso6336.loads.stiffness import MeshSprings, iron_factor, mesh_springs
+from gearwright.parts.iso6336.loads.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 
 __all__ = [
@@ -88,7 +88,6 @@ __all__ = [
     "flank_class",
     "flank_tolerances",
     "idler_masses",
-    "iron_factor",
     "lead_allowance",
     "load_cycles",
     "load_distribution",

@@ -9,6 +9,7 @@ import numpy as np
 
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.steels import GearSteel
+from gearwright.parts.material import STEEL_MODULUS
 from gearwright.units import Origin, Quantity
 
 _PART1 = "ISO 6336-1:2019"
@@ -89,7 +90,14 @@ class TransverseLoadFactor:
     """Transverse load factor for the root K_Fα [-]."""
 
 
-def deflection_misalignment(mesh: MeshGeometry, specific_load: Value, shaft: PinionShaft, *, paths: float = 1) -> Value:
+def deflection_misalignment(
+    mesh: MeshGeometry,
+    specific_load: Value,
+    shaft: PinionShaft,
+    *,
+    paths: float = 1,
+    elastic_modulus: float = STEEL_MODULUS,
+) -> Value:
     """Return the misalignment that the pinion and its shaft bend and twist into.
 
     Args:
@@ -97,18 +105,19 @@ def deflection_misalignment(mesh: MeshGeometry, specific_load: Value, shaft: Pin
         specific_load: F_m/b = F_t K_A K_γ K_V / b [N/m].
         shaft: Where the pinion sits.
         paths: Meshes of the pinion, such as planets on a sun [-].
+        elastic_modulus: E of the pinion and its shaft [Pa]; the formula is that of steel.
 
     Returns:
         f_sh [m].
 
     Source: ISO 6336-1:2006, clause 7.5.2.4.1, 0.023 (|B* + K′ l s/d_1² (d_1/d_sh)⁴ − 0.3| + 0.3)(b/d_1)² F_m/b with
         B* = 1 for one mesh and 1 + 2 (k − 1) for k of them.
-    Valid for: solid or nearly solid pinions of steel, bearings that do not tilt.
+    Valid for: solid or nearly solid pinions, bearings that do not tilt.
     """
     first = mesh.pitch_diameters[0]
     lever = shaft.constant * shaft.span * shaft.offset / first**2 * (first / shaft.diameter) ** 4
     shape = np.abs(1.0 + 2.0 * (paths - 1) + lever - 0.3) + 0.3
-    return specific_load * _SHAFT_CONSTANT * shape * (mesh.face_width / first) ** 2
+    return specific_load * _SHAFT_CONSTANT * (STEEL_MODULUS / elastic_modulus) * shape * (mesh.face_width / first) ** 2
 
 
 def lead_allowance(misalignment: Value, steel: GearSteel, speed: Value) -> Value:

@@ -294,7 +294,13 @@ def load_distribution(
         )
     dynamic = replace(dynamic, factor=as_value(np.maximum(dynamic.factor, quality.choices.least_dynamic)))
     with_dynamic = specific * dynamic.factor
-    deflection = deflection_misalignment(mesh, with_dynamic, quality.shaft, paths=duty.meshes_per_turn[0])
+    deflection = deflection_misalignment(
+        mesh,
+        with_dynamic,
+        quality.shaft,
+        paths=duty.meshes_per_turn[0],
+        elastic_modulus=steels[0].elastic_modulus,
+    )
     face = face_load_factor(
         mesh,
         Misalignment(deflection, slope),

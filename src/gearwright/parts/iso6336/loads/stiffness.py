@@ -42,10 +42,10 @@ def mesh_springs(
     Args:
         mesh: The pair.
         specific_load: F_t K_A K_γ / b [N/m]; softens the mesh below 100 N/mm.
-        steels: Of both gears, for E/E_St where one is of cast iron; None: steels.
+        steels: Of both gears, for E/E_St; None: of E_St.
         blank: Gear blank factor C_R [-]; 1 of solid and bored gears.
 
-    Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel.
+    Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel; E = 2 E_1 E_2/(E_1 + E_2).
     Valid for: β ≤ 45°, 1.2 < ε_α < 1.9 (higher is taken as it is), −0.5 ≤ x_1 + x_2 ≤ 2; not checked for arrays.
     """
     first, second = mesh.virtual_teeth
@@ -58,19 +58,6 @@ def mesh_springs(
     light = np.minimum(1.0, (specific_load / LINEAR_LOAD) ** 0.25)
     single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light * blank
     if steels is not None:
-        single = single * iron_factor(steels)
+        single = single * modulus_factor((steels[0].elastic_modulus, steels[1].elastic_modulus))
     mean = single * (0.75 * mesh.transverse_contact_ratio + 0.25)
     return MeshSprings(single, mean, 0.85 * mean)
-
-
-def iron_factor(steels: tuple[GearSteel, GearSteel]) -> float:
-    """Return E/E_St of a pair with a gear of cast iron; 1 of two steels, whose c′ is that of the formula.
-
-    Args:
-        steels: Of both gears.
-
-    Source: ISO 6336-1:2006, clause 9, E = 2 E_1 E_2/(E_1 + E_2).
-    """
-    if not any(steel.treatment.is_cast_iron for steel in steels):
-        return 1.0
-    return modulus_factor((steels[0].elastic_modulus, steels[1].elastic_modulus))

@@ -8,20 +8,18 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Annotated
 
-from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.parts.iso6336.steels.life import endurable_cycles
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.iso6336.steels.life import endurable_cycles, life_factor
 from gearwright.parts.iso6336.steels.strength import LifeCurve
 from gearwright.units import Origin, Quantity
 
 _PART6 = "ISO 6336-6:2019"
-_FACTORS = 0.01, 100.0
-"""Between which factors on all stresses the safety is looked for [-]."""
 STEPS = 12
 """Secants after which the root is looked for by bisection alone [-]."""
 _CLOSE = 1e-11
 """How near to the root secants come, as a part of it [-]."""
 _FARTHEST = 4.0
-"""Natural logarithm of a factor beyond which no secant goes [-]."""
+"""Natural logarithm of a step beyond which no secant goes [-]."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +80,8 @@ def damage_part(cycles: float, factor: float, curve: LifeCurve) -> float:
 def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> Damage:
     """Return Miner's sum of a spectrum and the safety that it leaves.
 
+    The safety lies between that of all cycles under the greatest stress and that of the greatest stress once.
+
     Args:
         bins: The spectrum, at least one bin with cycles and stress.
         reference: Stress limit at a life factor of 1 [Pa].
@@ -91,7 +91,6 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
 
     Raises:
         DesignError: an empty spectrum.
-        SolveError: no factor between 0.01 and 100 brings the sum to 1.
 
     >>> from gearwright.parts.iso6336 import contact_life_curve
     >>> from gearwright.parts.iso6336 import Treatment
@@ -99,16 +98,16 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
     >>> round(spectrum_damage([StressBin(1000e6, 5e7)], 1500e6, curve).safety, 6)
     1.5
     """
-    if not any(level.cycles > 0.0 and level.stress > 0.0 for level in bins):
+    loads = [(level.stress, level.cycles) for level in bins if level.cycles > 0.0 and level.stress > 0.0]
+    if not loads:
         raise DesignError([Problem("spectrum", "no bin has both stress and cycles; give at least one")])
     parts = damage_parts(bins, reference, curve)
 
-    low, high = (sum(damage_parts(bins, reference / factor, curve)) for factor in _FACTORS)
-    if not low <= 1.0 <= high:
-        raise SolveError("spectrum: the stresses are beyond a hundredth or a hundredfold of the strength")
-    loads = [(level.stress, level.cycles) for level in bins if level.stress > 0.0]
-    near = partial(_near, loads, reference, curve)
-    return Damage(parts, sum(parts), _unit_root(lambda factor: _lasts(loads, reference / factor, curve), near))
+    unit = reference / max([stress for stress, _ in loads])
+    low, high = unit * float(life_factor(curve, sum([cycles for _, cycles in loads]))), unit * curve.factors[0]
+    near = partial(_near, loads, reference, curve, low)
+    safety = _unit_root(lambda factor: _lasts(loads, reference / factor, curve), near, low, high)
+    return Damage(parts, sum(parts), safety)
 
 
 def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve) -> bool:
@@ -122,31 +121,30 @@ def _lasts(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCu
     return True
 
 
-def _near(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve) -> float:
-    """Return about the factor at which the sum is 1, by secants in double logarithmic scale; 1 where they fail."""
-    at, value, moved = 0.0, 0.0, 0.0
+def _near(loads: Sequence[tuple[float, float]], reference: float, curve: LifeCurve, start: float) -> float:
+    """Return about the factor at which the sum is 1, by secants in double logarithmic scale; the start if they fail."""
+    at, value, moved = math.log(start), 0.0, 0.0
     slope = max([longer / weaker for _, _, _, longer, weaker in curve.lines], default=1.0)
     for step in range(STEPS):
         factor = math.exp(at)
         total = sum([damage_part(cycles, factor * stress / reference, curve) for stress, cycles in loads])
         if not 0.0 < total < math.inf:
-            return 1.0
+            return start
         before, value = value, math.log(total)
         if step and value != before:
             slope = (value - before) / moved
         moved = -value / slope
-        if abs(value) < _CLOSE or not abs(at + moved) < _FARTHEST:
+        if abs(value) < _CLOSE or not abs(moved) < _FARTHEST:
             return factor
         at += moved
     return factor
 
 
-def _unit_root(lasts: Callable[[float], bool], near: Callable[[], float]) -> float:
-    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit.
+def _unit_root(lasts: Callable[[float], bool], near: Callable[[], float], low: float, high: float) -> float:
+    """Factor at which a growing sum passes 1, between two; bisection, as the sum jumps at the static limit.
 
     Where the sum passes 1 close to `near`, only what lies there is tried, which leaves the root as it is.
     """
-    low, high = _FACTORS
     guess = near()
     holds, fails = guess * (1.0 - _CLOSE), guess * (1.0 + _CLOSE)
     holds, fails = holds if lasts(holds) else low, fails if not lasts(fails) else high

@@ -1,4 +1,9 @@
-"""Life factors Z_NT and Y_NT: the S-N curves of ISO 6336-2 and -3 by group of material, and their inverse."""
+"""Life factors Z_NT and Y_NT: the S-N curves of ISO 6336-2 and -3 by group of material, and their inverse.
+
+One rule for every standard of gears: below the first corner a curve is flat, the static limit; its last line goes on,
+beyond 1e10 cycles too, so that damage and life factor say the same. A load is borne without end only where that line is
+flat, as with a life factor of 1 at 1e10 cycles and in DIN 3990.
+"""
 
 from __future__ import annotations
 
@@ -105,33 +110,35 @@ def life_factor(curve: LifeCurve, cycles: Value) -> Value:
         cycles: N_L [-].
 
     Returns:
-        Life factor [-]; the static value below the first corner, the last one beyond 1e10.
+        Life factor [-]; the static value below the first corner, that of the last line, prolonged, beyond the last.
 
-    Source: ISO 6336-2:2019, clause 11; ISO 6336-3:2019, clause 11.
+    Source: ISO 6336-2:2019, clause 11; ISO 6336-3:2019, clause 11; beyond 1e10 cycles, where their tables end, the
+        slope with which damage is summed (ISO 6336-6:2019, clause 5).
 
     >>> round(float(life_factor(contact_life_curve(Treatment.CASE_HARDENED), 1.08e9)), 3)
     0.91
     """
-    return as_value(np.exp(np.interp(np.log(cycles), np.log(curve.cycles), np.log(curve.factors))))
+    logarithm, ends = np.log(np.maximum(cycles, curve.cycles[0])), np.log(curve.cycles)
+    beyond = np.maximum(logarithm - ends[-1], 0.0)
+    return as_value(np.exp(np.interp(logarithm, ends, np.log(curve.factors)) - curve.fall * beyond))
 
 
 def endurable_cycles(curve: LifeCurve, factor: float) -> float:
-    """Return the cycles that a life factor corresponds to, the inverse of `life_factor`.
+    """Return the most cycles whose life factor is not below one, the inverse of `life_factor`.
 
     Args:
         curve: S-N curve.
         factor: Life factor that the stress asks for [-].
 
     Returns:
-        N [-]; 0 above the static value; the last slope continues beyond 1e10; ∞ where the curve ends flat and the
-        stress lies below it.
+        N [-]; 0 above the static value; ∞ where the curve ends flat and the stress is not above its end.
 
     Source: ISO 6336-6:2019, clause 5.
     """
     if factor > curve.factors[0]:
         return 0.0
     for start, greatest, least, longer, weaker in curve.lines:
-        if factor >= least:
+        if factor > least:
             exponent = longer * math.log(greatest / factor) / weaker
             return start * math.exp(exponent) if exponent < ENDLESS else math.inf
     return math.inf

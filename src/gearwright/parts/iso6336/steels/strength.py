@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.material import STEEL_DENSITY, STEEL_MODULUS, STEEL_POISSON
 from gearwright.units import Origin, Quantity
 
 STRESS_CORRECTION_TEST_GEAR = 2.0
@@ -84,23 +85,28 @@ class StrengthLine:
 
 @dataclass(frozen=True)
 class LifeCurve:
-    """An S-N curve: straight lines in double logarithmic scale between corners."""
+    """An S-N curve: straight lines in double logarithmic scale between corners, the last of which goes on."""
 
     cycles: tuple[float, ...]
     """Corners N_L [-], increasing."""
     factors: tuple[float, ...]
-    """Life factors there [-], decreasing."""
+    """Life factors there [-], decreasing; the last two alike where what lies below them is borne without end."""
 
     @cached_property
     def lines(self) -> tuple[tuple[float, float, float, float, float], ...]:
-        """Of every falling line N and its life factor at the start, the least factor for which it holds, ln N_2/N_1
-        and ln f_1/f_2 [-]; the last line goes on."""
+        """Of every falling line N and its life factor at the start, the factor at its end, above which it holds,
+        ln N_2/N_1 and ln f_1/f_2 [-]; the last line of the curve goes on."""
         ends = pairwise(zip(self.cycles, self.factors, strict=True))
         return tuple(
             (n_1, f_1, -math.inf if n_2 == self.cycles[-1] else f_2, math.log(n_2 / n_1), math.log(f_1 / f_2))
             for (n_1, f_1), (n_2, f_2) in ends
             if f_1 > f_2
         )
+
+    @cached_property
+    def fall(self) -> float:
+        """Part ln f_1/f_2 over ln N_2/N_1 by which the last line falls, within its corners and beyond [-]."""
+        return math.log(self.factors[-2] / self.factors[-1]) / math.log(self.cycles[-1] / self.cycles[-2])
 
     @property
     def slope(self) -> float:
@@ -128,11 +134,11 @@ class GearSteel:
     """Allowable stress number for contact σ_Hlim [Pa]."""
     bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim", "as stated, or ISO 6336-5:2016, table 1")]
     """Nominal stress number for bending σ_Flim of the standard reference test gears [Pa]."""
-    elastic_modulus: Annotated[float, Quantity("stress")] = 206e9
+    elastic_modulus: Annotated[float, Quantity("stress")] = STEEL_MODULUS
     """E [Pa]."""
-    poisson_ratio: Annotated[float, Quantity("ratio")] = 0.3
+    poisson_ratio: Annotated[float, Quantity("ratio")] = STEEL_POISSON
     """ν [-]."""
-    density: Annotated[float, Quantity("density")] = 7830.0
+    density: Annotated[float, Quantity("density")] = STEEL_DENSITY
     """ρ [kg/m³]."""
     yield_strength: Annotated[float | None, Quantity("stress")] = None
     """σ_S or R_p0.2 [Pa]; needed for the notch sensitivity of through-hardened steels only."""

@@ -40,7 +40,7 @@ def hard_teeth(sizing: Sizing, gear: GearSizing) -> Hard | None:
     if steel is not None:
         known = {Treatment.CASE_HARDENED: CASE_HARDENED, Treatment.NITRIDED: NITRIDED}
         return Hard(known[steel.treatment], steel.hardness) if steel.treatment in known else None
-    material = sizing.design.material(sizing.design.rules(gear.stage).material)
+    material = sizing.design.gear_material(gear.stage)
     if material.steel not in (CASE_HARDENED, NITRIDED) or not material.hardness:
         return None
     return Hard(material.steel, material.hardness)

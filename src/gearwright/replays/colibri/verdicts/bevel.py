@@ -81,7 +81,7 @@ def bevel_safeties(module: float | None = None) -> tuple[float, float]:
     virtual, steps = VirtualPair(bevel_pair(module)), executed()
     steel = gear_steel("case-hardened-core-30", "MQ", _HARDNESS)
     duty = BevelDuty(steps["bevel-pinion.torque"].value, steps["bevel-pinion.speed"].value, _PITCH_DEVIATION)
-    loads, _ = bevel_load_factors(virtual, duty)
+    loads, _ = bevel_load_factors(virtual, duty, (steel, steel))
     flanks = bevel_pitting(virtual, (steel, steel), duty, loads=loads, lives=(1.0, 1.0))
     roots = [bevel_bending(virtual, gear, steel, duty=duty, loads=loads, life=1.0).safety for gear in (0, 1)]
     return min(flanks.safeties), min(roots)

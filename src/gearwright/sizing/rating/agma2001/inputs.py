@@ -21,7 +21,6 @@ from gearwright.parts.agma2001 import (
     AgmaMaking,
     AgmaSteel,
     AgmaWheel,
-    CycleCurve,
     Hardnesses,
     HobbedPair,
     agma_strength,
@@ -29,6 +28,7 @@ from gearwright.parts.agma2001 import (
     rim_factor_agma,
 )
 from gearwright.parts.gears import ISO53_A
+from gearwright.parts.iso6336 import LifeCurve
 from gearwright.sizing.rating.rims import RIMMED
 from gearwright.sizing.rating.rules import Ask, Rating
 
@@ -131,7 +131,7 @@ def _rim(rating: Rating, role: Role) -> float:
     return 1.0 if ratio is None or role not in RIMMED else float(np.asarray(rim_factor_agma(ratio)))
 
 
-def _bending_curve(steel: AgmaSteel, hardness: float) -> CycleCurve:
+def _bending_curve(steel: AgmaSteel, hardness: float) -> LifeCurve:
     if steel is AgmaSteel.CARBURISED:
         return BENDING_CARBURISED
     if steel is AgmaSteel.NITRIDED_4140:

@@ -16,11 +16,10 @@ from gearwright.parts.agma2001 import (
     AgmaMaking,
     AgmaPairRating,
     greatest_velocity,
-    miner_parts,
     rate_agma,
-    spectrum_safety,
 )
 from gearwright.parts.gears import Numbers
+from gearwright.parts.iso6336 import StressBin, damage_part, spectrum_damage
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, making_of
 from gearwright.sizing.rating.agma2001.record import Agma2001Rating
 from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_checks
@@ -112,17 +111,17 @@ class Agma2001:
         for gear, relative in enumerate((1.0, first / second)):
             cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
             modes = zip((True, False), making.curves_of(gear), strict=True)
-            both.append(
-                ClassDamage(
-                    *(miner_parts(curve, _over(rated, gear, contact=mode).tolist(), cycles) for mode, curve in modes)
-                )
-            )
+            both.append(ClassDamage(*(
+                [damage_part(turns, ratio, curve)
+                 for turns, ratio in zip(cycles, _over(rated, gear, contact=mode).tolist(), strict=True)]
+                for mode, curve in modes
+            )))  # fmt: skip
         return both[0], both[1]
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return 1/e of the stress cycle factor below its corner [-]."""
         making = making_of(rating)
-        return 1.0 / (making.contact_curve if mode == "pitting" else making.bending_curve).low[1]
+        return (making.contact_curve if mode == "pitting" else making.bending_curve).slope
 
     def checks(self, rated: Agma2001Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears, and whether the curve of K_v holds at this velocity."""
@@ -172,8 +171,8 @@ def _safety(every: Sequence[AgmaPairRating], gear: int, making: AgmaMaking, *, c
         one = every[0].gears[gear]
         return float(one.contact_safety if contact else one.bending_safety)
     curve = making.curves_of(gear)[0 if contact else 1]
-    ratios = [float(_over(rated, gear, contact=contact)) for rated in every]
-    return spectrum_safety(curve, ratios, [float(rated.cycles[gear]) for rated in every])
+    bins = [StressBin(float(_over(rated, gear, contact=contact)), float(rated.cycles[gear])) for rated in every]
+    return spectrum_damage(bins, 1.0, curve).safety
 
 
 def _both(values: Sequence[float]) -> tuple[float, float]:

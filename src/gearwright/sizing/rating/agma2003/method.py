@@ -12,10 +12,8 @@ from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId
-from gearwright.parts.agma2001 import CycleCurve, greatest_velocity, miner_parts, spectrum_safety
+from gearwright.parts.agma2001 import greatest_velocity
 from gearwright.parts.agma2003 import (
-    BENDING,
-    BENDING_CRITICAL,
     CONTACT,
     AgmaBevelMaking,
     AgmaBevelRating,
@@ -25,6 +23,7 @@ from gearwright.parts.agma2003 import (
 )
 from gearwright.parts.bevel import WIDEST_MODULES
 from gearwright.parts.gears import Numbers
+from gearwright.parts.iso6336 import StressBin, damage_part, spectrum_damage
 from gearwright.sizing.rating.agma2003.inputs import duty_of, making_of
 from gearwright.sizing.rating.agma2003.limits import limited
 from gearwright.sizing.rating.agma2003.record import Agma2003Rating
@@ -139,16 +138,17 @@ class Agma2003:
         both = []
         for gear, relative in enumerate((1.0, first / second)):
             cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
-            modes = ((True, CONTACT), (False, _bending_curve(making)))
-            both.append(
-                ClassDamage(*(miner_parts(curve, [_over(one, gear, contact=mode) for one in every], cycles)
-                         for mode, curve in modes))
-            )  # fmt: skip
+            modes = ((True, CONTACT), (False, making.bending_curve))
+            both.append(ClassDamage(*(
+                [damage_part(turns, _over(one, gear, contact=mode), curve)
+                 for one, turns in zip(every, cycles, strict=True)]
+                for mode, curve in modes
+            )))  # fmt: skip
         return both[0], both[1]
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return 1/e of the stress cycle factor below its corner [-]."""
-        return 1.0 / (CONTACT if mode == "pitting" else _bending_curve(making_of(rating))).low[1]
+        return (CONTACT if mode == "pitting" else making_of(rating).bending_curve).slope
 
     def checks(self, rated: Agma2003Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears, and whether the curve of K_v holds at this velocity."""
@@ -177,10 +177,6 @@ def _rated(rating: Rating, load: Load, making: AgmaBevelMaking, module: float, f
     return rate_agma_bevel(pair, duty, making)
 
 
-def _bending_curve(making: AgmaBevelMaking) -> CycleCurve:
-    return BENDING_CRITICAL if making.is_critical else BENDING
-
-
 def _over(rated: AgmaBevelRating, gear: int, *, contact: bool) -> float:
     """Return the stress of one gear over its limit at a stress cycle factor of 1 [-]."""
     one, mesh = rated.gears[gear], rated.mesh
@@ -193,6 +189,6 @@ def _safety(every: Sequence[AgmaBevelRating], gear: int, making: AgmaBevelMaking
     if len(every) == 1:
         one = every[0].gears[gear]
         return one.contact_safety if contact else one.bending_safety
-    curve = CONTACT if contact else _bending_curve(making)
-    ratios = [_over(rated, gear, contact=contact) for rated in every]
-    return spectrum_safety(curve, ratios, [rated.mesh.cycles[gear] for rated in every])
+    curve = CONTACT if contact else making.bending_curve
+    bins = [StressBin(_over(rated, gear, contact=contact), rated.mesh.cycles[gear]) for rated in every]
+    return spectrum_damage(bins, 1.0, curve).safety

@@ -40,7 +40,6 @@ def bevel_duty(rating: Rating, pair: BevelPair, torque: float, speed: float) -> 
         application_factor=rating.service.application_factor,
         mounting=_MOUNTING[rules.mounting],
         cutter_radius=math.inf if rating.rules.cutter_radius is None else rating.rules.cutter_radius,
-        density=rating.material.density,
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 from gearwright.parts.bevel import BevelRating
 from gearwright.parts.iso6336 import GearSteel, life_curves
 from gearwright.sizing.rating.factors import Factor
+from gearwright.sizing.rating.iso6336.limits import life_limits
 
 _WORN, _SOFT = 1200e6, 850e6
 """σ_Hlim between which the film's constants run [Pa] (ISO 10300-2:2023, 8.2.3)."""
@@ -43,8 +44,13 @@ def limited(rows: Iterable[Factor], rated: BevelRating, steel: GearSteel) -> Ite
 def _own_limits(rated: BevelRating, steel: GearSteel) -> dict[tuple[str, str], _Bounds]:
     """Return the limits that depend on the steel and the load."""
     limits: dict[tuple[str, str], _Bounds] = {}
-    for name, curve in zip(("contact life", "root life"), life_curves(steel), strict=True):
-        limits["mesh", name] = ((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles"))
+    lives = (rated.contact_life, rated.root_life)
+    for name, curve, factors in zip(("contact life", "root life"), life_curves(steel), lives, strict=True):
+        limits["mesh", name] = tuple(
+            bound
+            for cycles, factor in zip(rated.cycles, factors, strict=True)
+            for bound in life_limits(curve, cycles, factor)
+        )
     if not _SOFT < steel.contact_strength < _WORN:
         end = "σ_Hlim counts as 1200" if steel.contact_strength >= _WORN else "σ_Hlim counts as 850"
         limits["pitting", "film"] = ((rated.pitting.film[0], end),)

@@ -10,6 +10,7 @@ from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelRating, virtual_mesh
 from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integral_temperature
+from gearwright.sizing.rating.iso6336.inputs import steel_of
 from gearwright.sizing.rating.iso6336.scuffing import FlashPeak, flash_peak, oil_of
 from gearwright.sizing.rating.iso10300.inputs import USUAL_CLASS
 from gearwright.sizing.rating.rules import Rating
@@ -40,7 +41,7 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         w_Bt = K_A K_V K_Hβ K_Hα F_mt/(0.85 b); the flash temperature on the same gears, by ISO/TS 6336-20, is no
         document's: ISO/TS 10300-20 was not at hand.
     """
-    rules, geometry = rating.rules.iso6336, virtual_mesh(factors.virtual)
+    rules, steel, geometry = rating.rules.iso6336, steel_of(rating), virtual_mesh(factors.virtual)
     force = factors.tangential_force / float(geometry.face_width)
     scuffed = ScuffingMesh(
         geometry,
@@ -49,8 +50,8 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         speed=factors.speed,
         roughness=rules.flank_roughness / RZ_OVER_RA,
         grade=rules.tolerance_class or USUAL_CLASS,
-        elastic_modulus=rating.material.elastic_modulus,
-        poisson_ratio=rating.material.poisson_ratio,
+        elastic_modulus=steel.elastic_modulus,
+        poisson_ratio=steel.poisson_ratio,
     )
     oil = oil_of(rules)
     around = min(float(ratio) for ratio in geometry.addendum_contact_ratios) > 0.0

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from gearwright.parts.iso6336 import PairRating, Steels, life_curves
+from gearwright.parts.iso6336 import LifeCurve, PairRating, Steels, life_curves
 from gearwright.sizing.rating.factors import Factor
 
 _WORN, _SOFT = 1200e6, 850e6
@@ -43,13 +43,31 @@ def limited(rows: Iterable[Factor], rated: PairRating, steels: Steels) -> Iterat
         yield replace(row, limit=", ".join(words))
 
 
+def life_limits(curve: LifeCurve, cycles: float, factor: float) -> Iterator[tuple[float, str]]:
+    """Yield life factors at which an S-N curve ends, and which end each is.
+
+    Args:
+        curve: Of a flank or a root.
+        cycles: That it bears [-].
+        factor: Its life factor there [-].
+    """
+    yield curve.factors[0], "greatest: static"
+    if curve.fall == 0.0:
+        yield curve.factors[-1], "least: borne without end"
+    elif cycles > curve.cycles[-1]:
+        yield factor, "beyond 1e10 cycles"
+
+
 def _own_limits(rated: PairRating, steels: Steels) -> dict[tuple[str, str], tuple[tuple[float, str], ...]]:
     """Return the limits that depend on the steel."""
     limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {}
     for mode, chapter in enumerate(("strength of flanks", "strength of roots")):
-        curves = [life_curves(steel)[mode] for steel in steels]
-        ends = [((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles")) for curve in curves]
-        limits[chapter, "life"] = (*ends[0], *ends[1])
+        both = rated.root_strength if mode else rated.contact_strength
+        limits[chapter, "life"] = tuple(
+            bound
+            for steel, life, cycles in zip(steels, [strength.life for strength in both], rated.cycles, strict=True)
+            for bound in life_limits(life_curves(steel)[mode], float(cycles), float(life))
+        )
     softer = min(steel.contact_strength for steel in steels)
     if not _SOFT < softer < _WORN:
         end = "σ_Hlim counts as 1200" if softer >= _WORN else "σ_Hlim counts as 850"

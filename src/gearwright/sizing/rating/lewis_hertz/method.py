@@ -63,7 +63,14 @@ class LewisHertz:
         curvature = 2.0 / diameters[0] + (-2.0 if ask.internal else 2.0) / diameters[1]
         angles = strength.working_angles(rating, ask, stretch=diameters[0] / (mesh.module * first))
         contact = float(
-            contact_stress(force, width, curvature, angles=angles, elastic_modulus=rating.material.elastic_modulus)
+            contact_stress(
+                force,
+                width,
+                curvature,
+                angles=angles,
+                elastic_modulus=rating.material.elastic_modulus,
+                poisson_ratio=rating.material.poisson_ratio,
+            )
         )
         bending_allowed = strength.bending_allowable(rating, idler=any(ask.idlers))
         contact_allowed = strength.contact_allowable(rating)

@@ -127,6 +127,7 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Floats, Floats]:
         ask.width_ratio,
         allowable=contact_allowable(rating),
         elastic_modulus=rating.material.elastic_modulus,
+        poisson_ratio=rating.material.poisson_ratio,
         angles=angles_of(rating),
         helix_angle=rating.helix_angle,
     )

@@ -11,7 +11,7 @@ from gearwright.units import Density, Ratio, Stress
 
 
 class LifeLineRules(Record):
-    """An S-N line: straight in double logarithmic scale up to its knee, then to the factor at 1e10 cycles."""
+    """An S-N line: straight in double logarithmic scale up to its knee, then to the factor at 1e10 cycles and on."""
 
     knee_cycles: float = Field(ge=1e4, le=5e9, description="Cycles at which the strength is what the material states")
     exponent: Ratio = Field(ge=2, le=100, description="p of N ~ σ^(−p) below the knee")
@@ -19,7 +19,10 @@ class LifeLineRules(Record):
         None, gt=1, le=5, description="Largest stress over the strength, for few cycles; left out: of the class"
     )
     factor_at_1e10: Ratio | None = Field(
-        None, ge=0.5, le=1, description="Stress over the strength at 1e10 cycles; left out: 0.85"
+        None,
+        ge=0.5,
+        le=1,
+        description="Stress over the strength at 1e10 cycles; beyond, the line goes on; left out: 0.85",
     )
 
 

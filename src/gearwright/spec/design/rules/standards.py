@@ -81,7 +81,11 @@ class Iso6336Rules(Record):
         False, description="A little pitting may be left on flanks that are not nitrided: Z_NT by the upper curve"
     )
     life_factor_1e10: Ratio = Field(
-        0.85, ge=0.85, le=1, description="Z_NT and Y_NT at 1e10 cycles; 1 asks for the best quality and experience"
+        0.85,
+        ge=0.85,
+        le=1,
+        description="Z_NT and Y_NT at 1e10 cycles; beyond, the line goes on; 1, a flat line that bears loads without"
+        " end, asks for the best quality and experience",
     )
     tolerance_class: int | None = Field(
         None,
