@@ -205,8 +205,8 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
         static_safety=rules.static_safety,
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
-    largest = bore_around(kind, seat.bore) if seat.holds_shaft else math.inf
-    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_bore=largest, largest_outer=seat.room)
+    widest = bore_around(kind, seat.bore) if seat.holds_shaft else math.inf
+    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_bore=widest, largest_outer=seat.room)
     most = highest_speed_factor(kind, flight.sizing.design)
 
     def too_fast(size: Bearing) -> bool:

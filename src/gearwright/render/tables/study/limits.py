@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gearwright.ranking import largest, largest_first
-from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study, value_at
 from gearwright.study.answers import Limit
