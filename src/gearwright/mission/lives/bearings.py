@@ -29,7 +29,7 @@ from gearwright.parts.bearings import (
     reliability_factor,
     speed_factor,
 )
-from gearwright.ranking import largest_first, place_of_largest
+from gearwright.ranking import largest, largest_first, place_of_largest
 from gearwright.sizing.bearings import Fitted, Seat, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
