@@ -90,11 +90,13 @@ def test_a_load_spectrum_is_summed_by_miner():
     cases = "[service]\nlife_h = 1000\n"
     low = "[cases.low]\nshare = 0.5\ndrive.power_kw = 120\n[cases.rated]\nshare = 0.5\ndrive.rating = 1\n"
     whole = size(parse(PAIR + cases))
-    shared = size(parse(PAIR + cases + low + "[overrides]\n" + fixed(whole)))
-    alone = size(parse(PAIR + cases + "[overrides]\n" + fixed(whole)))
+    teeth = {f"pairs.only.{gear}_teeth": whole.teeth[f"only.{gear}"] for gear in ("pinion", "wheel")}
+    alone = size(edited(parse(PAIR + cases + "[overrides]\n" + fixed(whole)), teeth))
+    shared = size(edited(parse(PAIR + cases + low + "[overrides]\n" + fixed(whole)), teeth))
+    assert mesh(shared, "only").rating.made == mesh(alone, "only").rating.made
     assert mesh(shared, "only").rating.pitting[0] > mesh(alone, "only").rating.pitting[0]
     factors = mesh(alone, "only").rating.factors
-    half = size(parse(PAIR + cases.replace("1000", "500") + "[overrides]\n" + fixed(whole)))
+    half = size(edited(alone.design, {"service.life_h": 500}))
     stress, endurance = factors.pitting.stresses[0], factors.pitting.permissible[0] / factors.contact_strength[0].life
     curve = contact_life_curve(Treatment.CASE_HARDENED)
     only_half = spectrum_damage(

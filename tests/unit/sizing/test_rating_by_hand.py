@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from designs import PAIR
+from gearwright.identity import Role
 from gearwright.parts.iso6336 import damage_part
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
@@ -71,19 +72,20 @@ def test_an_ask_is_of_two_external_gears_loaded_on_one_flank():
 
 @pytest.mark.parametrize("name", ["in-line-h2", "off-set", "star"])
 def test_a_tooth_meets_as_many_mates_in_a_turn_as_pass_it(name):
-    """Of a sun and a ring every planet, of a planet one of each, of a pinion between two wheels both."""
+    """Of a sun and a ring every planet, of a planet one of each, of the single gear of a pair all on the other side."""
     sizing = size(read(shipped_design(name)))
     loads = {row: [mesh.torques[0]] for row, mesh in sizing.flows["rated"].meshes.items()}
     for mesh in sizing.train.meshes:
-        ask = row_ask(sizing.train, sizing.teeth, mesh, loads)
+        ask = row_ask(sizing.train, sizing.teeth, mesh, loads, sizing.design)
         stage = sizing.design.stages[mesh.stage]
         planets = getattr(stage, "planets", 0)
+        mates = () if planets else (len(stage.named(Role.WHEEL)), len(stage.named(Role.PINION)))
         for gear, idler, passes in zip(mesh.gears, ask.idlers, ask.passes, strict=True):
             assert idler == gear.endswith(".planet")
             if planets:
                 assert passes == (1.0 if idler else planets)
             else:
-                assert passes == 1.0
+                assert passes == mates[mesh.gears.index(gear)]
         assert ask.internal == any(gear.endswith(".ring") for gear in mesh.gears)
         assert ask.teeth == tuple(sizing.teeth[gear] for gear in mesh.gears)
 
@@ -109,8 +111,11 @@ def test_quality_and_duty_are_what_the_design_says():
     assert quality.mean_stresses == (1.0, 0.7) and quality.grade == rules.tolerance_class
     assert quality.viscosity == pytest.approx(1e-6 * rules.oil_viscosity)
     assert (quality.flank_roughness, quality.root_roughness) == (rules.flank_roughness, rules.root_roughness)
-    loaded = replace(rating, rules=rating.rules.model_copy(update={"mesh_load_factor": 1.25}))
-    duty = duty_of(loaded, 100.0, 50.0, life=7.0, passes=(2.0, 1.0))
+    ask = Ask(0.0, (20, 60), 10.0, passes=(2.0, 1.0), relieved=3.0, fastest=70.0)
+    duty = duty_of(replace(rating, load_factor=1.25), 100.0, 50.0, life=7.0, ask=ask)
+    assert (float(duty.relief_torque), float(duty.fastest)) == (pytest.approx(3.0 * 20 / 1.25), 70.0)
+    bare = duty_of(rating, 100.0, 50.0, life=7.0, ask=Ask(0.0, (20, 60), 10.0))
+    assert (bare.relief_torque, bare.fastest) == (None, None)
     assert float(duty.pinion_torque) == pytest.approx(80.0) and duty.mesh_load_factor == 1.25
     assert (float(duty.pinion_speed), float(duty.life), duty.meshes_per_turn) == (50.0, 7.0, (2.0, 1.0))
     assert duty.application_factor == rating.service.application_factor
@@ -118,7 +123,7 @@ def test_quality_and_duty_are_what_the_design_says():
 
 def test_tip_relief_takes_its_part_of_the_deflection_out_of_the_dynamic_factor_and_cools_the_flank():
     """By hand: B_k = |1 − c′ C_a b/(F_t K_A K_γ)| with c′ near 14 N/(mm µm); X_Ca of ISO/TS 6336-21 grows with C_a."""
-    told = {"gears.rating": "iso6336", "gears.iso6336.tolerance_class": 6}
+    told = {"gears.rating": "iso6336", "gears.iso6336.tolerance_class": 5}
     told |= {"pairs.first.module_mm": 4.0, "pairs.first.face_width_mm": 50.0}
     plain, half, relieved = (
         size(edited(OFF_SET, told | {"gears.iso6336.tip_relief_um": relief})).meshes[0].rating

@@ -39,10 +39,10 @@ def test_a_ring_is_as_hot_as_its_mesh_by_hand(stage):
         force * factors.loads.application * factors.loads.mesh_load,
         factors.speed,
         rules.flank_roughness / 6.0,
-        grade=rules.tolerance_class,
+        grade=int(factors.grade),
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,
-        reliefs=(rules.tip_relief, rules.tip_relief),
+        reliefs=(factors.relief.amount, factors.relief.amount),
     )
     oil = oil_of(SIZED.design.rules(stage).iso6336)
     assert rated.flash.safety == pytest.approx(flash_temperature(by_hand, oil).safety, rel=1e-12)

@@ -241,14 +241,19 @@ def test_contact_angles_are_normal_or_transverse_as_asked(transverse):
 
 def test_a_row_is_asked_without_load_and_of_width_one():
     rows = (("a", Role.SUN, 1), ("b", Role.PLANET, 3))
-    gears = {name: SimpleNamespace(name=name, role=role, bodies=bodies) for name, role, bodies in rows}
-    mesh = SimpleNamespace(name="m", gears=("a", "b"), sign=-1, count=3)
+    gears = {name: SimpleNamespace(name=name, role=role, bodies=bodies, stage="s") for name, role, bodies in rows}
+    one = {"name": "m", "stage": "s", "gears": ("a", "b"), "nodes": ("x", "y", "ground"), "sized": "s", "row": "row"}
+    mesh = SimpleNamespace(**one, sign=-1, count=3)
+    bored = SimpleNamespace(stages={"s": SimpleNamespace(sun_bore=12e-3, planet_bore=None)})
     train = SimpleNamespace(meshes=[mesh], gear=gears.__getitem__)
-    found = row_ask(train, {"a": 20, "b": 31}, mesh, {"m": [5.0]})  # type: ignore[arg-type]
+    found = row_ask(train, {"a": 20, "b": 31}, mesh, {"m": [5.0]}, bored)  # type: ignore[arg-type]
     assert (found.per_tooth, found.teeth, found.width_ratio, found.internal) == (0.0, (20, 31), 1.0, False)
     assert (found.passes, found.roles, found.idlers) == ((3.0, 1.0), (Role.SUN, Role.PLANET), (False, False))
-    fewer = SimpleNamespace(name="m", gears=("a", "b"), sign=1, count=1)
-    assert row_ask(train, {"a": 20, "b": 31}, fewer, {"m": [5.0]}).passes == (1.0, 1.0)  # type: ignore[arg-type]
+    assert (found.bores, found.held, found.beyond, found.made) == ((12e-3, None), (False, False), (None, None), None)
+    standing = SimpleNamespace(**one | {"nodes": ("x", "ground", "y")}, sign=1, count=1)
+    train = SimpleNamespace(meshes=[standing], gear=gears.__getitem__)
+    found = row_ask(train, {"a": 20, "b": 31}, standing, {"m": [5.0]}, bored)  # type: ignore[arg-type]
+    assert (found.passes, found.held) == ((1.0, 1.0), (False, True))
 
 
 def test_tips_that_interfere_do_not_roll():

@@ -103,7 +103,9 @@ def test_every_row_of_a_rating_stands_in_its_chapter(method):
 def test_how_gears_are_made_is_said_in_the_words_of_each_method():
     iso = rating("iso6336").rules.iso6336
     made = Iso6336().making(rating("iso6336"))
-    assert made.accuracy == f"{iso.tolerance_class} ISO 1328-1" and made.iso_class == iso.tolerance_class
+    assert iso.tolerance_class is None and (made.accuracy, made.iso_class) == ("by speed, ISO 1328-1", None)
+    told = Iso6336().making(rating("iso6336", iso6336={"tolerance_class": 7}))
+    assert (told.accuracy, told.iso_class) == ("7 ISO 1328-1", 7)
     assert made.roughness == (iso.flank_roughness, iso.root_roughness)
     assert made.steel[0] == "ISO 6336-5" and made.iso_steel == steel_of(rating("iso6336"))
     bevel = Iso10300().making(rating("iso10300"))
