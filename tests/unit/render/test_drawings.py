@@ -477,10 +477,10 @@ def test_a_first_sizing_has_no_datums_and_a_bored_gear_has_its_bore():
 
 
 def test_a_spline_stands_with_its_data():
-    """DIN 5480 - W 77 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.2 m, x = (d_B − m z − 1.1 m)/(2 m)."""
+    """DIN 5480 - W 78 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.3 m hobbed, x = (d_B − m z − 1.1 m)/(2 m)."""
     sheet = sheets(sized("ec120b"), ["shaft-mast"])[0]
     rows = table(sheet)
-    assert {"76.4", "70.5"} & {rows["Tip diameter"]} and {"70.4", "65.5"} & {rows["Root diameter, hobbed"]}
+    assert (rows["Tip diameter"], rows["Root diameter, hobbed"]) == ("77.4", "71.1")
 
 
 def test_a_file_is_the_same_each_time(drawings):
@@ -568,11 +568,11 @@ def test_shoulders_teeth_and_splines_run_out_against_the_axis_of_both_seats():
 
 
 def test_a_spline_that_a_hob_cannot_leave_is_to_be_shaped():
-    """1.5 mm from W 77 x 3 to the collar; a hob of Ø60 leaves teeth 3 mm deep over √(3 · 57) = 13.1 mm."""
+    """2 mm from W 78 x 3 to the collar; a hob of Ø60 leaves teeth 3.15 mm deep over √(3.15 · 56.85) = 13.4 mm."""
     said = {name: " ".join(words.text for words in words_of(sheets(sized("ec120b"), [name])[0]))
             for name in ("shaft-mast", "shaft-intermediate")}  # fmt: skip
-    assert "DIN 5480 - W 77 x 3 x 24: shaped, as 1.5 mm lie before the next shoulder" in said["shaft-mast"]
-    assert "runs out over 13.1 mm" in said["shaft-mast"] and "shaped" not in said["shaft-intermediate"]
+    assert "DIN 5480 - W 78 x 3 x 24: shaped, as 2 mm lie before the next shoulder" in said["shaft-mast"]
+    assert "runs out over 13.4 mm" in said["shaft-mast"] and "shaped" not in said["shaft-intermediate"]
     (teeth,) = shaft_body(sized("ec120b"), "intermediate").splines
     assert hob_room(shaft_body(sized("ec120b"), "intermediate"), teeth) == pytest.approx(151.0 - 110.5)
 

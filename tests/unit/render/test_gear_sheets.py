@@ -59,7 +59,7 @@ def test_a_bevel_gear_says_how_long_its_contact_is_rated_and_names_its_spline():
     """0.85 b of ISO 10300-1: 49.3 of 58 mm."""
     _, _, said = shown("ec120b", "bevel.wheel")
     assert said[said.index("Contact pattern at full load, as rated") + 2] == "49.3 long"
-    assert "DIN 5480 - N 77 x 3 x 24" in said
+    assert "DIN 5480 - N 78 x 3 x 24" in said
 
 
 def test_a_ring_shows_its_edges_behind_the_section():

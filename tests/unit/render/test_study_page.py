@@ -121,7 +121,7 @@ def test_designs_at_equal_inputs_are_a_trade_objective_by_objective() -> None:
     study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + OBJECTIVES)
     panels = figure_of(study, table).axes
     assert [panel.title for panel in panels] == [
-        "train as sized [kg]\nlower is better",
+        "train as sized\n[kg]\nlower is better",
         "motors [kg]\nhigher is better",
     ]
     assert set(panels[0].y.names) == {"in-line-h1", "in-line-h2"}
