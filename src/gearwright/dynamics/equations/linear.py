@@ -74,6 +74,8 @@ class DampedModes(NamedTuple):
 
 ROUNDING = 1e-13
 """Rate over the fastest one below which a rate is the rounding of a motion that does not oscillate [-]."""
+STILL = 1e-8
+"""Rate over the slowest natural one below which a motion is rigid, and oscillates by rounding alone [-]."""
 FELT = 1e-12
 """Force over the sum of its terms without signs above which it is none of their rounding [-]."""
 
@@ -106,7 +108,10 @@ def damped_modes(arrays: Arrays, factor: float = 1.0) -> DampedModes:
     matrix[places:, :places] -= shapes.T @ (_turned_stiffness(arrays, factor) @ positions)
     matrix[places:, places:] = -_modal_damping(arrays, factor, found, shapes)
     values, vectors = np.linalg.eig(matrix)
-    chosen = np.flatnonzero(values.imag > ROUNDING * np.max(np.abs(values), initial=0.0))
+    # A rigid motion that only rounding holds splits into a pair far below the slowest stretch of a line.
+    slowest = float(np.min(found.rate)) if len(found.rate) else 0.0
+    least = max(ROUNDING * float(np.max(np.abs(values), initial=0.0)), STILL * slowest)
+    chosen = np.flatnonzero(values.imag > least)
     chosen = chosen[np.argsort(np.abs(values[chosen]))]
     moved = vectors[places:, chosen] / values[chosen]
     return DampedModes(values[chosen], shapes @ (moved / np.linalg.norm(moved, axis=0)))
