@@ -16,7 +16,7 @@ POOR = changed(WOLFROM, "mesh_efficiency = 0.99", "mesh_efficiency = 0.97")
 DRIVEN = """
 [cases.rated]
 motor = { balances = true, speed_rpm = 3240 }
-flap = { power_kw = 0.1 }
+flap = { power_kw = 0.1, drives = true }
 """
 
 
