@@ -66,6 +66,12 @@ def middle_of(shape):
     return np.array([middle.X(), middle.Y(), middle.Z()]) / 1e3
 
 
+def place_of(shape):
+    """Return where the origin of a solid's own axes stands [m]."""
+    moved = shape.Location().Transformation().TranslationPart()
+    return np.array([moved.X(), moved.Y(), moved.Z()]) / 1e3
+
+
 def closed_solids(shape):
     """Return how many solids a valid shape has; all their shells are closed."""
     from OCP.BRep import BRep_Tool

@@ -10,9 +10,10 @@ import gearwright as gw
 from gearwright.checks import Status
 from gearwright.identity import Role
 from gearwright.reviews import review_of
+from gearwright.shipped import shipped_design
 from gearwright.sizing.mounted import ShaftStep
 from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
-from gearwright.sizing.shafts.holding.retention import Seated, _retention, _seated
+from gearwright.sizing.shafts.holding.retention import Seated, _retention, _seated, ends
 from gearwright.spec.design import LOCATES
 from shipped_work import ball_bearings_of_the_tail, sized
 
@@ -195,3 +196,14 @@ def test_what_pulls_at_bearings_and_gears_by_hand():
     sizing.design.pairs["stage"].kind = "bevel"
     crossed = {part.name: part for part in _seated(sizing, SimpleNamespace(name="shaft"))}
     assert crossed["stage.wheel"].pulls == (1200.0, 1200.0)
+
+
+def test_a_pinion_that_hangs_over_the_end_of_its_shaft_is_told_and_not_a_crash():
+    """In the middle of the shaft's end, half of it beyond: its end sits on the last step, and room is what fails."""
+    text = shipped_design("ec120b-as-reported").read_text(encoding="utf-8")
+    moved = text.replace('"helical.pinion".position_mm = 115', '"helical.pinion".position_mm = 0')
+    assert moved != text
+    sizing = gw.size(gw.parse(moved))
+    (first,) = [held for held in ends(sizing) if (held.shaft, held.way) == ("input", -1)]
+    assert (first.outermost, first.diameter) == ("helical.pinion", 0.032) and first.place < 0.0
+    assert any(check.part.name == "input" and check.mode == "room" for check in review_of(sizing).failing)

@@ -42,12 +42,7 @@ def made_of(solid: Solid | Chamber | Fastener) -> Any:
         if not type(error).__module__.startswith("OCP"):
             raise
         raise NotMade(f"Open CASCADE says {type(error).__name__}: {error}") from error
-    if _is_sound(body):
-        return body
-    mended = occ.ShapeFix_Shape(body)
-    mended.Perform()
-    body = _only(mended.Shape(), occ.TopAbs_ShapeEnum.TopAbs_SOLID)
-    if not _is_sound(body):
+    if not _is_sound(body):  # mending might close it around another room
         raise NotMade("its faces cross or touch each other, or leave gaps")
     return body
 
