@@ -47,6 +47,7 @@ ALLOWED = {
     "render/drawings/sheet/": "lines and subscripts of a text",
     # Names of fields, files, modules, addresses.
     "sizing/answers/gate.py": "names of fields",
+    "exchange/step/solids.py": "name of a Python module",
     "lanes/twins.py": "names of Python modules",
     "dynamics/code_cache.py": "name of a Python module",
     "dynamics/codegen/march.py": "a list of registers",
