@@ -18,7 +18,9 @@ from gearwright.spec import design_text, edited, parse, read
 
 HOUR = 3600.0
 LIGHT = Wishes(lighten=False)
-RATED = edited(parse(PAIR), {"gears.rating": "iso6336"})
+OPEN = edited(parse(PAIR), {"gears.rating": "iso6336"})
+RATED = edited(OPEN, {"gears.iso6336.tip_relief_um": 0.0})
+"""Teeth without relief, whose forced response asks for more than K_V by their rating."""
 
 
 @cache
@@ -47,11 +49,13 @@ def test_the_review_knows_the_sizes_that_the_closure_found():
 @pytest.mark.parametrize("rounded", [True, False])
 @pytest.mark.parametrize("path", ["pairs.stage.face_width_mm", "layout.fast.diameter_mm", "layout.slow.diameter_mm"])
 def test_a_size_2_percent_less_fails(path, rounded):
+    """Of rounded sizes a millimetre less, where that is more."""
     design = closed(rounded=rounded).design
     table, name, key = path.split(".")
     record = getattr(design, table)[name]
     value = 1e3 * getattr(record, key.removesuffix("_mm"))
-    assert review(edited(design, {path: 0.98 * value})).failing != ()
+    less = min(0.98 * value, value - 1.0) if rounded else 0.98 * value
+    assert review(edited(design, {path: less})).failing != ()
 
 
 def test_the_next_smaller_whole_millimetre_fails():
@@ -182,6 +186,21 @@ def test_every_check_of_the_shipped_designs_belongs_to_a_requirement():
         if check.ratio is not None and requirement_of(check) == "others"
     }
     assert unnamed == set()
+
+
+def test_relieved_teeth_close_lighter_and_have_the_dynamic_factor_of_their_rating():
+    """Left open, relief leaves little for the forced response: K_V of ISO 6336-1 governs, and the rounds say so."""
+    relieved = close(OPEN, wishes=LIGHT)
+    assert relieved.outcome is Outcome.CLOSED and replay(relieved).failing == ()
+    assert relieved.mass < closed().mass
+    rated = relieved.sizing.meshes[0].rating
+    made, factors = rated.made, rated.factors
+    load = float(factors.tangential_force / relieved.sizing.gears[0].face_width) * OPEN.service.application_factor
+    left = abs(1.0 - float(factors.relief.stiffness) * made.relief / load)
+    left += float(factors.relief.stiffness) * made.tolerance / load
+    assert float(factors.dynamic.relief_term) == pytest.approx(left, rel=1e-9) and left < 0.5
+    assert f"K_V {rated.peaks / OPEN.service.application_factor:.3f} by its rating" in relieved.rounds[-1].what
+    assert "by forced response" in closed().rounds[1].what
 
 
 def test_the_screen_shows_the_first_round_of_each_kind_and_the_last_or_all():

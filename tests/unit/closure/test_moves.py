@@ -7,6 +7,7 @@ from designs import PAIR, changed
 from gearwright.closure import Wishes, close
 from gearwright.closure.loop import Task, settled
 from gearwright.closure.moves.neighbours import Candidate, Change, judged, screened
+from gearwright.sizing import size
 from gearwright.spec import edited, parse
 
 ISO = {"gears.rating": "iso6336", "pairs.stage.pinion_teeth": 25, "pairs.stage.wheel_teeth": 75}
@@ -16,13 +17,19 @@ COAXIAL += '[pairs.next]\npinion = "slow"\nwheel = "third"\npinion_teeth = 30\nw
 COAXIAL += 'coaxial_with = "stage"\n'
 
 
-def test_what_weighs_more_with_other_teeths_factors_is_confirmed_with_its_own():
-    """Screened with the K_V of 41 teeth the pair of 43 is heavier; with its own it is the lightest."""
-    given = {**ISO, "pairs.stage.pinion_teeth": 41, "pairs.stage.wheel_teeth": 123, "pairs.stage.module_mm": 2}
+def test_other_teeth_are_confirmed_with_a_dynamic_factor_of_their_own():
+    """Without relief: 46 teeth weigh more with the K_V of 42 than with their own, which the closed design has."""
+    given = {**ISO, "pairs.stage.pinion_teeth": 42, "pairs.stage.wheel_teeth": 126, "pairs.stage.module_mm": 2,
+             "gears.iso6336.tip_relief_um": 0.0}  # fmt: skip
     design = edited(parse(changed(PAIR, 'level = "concept"\n', "")), given)
     wishes = {"separate": False, "left_out": frozenset({"critical speeds"})}
     kept, free = (close(design, wishes=Wishes(free=own, **wishes)) for own in ((), ("teeth",)))
-    assert free.sizing.gears[0].teeth == 43
+    found = {f"pairs.stage.{gear}_teeth": free.sizing.teeth[f"stage.{gear}"] for gear in ("pinion", "wheel")}
+    others = kept.design.rules("stage").iso6336.least_dynamic_factor
+    screened = size(edited(design, found | {"gears.iso6336.least_dynamic_factor": others}))
+    assert free.sizing.gears[0].teeth == 46
+    assert free.design.rules("stage").iso6336.least_dynamic_factor < others
+    assert free.sizing.gear_mass < screened.gear_mass
     assert free.whole.total < 0.99 * kept.whole.total
 
 

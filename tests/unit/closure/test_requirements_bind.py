@@ -46,7 +46,7 @@ CASES = {
     "flank": (PAIR, {}),
     "root": (PAIR, {f"{ISO}bending_safety": 5.0, f"{ISO}pitting_safety": 1.0}),
     "static strength": (JAMMED, {f"{ISO}static_bending_safety": 5.0, f"{ISO}pitting_safety": 1.0}),
-    "scuffing": (PAIR, {f"{ISO}scuffing_safety": 2.5, **FAST}),
+    "scuffing": (PAIR, {f"{ISO}scuffing_safety": 2.5, f"{ISO}tip_relief_um": 0.0, **FAST}),
     "teeth": (PAIR, {f"{ISO}widest_modules": 8}),
     "sharing": (f"{SET}{OUT_OF_PLACE}", {}),
     "peaks": (PAIR, FINE),

@@ -28,7 +28,7 @@ LONG = Wishes(20000 * HOUR, separate=False, lighten=False)
 @cache
 def fast():
     """The first stage of the thesis's hybrid, whose carrier turns at 4500 rpm, and its variants."""
-    design = edited(parse(SET), QUICK)
+    design = edited(parse(SET), QUICK | {"propellers.propeller.diameter_m": 1.2})
     closed = close(design, wishes=LONG)
     return design, closed, nearest_variant(design, closed)
 

@@ -22,9 +22,10 @@ GEARS = (Kind.GEAR, Kind.MESH, Kind.STAGE)
 
 @cache
 def hybrid(sized=1):
-    """The two planetary sets in line, for 20 000 h."""
+    """The two planetary sets in line, for 20 000 h, with a propeller at 1150 rpm."""
     design = at_level(read(shipped_design("in-line-h2")), "preliminary")
-    return size(edited(design, {**LIFE, "teeth.sized": sized}))
+    given = {"propellers.propeller.speed_rpm": 1150.0, "motors.electric.power_kw": 1050.0, "teeth.sized": sized}
+    return size(edited(design, LIFE | given))
 
 
 @cache
@@ -59,10 +60,10 @@ def test_gears_with_webs_are_lighter_than_their_bored_discs():
 
 
 def test_teeth_are_taken_whose_gears_meet_their_requirements_where_the_lightest_do_not():
-    """The lightest by what the search weighs, alone, fails by pitting of the second stage: whole modules of ISO 54."""
+    """The lightest by what the search weighs falls short, as its modules are whole ones of ISO 54."""
     sizing = hybrid()
     assert [check.name for check in sizing.checks if check.fails and check.part.kind in GEARS] == []
-    assert sizing.search.sized > 1
+    assert sizing.search.sized > sizing.search.failing > 0
 
 
 def test_of_teeth_that_meet_their_requirements_the_lightest_are_taken_where_many_are_sized():
@@ -114,14 +115,15 @@ def test_a_gear_of_two_stages_bears_what_both_ask_of_it():
 
 
 def test_a_standard_module_near_a_resonance_gives_way_to_teeth_that_have_none():
-    """At 1240 rpm the lightest teeth run in the main resonance of a mesh; others do not and weigh little more."""
+    """At 1240 rpm the three lightest run in the main resonance of a mesh; others do not and weigh a sixth more."""
     text = {"propellers.propeller.speed_rpm": 1240.0, "motors.electric.power_kw": 1050.0}
     design = edited(at_level(read(shipped_design("in-line-h2")), "preliminary"), {**LIFE, **text})
-    sizing, lightest = size(design), size(edited(design, {"teeth.sized": 1}))
+    sizing, lightest = size(design), size(edited(design, {"teeth.sized": 3}))
+    assert lightest.search.failing == lightest.search.sized == 3
     assert [check.mode for check in lightest.checks if check.fails and check.part.kind in GEARS] == ["main resonance"]
     assert [check.mode for check in sizing.checks if check.fails and check.part.kind in GEARS] == []
     assert sizing.search.failing > 0 and "fall short" in chosen_teeth(sizing)
-    assert lightest.gear_mass < sizing.gear_mass < 1.1 * lightest.gear_mass
+    assert lightest.gear_mass < sizing.gear_mass < 1.2 * lightest.gear_mass
 
 
 def test_levels_that_there_are_not_and_a_method_that_does_not_fit_are_told():
