@@ -92,7 +92,7 @@ def test_one_command_writes_the_page_of_a_flight(tmp_path):
     result = run("in-line-h2", str(mission), "--report", str(page), "--window", "cut")
     assert result.exit_code == 0
     told = page.read_text(encoding="utf-8")
-    assert "First gear to fail: second.planet" in told
+    assert "First gear to fail: first.sun" in told
     assert "Window cut" in told
 
 

@@ -25,11 +25,11 @@ def test_a_longer_life_costs_mass_and_is_met():
 
 
 def test_only_the_stage_that_fails_is_strengthened():
-    """The second stage fails first in this mission at 2000 h; the first one keeps its rules."""
-    found = size_for_life(DESIGN, MISSION, 2000.0)
+    """The first sun fails first in this mission, by pitting, before 5000 h; the second stage keeps its rules."""
+    found = size_for_life(DESIGN, MISSION, 5000.0)
     assert found.rounds > 0
-    assert found.sizing.design.planetaries["first"].gears is None
-    assert found.sizing.design.rules("second").bending_safety > DESIGN.rules("second").bending_safety
+    assert found.sizing.design.planetaries["second"].gears is None
+    assert found.sizing.design.rules("first").contact_safety > DESIGN.rules("first").contact_safety
 
 
 def test_a_life_out_of_reach_is_refused(monkeypatch):

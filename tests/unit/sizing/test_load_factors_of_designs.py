@@ -199,7 +199,9 @@ def test_under_light_loads_a_mesh_must_stay_further_below_its_main_resonance():
 
 
 def test_a_mesh_that_passes_its_main_resonance_between_two_cases_is_told():
-    design = parse(PAIR.format(power=300, speed=10000.0) + cases("share = 0.5\nturbine.speed_rpm = 4000\nturbine.power_kw = 120"))
+    design = parse(
+        PAIR.format(power=300, speed=10000.0) + cases("share = 0.5\nturbine.speed_rpm = 4000\nturbine.power_kw = 120")
+    )
     check = resonance(size(design))
     assert not check.fails and "passes N = 1 between cruise" in check.why and "rated" in check.why
 
