@@ -84,7 +84,7 @@ class PairRating:
     """Bending of pinion and wheel."""
     relief: TipRelief
     """Tip relief that K_V reckons with."""
-    grade: Annotated[Value, Quantity("number"), Origin("A", "ISO 1328-1:2013; not stated: by v, `usual_class`")]
+    grade: Annotated[Value, Quantity("number"), Origin("A", "ISO 1328-1:2013; not stated: by v")]
     """Flank tolerance class [-]."""
 
 
