@@ -145,7 +145,10 @@ def rate_mesh(
     Source: as `rate_pair`.
     """
     springs = springs or mesh_springs(mesh, specific_load(mesh, duty), steels=steels, blank=quality.blank)
-    dynamic, face, transverse = load_distribution(mesh, springs, steels, duty=duty, quality=quality)
+    grade, relief = flank_class(mesh, duty, quality), tip_relief(mesh, springs, steels, duty=duty, quality=quality)
+    dynamic, face, transverse = load_distribution(
+        mesh, springs, steels, duty=duty, quality=quality, relief=relief, grade=grade
+    )
     loads = LoadFactors(
         duty.application_factor,
         duty.mesh_load_factor,
@@ -170,7 +173,6 @@ def rate_mesh(
     )
     sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
     roots = _root_strengths(mesh, steels, cycles, sections=sections, quality=quality)
-    grade, relief = flank_class(mesh, duty, quality), tip_relief(mesh, springs, steels, duty=duty, quality=quality)
     deep = deep_tooth_factor(mesh, grade)
     first, second = (
         bending_rating(

@@ -14,6 +14,7 @@ from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
 from gearwright.ranking import largest
 from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncovered_teeth
+from gearwright.sizing.rating.protocol import WEAR
 from gearwright.sizing.rating.rules import Ask, Beyond, Rating, rating_of
 from gearwright.spec import Design, Epicyclic, levels_of, shares_of
 from gearwright.spec.design import GROUND, RATINGS, Given, case_named
@@ -23,9 +24,6 @@ _IDLE = 1e-6
 """Part of the largest load below which a case does not load the other flank [-]."""
 _ALIKE = 0.9
 """Part of its own load from which on another mesh of a gear on the same flank counts as its equal [-]."""
-_WEAR = 6.6
-"""Power of the torque with which flanks are damaged, where the case that does most is looked for [-]: half of the 13.2
-of case-hardened steel (ISO 6336-2:2019, table 2)."""
 
 
 NO_SHARING: Mapping[str, float] = MappingProxyType({})
@@ -161,7 +159,7 @@ def worn_torque(design: Design, loads: Mapping[str, tuple[float, float]]) -> flo
     ]
     if not rows:
         return max((torque for torque, _ in loads.values()), default=0.0)
-    return largest(rows, lambda row: row[0] * row[1] ** _WEAR)[1]
+    return largest(rows, lambda row: row[0] * row[1] ** WEAR)[1]
 
 
 def context_of(

@@ -21,6 +21,9 @@ from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.missions import GearLifeRules
 from gearwright.units import Origin, Quantity
 
+WEAR = 6.6
+"""Power of the torque with which flanks are damaged, where cases are told apart by what they do [-]: half of the 13.2
+of case-hardened steel (ISO 6336-2:2019, table 2)."""
 LEAST_TORQUE = 1e-9
 """Below it a case does no damage [N m]."""
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from gearwright.errors import Problem, refuse
+from gearwright.sizing.blanks import WALL
 from gearwright.sizing.rating import Context, bore_of
 from gearwright.sizing.result import GearSizing
 from gearwright.spec import Epicyclic
-
-LEAST_WALL = 0.6
-"""Metal that is left under the roots, in modules [-]."""
 
 
 def refuse_bores(context: Context, gears: Sequence[GearSizing]) -> None:
@@ -33,7 +31,7 @@ def _problems(context: Context, gears: Sequence[GearSizing]) -> Iterator[Problem
         if bore is None or gear.name in context.train.internal:
             continue
         root = gear.pitch_diameter - 2.0 * (1.25 - gear.profile_shift) * gear.module
-        most = root - 2.0 * LEAST_WALL * gear.module
+        most = root - 2.0 * WALL * gear.module
         if bore > most:
             stage = design.stages[gear.stage]
             own = (

@@ -259,7 +259,14 @@ def _beyond(mesh: MeshGeometry, gear: int, teeth: Value) -> MeshGeometry:
 
 
 def load_distribution(
-    mesh: MeshGeometry, springs: MeshSprings, steels: Steels, *, duty: MeshDuty, quality: MeshQuality
+    mesh: MeshGeometry,
+    springs: MeshSprings,
+    steels: Steels,
+    *,
+    duty: MeshDuty,
+    quality: MeshQuality,
+    relief: TipRelief,
+    grade: Value,
 ) -> tuple[DynamicFactor | DynamicFactorBySpeed, FaceLoadFactor, TransverseLoadFactor]:
     """Return K_V, the face and the transverse load factors, in the order in which they build on each other.
 
@@ -269,12 +276,13 @@ def load_distribution(
         steels: Of the two gears.
         duty: Torque and speed.
         quality: Flanks and mounting.
+        relief: From `tip_relief`.
+        grade: From `flank_class` [-].
 
     Source: ISO 6336-1:2019, clauses 6 to 9.
     """
     specific = specific_load(mesh, duty)
     speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
-    grade = flank_class(mesh, duty, quality)
     pitch, profile, slope = _deviations(mesh, grade)
     pitch_left = pitch - mean_allowance(pitch, steels, speed)
     if quality.choices.dynamic is RatingMethod.C:
@@ -282,7 +290,6 @@ def load_distribution(
             mesh, grade, specific_load=specific, speed=speed
         )
     else:
-        relief = tip_relief(mesh, springs, steels, duty=duty, quality=quality)
         left = relief_term(relief, specific, grade=grade)
         dynamic = dynamic_factor(
             mesh,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
@@ -34,7 +34,7 @@ from gearwright.sizing.rating.iso6336.record import Iso6336Rating, MeshResonance
 from gearwright.sizing.rating.iso6336.resonance import resonance_checks
 from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
-from gearwright.sizing.rating.protocol import ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.protocol import WEAR, ClassDamage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rims import ring_problems
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
@@ -47,8 +47,6 @@ SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """Mode -> rule of its least safety under [gears]."""
 
 
-_WEAR = 6.6
-"""Power of the torque with which flanks are damaged, to tell the cases that matter [-]."""
 _COUNTS = 0.01
 """Part of the damage or of the life from which on a case counts for resonance [-]."""
 
@@ -218,8 +216,12 @@ class Iso6336:
         return self._rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
 
     def _strains(self, mesh: LoadedMesh) -> list[Strains]:
-        """Return stresses and limits under every load, rated at once; teeth and mates are the same in all."""
-        ask, loads = mesh.loads[0].ask, mesh.loads
+        """Return stresses and limits under every load."""
+        return of_each(strains_of(self._together(mesh, mesh.loads)), len(mesh.loads))
+
+    def _together(self, mesh: LoadedMesh, loads: Sequence[Load]) -> PairRating:
+        """Rate a mesh under some loads at once; teeth and mates are the same in all."""
+        ask = loads[0].ask
         duty = duty_of(
             mesh.rating,
             [float(load.torque) for load in loads],
@@ -227,25 +229,26 @@ class Iso6336:
             life=[load.life for load in loads],
             ask=ask,
         )
-        return of_each(strains_of(self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)), len(loads))
+        return self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)
 
     def _resonances(self, mesh: LoadedMesh) -> tuple[MeshResonance, ...]:
         """Return N in every case with at least one per cent of the damage or of the life; without shares in all."""
         loads = [*mesh.loads, *mesh.others]
         whole = sum(load.life for load in mesh.loads)
-        wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**_WEAR for load in loads]
-        found = dict[str, MeshResonance]()
+        wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**WEAR for load in loads]
+        counting = dict[str, Load]()
         for load, worn in zip(loads, wear, strict=True):
             counts = load in mesh.others or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
-            if load.static or not counts or load.case in found:
-                continue
-            dynamic = (rated := self._rated(mesh, load)).dynamic
-            if isinstance(dynamic, DynamicFactorBySpeed):
-                return ()
-            specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
-            begins = float(resonance_begins(specific))
-            found[load.case] = MeshResonance(load.case, float(dynamic.resonance_ratio), begins)
-        return tuple(found.values())
+            if counts and not load.static:
+                counting.setdefault(load.case, load)
+        if not counting or mesh.rating.rules.iso6336.dynamic_method == "C":
+            return ()
+        rated = self._together(mesh, tuple(counting.values()))
+        specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
+        assert not isinstance(rated.dynamic, DynamicFactorBySpeed)
+        columns = (rated.dynamic.resonance_ratio, resonance_begins(specific))
+        ratios, begins = (np.broadcast_to(column, len(counting)).tolist() for column in columns)
+        return tuple(map(MeshResonance, counting, ratios, begins))
 
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
         steels, quality = steels_of(rating, ask.roles), mesh_quality(rating, ask, module)
