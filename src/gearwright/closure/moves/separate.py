@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.loop import Settled
 from gearwright.closure.moves.neighbours import (
+    TEETH,
     Candidate,
     Change,
     confirmed_anew,
@@ -25,8 +26,12 @@ SWEEPS = 5
 """Changes that are made one after another [-]."""
 CONFIRMED = 3
 """The most promising choices of a sweep that are confirmed [-]."""
+STEPS = (-14, -12, -10, -8, *TEETH, 8, 10, 12, 14)
+"""By how many teeth the sun or the pinion of a stage is changed: far enough to step over its main resonance [-]."""
 MODULES = (1, 2)
-"""By how many steps of ISO 54 the module of a stage is changed, upwards: smaller ones do not bear the load [-]."""
+"""By how many steps of ISO 54 the module alone is changed, upwards: smaller ones do not bear the load [-]."""
+BESIDE = (-1, 0, 1)
+"""By how many steps of ISO 54 it is changed together with the teeth [-]."""
 LARGER = (1.05, 1.1, 1.15)
 """Factors on the modules of stages on common axes, which have no standard ones [-]."""
 ROUNDING = 1e-6
@@ -37,7 +42,7 @@ _MM = 1e-3
 def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
     """Return the lightest design among other teeth and modules whose critical speeds are clear, or the nearest to it.
 
-    Each sweep changes one stage, by teeth or by its module, and proportions and confirms every choice anew. What was
+    Each sweep changes one stage, by its teeth, by its module or by both, and proportions and confirms every choice anew. What was
     met before, such as lives of planet bearings, is met afterwards. Where changes of given teeth, which are free, lead
     nowhere, it is tried once more without them: what they save is for what makes a design lighter to find.
 
@@ -96,16 +101,34 @@ def _settled_of(state: Settled, lacks: float) -> Iterator[Candidate]:
 
 
 def _changes(state: Settled) -> Iterator[Change]:
-    """Yield other numbers of teeth and other modules, stage by stage, where the design leaves them open."""
-    yield from other_teeth(state)
-    design, chosen = state.task.design, state.task.chosen
+    """Yield other numbers of teeth, other modules, and both at once, stage by stage, where the design leaves them open."""
+    open_ = dict(_open_modules(state))
+    for change in other_teeth(state, STEPS):
+        yield change
+        place = open_.get(change.table)
+        values = () if place is None else _modules_at(place, BESIDE)
+        yield from (_with_module(change, change.table, value) for value in values)
+    for table, place in open_.items():
+        if f"{table}.module_mm" not in state.task.chosen:
+            yield from (_with_module(Change("", {}), table, value) for value in _modules_at(place, MODULES))
+
+
+def _open_modules(state: Settled) -> Iterator[tuple[str, int]]:
+    """Yield table and place in ISO 54 of stages whose module is open and on no common axis, the next larger if between."""
+    design = state.task.design
     for name in searched(design):
-        table, own = design.table(name), next(gear.module for gear in state.sizing.gears if gear.stage == name)
-        alone = not is_tied(design, name, module_owners(design))
-        if alone and design.simple_stages[name].module is None and f"{table}.module_mm" not in chosen:
-            series = [value for value in STANDARD_MODULES if value * _MM > own * (1.0 + 1e-9)]
-            steps = (step for step in MODULES if step <= len(series))
-            yield from (Change("", {f"{table}.module_mm": series[step - 1]}) for step in steps)
+        if not is_tied(design, name, module_owners(design)) and design.simple_stages[name].module is None:
+            own = next(gear.module for gear in state.sizing.gears if gear.stage == name)
+            yield design.table(name), sum(value * _MM < own * (1.0 - 1e-9) for value in STANDARD_MODULES)
+
+
+def _modules_at(place: int, steps: Iterable[int]) -> tuple[float, ...]:
+    """Return standard modules by so many steps from a place [mm]."""
+    return tuple(STANDARD_MODULES[place + step] for step in steps if 0 <= place + step < len(STANDARD_MODULES))
+
+
+def _with_module(change: Change, table: str, value: float) -> Change:
+    return change._replace(values={**change.values, f"{table}.module_mm": value})
 
 
 def _together(state: Settled) -> Iterator[Change]:
