@@ -42,9 +42,9 @@ _MM = 1e-3
 def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
     """Return the lightest design among other teeth and modules whose critical speeds are clear, or the nearest to it.
 
-    Each sweep changes one stage, by its teeth, by its module or by both, and proportions and confirms every choice anew. What was
-    met before, such as lives of planet bearings, is met afterwards. Where changes of given teeth, which are free, lead
-    nowhere, it is tried once more without them: what they save is for what makes a design lighter to find.
+    Each sweep changes one stage, by its teeth, its module or both, and proportions and confirms every choice anew. What
+    was met before, such as lives of planet bearings, is met afterwards. Where changes of given teeth, which are free,
+    lead nowhere, it is tried once more without them: what they save is for what makes a design lighter to find.
 
     Args:
         state: That the loop ended with.
@@ -101,7 +101,7 @@ def _settled_of(state: Settled, lacks: float) -> Iterator[Candidate]:
 
 
 def _changes(state: Settled) -> Iterator[Change]:
-    """Yield other numbers of teeth, other modules, and both at once, stage by stage, where the design leaves them open."""
+    """Yield other numbers of teeth, other modules, and both at once, stage by stage, where they are open."""
     open_ = dict(_open_modules(state))
     for change in other_teeth(state, STEPS):
         yield change
@@ -114,7 +114,7 @@ def _changes(state: Settled) -> Iterator[Change]:
 
 
 def _open_modules(state: Settled) -> Iterator[tuple[str, int]]:
-    """Yield table and place in ISO 54 of stages whose module is open and on no common axis, the next larger if between."""
+    """Yield table and place in ISO 54, the next larger if between, of stages with a module that is open and its own."""
     design = state.task.design
     for name in searched(design):
         if not is_tied(design, name, module_owners(design)) and design.simple_stages[name].module is None:
