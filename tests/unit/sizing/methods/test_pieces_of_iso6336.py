@@ -115,6 +115,7 @@ def test_clauses_are_those_of_the_edition():
         ("ISO 6336-1:2019, clause 4", "ISO 6336-1:2006, clause 4", "DIN 3990-1:1987"),
         ("ISO 6336-2:2019, clause 5", "ISO 6336-2:2006, clause 5", "DIN 3990-2:1987"),
         ("ISO 6336-3:2019, clause 5", "ISO 6336-3:2006, clause 5", "DIN 3990-3:1987"),
+        ("ISO/TS 6336-20:2017, C_eff", "ISO/TR 13989-1:2000, C_eff", "DIN 3990-4:1987"),
         ("ISO 1328-1:2013", "ISO 1328-1:2013", "ISO 1328-1:2013"),
     ):
         assert clause_of(source, Edition.ISO2019) == source
