@@ -14,7 +14,7 @@ from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context, Demand, Known, context_of, demands_of
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.stages.bores import refuse_bores
+from gearwright.sizing.stages.bores import refuse_bores_beyond_roots
 from gearwright.sizing.stages.compound_sizes import compound_sizes
 from gearwright.sizing.stages.gear_checks import gear_checks
 from gearwright.sizing.stages.gears import size_gears, size_meshes
@@ -108,6 +108,6 @@ def geared(
         before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
         if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
             break
-    refuse_bores(context, gears)
+    refuse_bores_beyond_roots(context, gears)
     checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
     return Geared(context, gears, meshes, checks, sizes, demands, choice)
