@@ -58,6 +58,7 @@ def bore_problem(context: Context, gear: GearSizing, path: str, bore: float) -> 
     given, module, root, room = (text(x, "length") for x in (bore, gear.module, root_diameter(context, gear), most))
     message = (
         f"{given}, and {gear.name} (z {gear.teeth}, m_n {module}) has a root circle of {root}; allowed: up to {room},"
-        " which leaves half a tooth's height under the teeth; give a smaller bore, or the gear more teeth or a larger module"
+        " which leaves half a tooth's height under the teeth; give a smaller bore, or the gear more teeth or a larger"
+        " module"
     )
     return Problem(path, message)
