@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from gearwright.errors import refuse
+from gearwright.errors import Problem
 from gearwright.identity import Role
 from gearwright.sizing.rating import Context, bore_of
 from gearwright.sizing.result import GearSizing
@@ -16,23 +16,17 @@ ROOTED = (Role.PINION, Role.WHEEL, Role.SUN)
 """Gears that a shaft goes through."""
 
 
-def refuse_bores_beyond_roots(context: Context, gears: Sequence[GearSizing]) -> None:
-    """Refuse bores of gears, and of shafts through them, that leave no rim under the teeth.
+def bores_beyond_roots(context: Context, gears: Sequence[GearSizing]) -> Iterator[Problem]:
+    """Yield bores of gears, and of shafts through them, that leave no rim under the teeth.
 
     Args:
         context: What gear sizing reads.
         gears: As sized.
-
-    Raises:
-        DesignError: With the key of every such bore, the root circle and the most that leaves a rim.
     """
-    rows = (
-        bore_problem(context, gear, path, bore)
-        for gear in gears
-        if gear.name not in context.train.internal
-        for path, bore in _bores(context, gear)
-    )
-    refuse(problem for problem in rows if problem is not None)
+    for gear in gears:
+        for path, bore in () if gear.name in context.train.internal else _bores(context, gear):
+            if (problem := bore_problem(context, gear, path, bore)) is not None:
+                yield problem
 
 
 def _bores(context: Context, gear: GearSizing) -> Iterator[tuple[str, float]]:
