@@ -204,8 +204,9 @@ def test_a_relief_is_held_to_the_module_that_is_found_where_none_is_stated_and_b
         assert 0.0 <= 0.05 * float(module) - float(most) < 1e-3
     assert size(edited(design, dict.fromkeys(keys, 0.03))).meshes
     compound = text(COMPOUND, ring="ground")
-    (path,) = told(compound, {"gears.iso6336.tip_relief_mm": 0.5})
-    assert path == "gears.iso6336.tip_relief_mm"
+    (found,) = told(compound, {"gears.iso6336.tip_relief_mm": 0.1, "turbines.turbine.power_kw": 30}).items()
+    assert found[0] == "gears.iso6336.tip_relief_mm" and "0.1 mm on a module of 1.75 mm (set)" in found[1]
+    assert "give 0.087 mm or less" in found[1]  # of 0.0875 mm, in whole micrometres
 
 
 @pytest.mark.parametrize(
