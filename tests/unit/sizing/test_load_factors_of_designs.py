@@ -183,6 +183,7 @@ def test_a_mesh_may_run_below_or_above_its_main_resonance_and_not_in_it(speed, p
     assert check.value == pytest.approx(abs(1.0 - found.ratio))
     assert check.limit == pytest.approx(0.15)
     assert (not check.fails) == passes == (found.ratio < 0.85 or found.ratio > 1.15)
+    assert ("gearwright close looks for" in check.why) != passes
     slow = pair(1000).meshes[0].rating.nearest
     assert found.ratio / speed == pytest.approx(slow.ratio / 1000.0, rel=1e-9)
 
@@ -204,6 +205,7 @@ def test_a_mesh_that_passes_its_main_resonance_between_two_cases_is_told():
     )
     check = resonance(size(design))
     assert not check.fails and "passes N = 1 between cruise" in check.why and "rated" in check.why
+    assert "gearwright close" not in check.why
 
 
 def test_relief_is_made_for_the_case_that_wears_and_the_heaviest_has_its_own_term():
