@@ -58,7 +58,7 @@ SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "life": {"h": 3600.0},
         "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
         "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
-        "slope": {"mrad": 1e-3},
+        "slope": {"mrad": 1e-3, "rad": 1.0},
         "speed": {"rpm": RPM, "rad_s": 1.0},
         "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
         "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},

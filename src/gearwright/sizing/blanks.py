@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, outline_area, widest_rounding
-from gearwright.sizing.rating import BACKUP, RIMMED
+from gearwright.sizing.rating import BACKUP, RIMMED, TOOTH_HEIGHT
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec import Design
 from gearwright.spec.design import GearRules
 
-TOOTH_HEIGHT = 2.25
-"""Of the standard basic rack, in modules [-]: ISO 53, profile A."""
 PLANET_HUB = 1.1
 """Seat of a bearing in a planet: outside over the bearing's own outside [-], an estimate."""
 CORNER = 2e-3

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from gearwright.closure import Outcome, Step, Wishes, close, requirement_of
+from gearwright.closure import Outcome, Step, Wishes, close
 from gearwright.closure.moves.planet_bearings import FILM, ROLLING
 from gearwright.reviews import review
 from gearwright.sizing import size
@@ -45,9 +45,9 @@ QUICK = {
 
 @cache
 def closed(*, fast=False, hours=5000):
-    """The set as it is, or with the first stage of the thesis's hybrid: 1046 kW from 20 000 to 4500 rpm."""
+    """The set as it is, off its resonances, or the first of the thesis's hybrid: 1046 kW from 20 000 to 4500 rpm."""
     design = edited(parse(SET), QUICK) if fast else parse(SET)
-    return close(design, wishes=Wishes(hours * HOUR, separate=False, lighten=False))
+    return close(design, wishes=Wishes(hours * HOUR, separate=not fast, lighten=False))
 
 
 def bearing(found):
@@ -55,7 +55,8 @@ def bearing(found):
 
 
 def test_a_slow_set_gets_a_rolling_bearing_that_lives():
-    assert closed().outcome is Outcome.CLOSED or all(row.requirement == "critical speeds" for row in closed().unmet)
+    assert closed().outcome is Outcome.CLOSED
+    assert not closed().unmet
     assert bearing(closed()).kind in {kind for kind, _ in ROLLING}
     lives = [check for check in closed().checks if check.name == "set.planet life"]
     assert [check.margin >= 1.0 for check in lives] == [True]
@@ -64,8 +65,7 @@ def test_a_slow_set_gets_a_rolling_bearing_that_lives():
 
 def test_the_written_design_says_it_to_an_independent_review():
     reviewed = review(parse(design_text(closed().design)))
-    lacking = [check for check in reviewed.failing if check.part.name == "set"]
-    assert {requirement_of(check) for check in lacking} <= {"critical speeds"}, "they were not to be separated"
+    assert not [check for check in reviewed.failing if check.part.name == "set"]
     assert "set.planet life" in [check.name for check in reviewed.checks]
 
 

@@ -285,3 +285,67 @@ def test_clocking_counts_less_the_more_torque_comes_in():
     """53 % in one of two paths within 0.8 mrad at 367 N m (Krantz & Delgado 1996): 1.06; a tenth of it at 3670 N m."""
     assert clocking_load_factor(0.8e-3, 367.0) == near(1.06)
     assert clocking_load_factor(0.8e-3, 3670.0) == near(1.006)
+
+
+ROWS = [tuple(row) for row in np.random.default_rng(6336).uniform(0.05, 20.0, (12, 3)).tolist()]
+"""1/m* of three gears in a row at random [m/kg]."""
+
+
+@pytest.mark.parametrize(("first", "idler", "last"), ROWS)
+def test_three_gears_in_a_row_vibrate_alike_from_both_ends_and_a_far_gear_of_no_mass_leaves_the_pair(
+    first, idler, last
+):
+    """ω² of both lie around those of either pair alone: 1/m_1 + 1/m_2 ≤ ω²/c, and no slower than both masses apart."""
+    slow, fast = idler_masses(first, idler, last)
+    assert (slow, fast) == (near(idler_masses(last, idler, first)[0]), near(idler_masses(last, idler, first)[1]))
+    assert 1.0 / slow + 1.0 / fast == near(first + 2.0 * idler + last)
+    pairs = sorted((first + idler, last + idler))
+    assert 1.0 / slow <= pairs[0] * (1.0 + 1e-12) and 1.0 / fast >= pairs[1] * (1.0 - 1e-12)
+    assert float(idler_masses(first, idler, 1e9)[0]) == pytest.approx(1.0 / (first + idler), rel=1e-6)
+    assert idler_masses(first, 0.0, last)[0] == near(1.0 / min(first, last))  # an idler that stands parts them
+
+
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize("planets", [2.0, 3.0, 5.0, 8.0])
+def test_a_set_of_one_planet_is_rated_as_a_pair_and_more_planets_are_lighter_and_twist_the_sun_more(planets, held):
+    """All load factors of one planet are the pair's; of p a lighter mesh, N falls by √((m_s + m_p)/(m_s + p m_p))."""
+    quality = MeshQuality(5, tip_relief=None, bodies=(SOLID, MovingBody(held=held)))
+
+    def rated(meshes):
+        return rate_mesh(SUN, (HARD, HARD), MeshDuty(300.0, 300.0, 4e6, meshes_per_turn=(meshes, 1.0)), quality=quality)
+
+    pair = rate_mesh(SUN, (HARD, HARD), MeshDuty(300.0, 300.0, 4e6), quality=quality)
+    one, many = rated(1.0), rated(planets)
+    assert one.loads == pair.loads and one.dynamic == pair.dynamic and one.face == pair.face
+    sun, planet = alone(SUN, 0), math.inf if held else alone(SUN, 1)
+    lighter = (1.0 / sun + 1.0 / planet) / (planets / sun + 1.0 / planet)
+    assert many.dynamic.reduced_mass / pair.dynamic.reduced_mass == near(lighter)
+    assert many.dynamic.resonance_ratio / pair.dynamic.resonance_ratio == near(math.sqrt(lighter))
+    assert many.face.deflection > pair.face.deflection
+    assert many.relief == pair.relief  # tips are made for the force of one mesh
+
+
+@pytest.mark.parametrize("load", [3e3, 3e4, 3e5, 3e6])
+def test_teeth_without_relief_have_its_whole_term_and_run_quietly_only_where_they_stand(load):
+    """B_k = 1 at C_a = 0 under every load; K_V → 1 with N → 0, whatever the errors."""
+    assert relief_term(TipRelief(0.0, load / 14e9, stiffness=14e9), load, grade=5) == 1.0
+    full = TipRelief(load / 14e9, load / 14e9, stiffness=14e9)
+    assert relief_term(full, load, grade=5) == pytest.approx(0.0, abs=1e-12)
+    slow = dynamic_factor(
+        SUN, SPRINGS, MeshDeviations(6e-6, 9e-6), specific_load=load, pinion_speed=1e-6, masses=(5.0,)
+    )  # fmt: skip
+    assert slow.factor == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("planets", [3, 4, 5, 7])
+def test_pins_in_place_or_heavy_loads_share_alike(planets):
+    """K_γ → 1 with s → 0 and with F_t → ∞, and grows with the stiffness that errors meet."""
+
+    def factor(spread=18e-6, force=28.5e3, stiffness=3e8):
+        return tolerance_load_factor(planets, spread, force, stiffness=stiffness, floating=False)
+
+    assert factor(spread=0.0) == 1.0
+    assert factor(force=28.5e9) == pytest.approx(1.0, abs=1e-5)
+    assert factor(spread=36e-6) - 1.0 == near(2.0 * (factor() - 1.0))
+    assert factor(force=57e3) - 1.0 == near(0.5 * (factor() - 1.0))
+    assert factor(stiffness=6e8) - 1.0 == near(2.0 * (factor() - 1.0))

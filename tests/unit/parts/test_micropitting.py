@@ -19,6 +19,7 @@ from gearwright.parts.micropitting import (
     mean_friction,
     micropitting,
     permissible_film,
+    relief_factor,
 )
 from gearwright.parts.micropitting.film import THERMAL, helical_factor, load_sharing, path_places
 
@@ -121,6 +122,23 @@ def test_more_load_heat_and_roughness_thin_the_film_and_speed_thickens_it():
         assert micropitting(worse, OIL, 80.0, stage=9.0).safety < least.safety
     assert micropitting(MESH, OIL, 95.0, stage=9.0).thinnest < least.thinnest
     assert micropitting(replace(MESH, speed=200.0), OIL, 80.0, stage=9.0).safety > least.safety
+
+
+def test_relieved_tips_leave_the_teeth_cooler_and_the_film_thicker():
+    """X_Ca = 1 + 0.24 ε + 0.71 ε² of a full relief of class 6 and finer, 1 of coarser teeth and of none.
+
+    ε = 24/(2 π) (tan α_a − tan 20°) with cos α_a = 48 cos 20°/52: 0.8010, so X_Ca is 1.6477.
+    """
+    angle = math.radians(20.0)
+    longest = 24.0 / (2.0 * math.pi) * (math.tan(math.acos(48.0 / 52.0 * math.cos(angle))) - math.tan(angle))
+    full = 1.0 + 0.24 * longest + 0.71 * longest**2
+    assert full == pytest.approx(1.6477, abs=5e-5)
+    assert [relief_factor(EVEN, part, 5) for part in (0.0, 0.5, 1.0)] == pytest.approx([1.0, 0.5 + 0.5 * full, full])
+    assert [relief_factor(EVEN, 1.0, grade) for grade in (6, 7)] == pytest.approx([full, 1.0])
+    plain, relieved = (micropitting(replace(MESH, relief=factor), OIL, 80.0, stage=9.0) for factor in (1.0, full))
+    assert (plain.tip_relief, relieved.tip_relief) == (1.0, full)
+    assert relieved.bulk - 80.0 == pytest.approx((plain.bulk - 80.0) / full, rel=1e-12)
+    assert relieved.safety > plain.safety
 
 
 def test_better_oils_permit_thinner_films_and_softer_flanks_ask_for_thicker_ones_the_other_way():

@@ -101,6 +101,13 @@ def test_a_sizing_says_what_it_did_not_look_at():
     assert sizing_headline(less) == told.replace("; peaks,", "; 1 not assessed; peaks,")
 
 
+def test_a_sizing_whose_worst_check_fails_says_what_helps():
+    part = PartId(Kind.MESH, "first")
+    near, far = (Check(part, "main resonance", "law", value, 0.15, why="more teeth help") for value in (0.05, 0.2))
+    assert "law): margin 0.333; more teeth help; peaks" in sizing_headline(replace(sized(), checks=(near,)))
+    assert "more teeth help" not in sizing_headline(replace(sized(), checks=(far,)))
+
+
 def test_a_headline_counts_what_fails_what_is_waived_and_what_is_open():
     part = PartId(Kind.SHAFT, "mast")
     checks = (Check(part, "slope", "table", 0.9, 1.0), Check(part, "fatigue", "law", 0.5, 1.0, waiver="an old shaft"))

@@ -183,6 +183,7 @@ def test_a_mesh_may_run_below_or_above_its_main_resonance_and_not_in_it(speed, p
     assert check.value == pytest.approx(abs(1.0 - found.ratio))
     assert check.limit == pytest.approx(0.15)
     assert (not check.fails) == passes == (found.ratio < 0.85 or found.ratio > 1.15)
+    assert ("gearwright close looks for" in check.why) != passes
     slow = pair(1000).meshes[0].rating.nearest
     assert found.ratio / speed == pytest.approx(slow.ratio / 1000.0, rel=1e-9)
 
@@ -204,6 +205,7 @@ def test_a_mesh_that_passes_its_main_resonance_between_two_cases_is_told():
     )
     check = resonance(size(design))
     assert not check.fails and "passes N = 1 between cruise" in check.why and "rated" in check.why
+    assert "gearwright close" not in check.why
 
 
 def test_relief_is_made_for_the_case_that_wears_and_the_heaviest_has_its_own_term():
@@ -252,15 +254,25 @@ def test_the_fastest_case_decides_the_class_and_not_the_heaviest():
 
 
 def test_bores_beyond_the_roots_are_refused_with_path_value_and_what_is_allowed():
-    """Of 30 teeth of 4 mm: d_f = 120 − 10 = 110 mm, less 0.6 modules of wall on both sides 105.2 mm."""
+    """z 30, m_n 4 mm: d_f = 120 − 10 = 110 mm, less half of 2.25 m_n on both sides 101 mm; z 70: 270 and 261 mm."""
     with pytest.raises(DesignError) as caught:
         size(edited(parse(PAIR.format(power=50, speed=6000.0)), {"pairs.stage.pinion_bore_mm": 107,
                                                                 "pairs.stage.wheel_bore_mm": 266}))  # fmt: skip
     pinion, wheel = caught.value.problems
     assert (pinion.path, wheel.path) == ("pairs.stage.pinion_bore_mm", "pairs.stage.wheel_bore_mm")
-    assert "107 mm in roots of 110 mm" in pinion.message and "give 105.2 mm or less" in pinion.message
-    assert "266 mm in roots of 270 mm" in wheel.message and "give 265.2 mm or less" in wheel.message
-    size(edited(parse(PAIR.format(power=50, speed=6000.0)), {"pairs.stage.pinion_bore_mm": 105}))
+    for found, given, root, most in ((pinion, 107, 110, 101), (wheel, 266, 270, 261)):
+        assert found.message.startswith(f"{given} mm, and {found.path.split('.')[1]}.")
+        assert f"has a root circle of {root} mm; allowed: up to {most} mm" in found.message
+        assert "give a smaller bore, or the gear more teeth or a larger module" in found.message
+    just = {"pairs.stage.pinion_bore_mm": 101, "pairs.stage.wheel_bore_mm": 261}
+    assert size(edited(parse(PAIR.format(power=50, speed=6000.0)), just)).gears
+
+
+def test_bores_of_gears_and_of_shafts_through_them_are_held_to_one_rule_and_told_together():
+    told = {"pairs.stage.pinion_bore_mm": 101.5, "layout.fast.bore_mm": 101.5, "layout.slow.bore_mm": 261.5}
+    with pytest.raises(DesignError) as caught:
+        size(edited(parse(PAIR.format(power=50, speed=6000.0)), told))
+    assert sorted(found.path for found in caught.value.problems) == sorted(told)
 
 
 def test_bores_of_sets_and_compound_sets_are_refused_by_their_own_keys():

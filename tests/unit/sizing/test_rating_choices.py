@@ -1,5 +1,7 @@
 """Choices of a rating in the design file: static cases, methods C, two steels, rims, oils, reliability."""
 
+import math
+
 import pytest
 
 from designs import problem
@@ -163,6 +165,22 @@ def test_micropitting_is_assessed_where_the_oils_load_stage_is_given():
     assert (
         record(rated(iso6336__micropitting_stage=8.0)).micropitting.permissible > record(film).micropitting.permissible
     )
+
+
+def test_micropitting_reads_the_relief_that_the_dynamic_factor_reads():
+    """X_Ca = 1 + C_a/C_eff (0.24 ε_2 + 0.71 ε_2²), ε_2 = 66/(2 π) (tan α_a2 − tan 20°), cos α_a2 = 66 cos 20°/68."""
+    angle = math.radians(20.0)
+    longest = 66.0 / (2.0 * math.pi) * (math.tan(math.acos(66.0 / 68.0 * math.cos(angle))) - math.tan(angle))
+    told = ({"iso6336__tip_relief_um": 0.0}, {"iso6336__tip_relief_um": 3.0}, {})
+    films = [record(rated(iso6336__micropitting_stage=10.0, iso6336__tolerance_class=5, **key)) for key in told]
+    for found in films:
+        part = float(found.factors.relief.amount / found.factors.relief.deflection)
+        by_hand = 1.0 + part * (0.24 * longest + 0.71 * longest**2)
+        assert found.micropitting.tip_relief == pytest.approx(by_hand, rel=1e-9)
+    assert films[0].micropitting.tip_relief == 1.0
+    assert films[0].micropitting.safety < films[1].micropitting.safety < films[2].micropitting.safety
+    coarse = record(rated(iso6336__micropitting_stage=10.0, iso6336__tolerance_class=7))
+    assert coarse.micropitting.tip_relief == 1.0
 
 
 def test_the_table_of_methods_has_the_new_rows():

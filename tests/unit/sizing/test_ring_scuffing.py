@@ -26,19 +26,22 @@ def checks(sizing, part, mode):
 
 @pytest.mark.parametrize("stage", ["first", "second"])
 def test_a_ring_is_as_hot_as_its_mesh_by_hand(stage):
-    """w_Bt = K_A K_γ K_V K_Hβ K_Hα F_t/b at the pitch-line velocity against the carrier."""
+    """w_Bt = K_A K_γ K_V K_Hβ K_Hα F_t/b at v against the carrier; c_γα = c′ (0.75 ε_α + 0.25)."""
     rated, rating = mesh(f"{stage}.planet-ring").rating, rating_of(WIND, stage, SIZED.teeth)
     gears = {gear.name: gear for gear in SIZED.gears}
     planet, ring = gears[f"{stage}.planet"], gears[f"{stage}.ring"]
     factors, rules = rated.factors, rating.rules.iso6336
     width = min(planet.face_width, ring.face_width)
     force = factors.tangential_force / width
+    geometry = cylindrical_mesh((planet.teeth, ring.teeth), planet.module, width, rating, internal=True)
+    single = float(factors.relief.stiffness)
     by_hand = ScuffingMesh(
-        cylindrical_mesh((planet.teeth, ring.teeth), planet.module, width, rating, internal=True),
+        geometry,
         force * factors.loads.contact,
         force * factors.loads.application * factors.loads.mesh_load,
         factors.speed,
         rules.flank_roughness / 6.0,
+        (single, single * (0.75 * float(geometry.transverse_contact_ratio) + 0.25)),
         grade=int(factors.grade),
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,

@@ -19,6 +19,8 @@ from gearwright.spec import (
     read,
     value_at,
 )
+from gearwright.spec.bounds import allowed_in
+from gearwright.spec.record import Record
 
 STUDY = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'
 THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
@@ -161,3 +163,14 @@ def test_a_step_of_a_flight_has_a_least_length() -> None:
 
 def test_two_machines_and_their_shafts_keep_their_names() -> None:
     assert parse(HYBRID).motors["electric"].shaft == "middle"
+
+
+def test_every_field_of_every_record_knows_its_unit_and_its_range():
+    """A record refuses by them; a dimension whose unit no key can name would leave its keys unreadable."""
+
+    def kinds(record):
+        return {record} | {kind for one in record.__subclasses__() for kind in kinds(one)}
+
+    for record in kinds(Record):
+        for name in record.model_fields:
+            assert allowed_in(record, name) is not None

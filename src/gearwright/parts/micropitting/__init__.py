@@ -9,6 +9,7 @@ from gearwright.parts.micropitting.film import (
     FilmMesh,
     film_thickness,
     mean_friction,
+    relief_factor,
 )
 from gearwright.parts.micropitting.lubricant import BASES, OilBase, OilGrade
 from gearwright.parts.micropitting.micropitting import Micropitting, micropitting
@@ -28,4 +29,5 @@ __all__ = [
     "mean_friction",
     "micropitting",
     "permissible_film",
+    "relief_factor",
 ]

@@ -20,6 +20,10 @@ class Micropitting:
 
     friction: Annotated[float, Quantity("ratio"), Origin("μ_m", f"{_SOURCE}, method B")]
     """Mean coefficient of friction μ_m [-]."""
+    tip_relief: Annotated[
+        float, Quantity("ratio"), Origin("X_Ca = 1 + C_a/C_eff (0.24 ε_max + 0.71 ε_max²), class ≤ 6", _SOURCE)
+    ]
+    """Tip relief factor X_Ca [-]."""
     bulk: Annotated[
         float, Quantity("temperature"), Origin("θ_M = θ_oil + 7400 (P μ_m H_v/(a b))^0.72 X_S/(1.2 X_Ca)", _SOURCE)
     ]
@@ -53,7 +57,7 @@ def micropitting(
         treatment: Of the weaker flank.
 
     Source: ISO/TS 6336-22:2018, method B (ISO/TR 15144-1:2014).
-    Valid for: ε_α ≤ 2, unmodified profiles; internal pairs for information, see `film_thickness`.
+    Valid for: ε_α ≤ 2, teeth that share as unmodified ones do; internal pairs for information, see `film_thickness`.
     """
     film = film_thickness(mesh, oil, temperature)
     relative = film.relative(mesh.roughness)
@@ -62,6 +66,7 @@ def micropitting(
     thinnest = float(relative[worst])
     return Micropitting(
         friction=film.friction,
+        tip_relief=mesh.relief,
         bulk=film.bulk,
         films=tuple(float(thickness) for thickness in relative),
         point=POINTS[worst],

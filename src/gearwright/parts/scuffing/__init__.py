@@ -18,6 +18,7 @@ from gearwright.parts.scuffing.integral_temperature import (
     IntegralTemperature,
     contact_ratio_factor_integral,
     integral_temperature,
+    relieved_part,
 )
 
 __all__ = [
@@ -32,5 +33,6 @@ __all__ = [
     "integral_temperature",
     "load_sharing",
     "lubricant_factor_scuffing",
+    "relieved_part",
     "thermo_elastic_factor",
 ]

@@ -136,13 +136,24 @@ def tip_relief_factor(mesh: ScuffingMesh) -> float:
     """
     if mesh.grade > 6:
         return 1.0
-    pair = mesh.geometry
-    first, second = (float(ratio) for ratio in pair.addendum_contact_ratios)
-    needed = mesh.nominal_load / mesh.stiffness[1 if pair.helix_angle > 0.0 else 0]
-    chosen = mesh.reliefs[0] if first > 1.5 * second else mesh.reliefs[1]
-    part = min(chosen, needed) / needed
-    longest = max(first, second)
+    longest = max(float(ratio) for ratio in mesh.geometry.addendum_contact_ratios)
+    part = relieved_part(mesh)
     return 1.0 + (0.06 + 0.18 * part) * longest + (0.02 + 0.69 * part) * longest**2
+
+
+def relieved_part(mesh: ScuffingMesh) -> float:
+    """Return the part of the deflection that tip relief makes up for, C_a/C_eff ≤ 1 [-].
+
+    Args:
+        mesh: The mesh.
+
+    Source: ISO/TS 6336-21:2017, eqs 33 to 38: C_eff = F_t K_A K_γ/(b c′), of helical gears with c_γ; C_a of the pinion
+        where ε_1 > 1.5 ε_2, else of the wheel.
+    """
+    first, second = (float(ratio) for ratio in mesh.geometry.addendum_contact_ratios)
+    needed = mesh.nominal_load / mesh.stiffness[1 if mesh.geometry.helix_angle > 0.0 else 0]
+    chosen = mesh.reliefs[0] if first > 1.5 * second else mesh.reliefs[1]
+    return min(chosen, needed) / needed
 
 
 def scuffing_integral_temperature(oil: Oil, structure: float) -> float:

@@ -46,7 +46,7 @@ def said_of(review: Review) -> str:
 
 
 def sizing_headline(sizing: Sizing) -> str:
-    """Return the worst of what a sizing checks, and who looks at the rest.
+    """Return the worst of what a sizing checks, with what helps where it fails, and who looks at the rest.
 
     Args:
         sizing: As sized.
@@ -56,8 +56,9 @@ def sizing_headline(sizing: Sizing) -> str:
     entry = check_sentence(first) if first is not None else "none is assessed"
     failing = sum(check.fails for check in sizing.checks)
     said = f"{failing} of {count} sizing checks {_fail(failing)}" if failing else f"{count} sizing checks pass"
+    helps = f"; {first.why}" if first is not None and first.fails and first.why else ""
     unsaid = f"; {left} not assessed" if left else ""
-    return f"{said}, the worst: {entry}{unsaid}; peaks, resonances and lives: gearwright review"
+    return f"{said}, the worst: {entry}{helps}{unsaid}; peaks, resonances and lives: gearwright review"
 
 
 def implied_text(design: Design) -> str:

@@ -9,7 +9,6 @@ from gearwright.sizing.arrangement.envelope import envelope
 from gearwright.sizing.arrangement.hands import helix_hand
 from gearwright.sizing.arrangement.layout import Moves
 from gearwright.sizing.arrangement.ordering import Way, best_way
-from gearwright.sizing.arrangement.roots import root_diameter
 from gearwright.sizing.arrangement.seats import axial_forces
 from gearwright.sizing.arrangement.sets import PLATE_GAP, set_length, slots
 
@@ -25,7 +24,6 @@ __all__ = [
     "best_way",
     "envelope",
     "helix_hand",
-    "root_diameter",
     "set_length",
     "slots",
 ]

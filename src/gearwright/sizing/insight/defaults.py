@@ -9,6 +9,7 @@ from typing import Annotated
 from gearwright.errors import GearwrightError
 from gearwright.sizing.rating import load_sharing
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
+from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.stages import geared
 from gearwright.sizing.teeth import Chosen
@@ -18,7 +19,7 @@ from gearwright.spec.edit import Value
 from gearwright.units import Origin, Quantity
 from gearwright.verbs import verb
 
-_RELIEF = "ISO 6336-1, 6.5.5: C_a = C_eff in the case that does most damage, at most 0.02 m_n"
+_RELIEVED = "C_a = C_eff in the case that does most damage, at most 0.02 m_n"
 _CLASS = "by pitch-line velocity: 4 above 60 m/s, 5 from 15 m/s on, 6 below"
 
 
@@ -61,7 +62,8 @@ def _of_stage(sizing: Sizing, stage: str) -> Iterator[UsualValue]:
         low, high = (pick(one.relief for one in made) for pick in (min, max))
         words = f"{1e6 * low:.3g}" if low == high else f"{1e6 * low:.3g} to {1e6 * high:.3g}"
         mass = _change(sizing, {f"{table}.gears.iso6336.tip_relief_mm": 0.0})
-        source = _RELIEF if rules.tip_relief_for == "load" else "ISO 6336-1, 6.5.5: C_ay by running in"
+        clause = clause_of("ISO 6336-1, 6.5.5", EDITIONS[design.rating(stage)])
+        source = f"{clause}: {_RELIEVED if rules.tip_relief_for == 'load' else 'C_ay by running in'}"
         yield UsualValue(stage, "tip relief C_a", f"{words} µm", source, "none", mass)
     if made and rules.tolerance_class is None:
         own = int(min(one.grade for one in made))

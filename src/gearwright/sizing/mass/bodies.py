@@ -22,11 +22,11 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.sizing.blanks import PLANET_HUB, TOOTH_HEIGHT, blank_by_rules, external_tooth, ring_radii, turned_out
+from gearwright.sizing.blanks import PLANET_HUB, blank_by_rules, external_tooth, ring_radii, turned_out
 from gearwright.sizing.mass.duties import seat_duties
 from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.places import BOSS
-from gearwright.sizing.rating import rating_of, standard_teeth
+from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, rating_of, standard_teeth
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec.design import Pair
@@ -34,8 +34,6 @@ from gearwright.spec.design import Pair
 HUBS = {"": 1.25, "integral": 1.0, "spline": 1.3, "key": 1.8, "press-fit": 1.8}
 """Joint -> outside of the hub over the shaft's diameter [-]; estimates within what machine-element tables give for
 steel. Nothing said: flanged or splined."""
-THINNEST_RIM = 0.5
-"""Rim of a lightened wheel below the roots over the tooth height, at least [-]: ISO 6336-3:2019, clause 9."""
 THINNEST_WEB = 0.05
 """Web of a lightened wheel over its width, at least [-]: the least that a design may ask for."""
 

@@ -7,10 +7,11 @@ from collections.abc import Iterator, Sequence
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId, Role
 from gearwright.sizing.arranged import Arrangement
-from gearwright.sizing.arrangement import Axle, axles_in, best_way, root_diameter
+from gearwright.sizing.arrangement import Axle, axles_in, best_way
 from gearwright.sizing.places.coaxial import CLAUSE
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.roots import root_diameter
 
 THINNEST_RIM = 1.2
 """Rim under the teeth over their height from which on it does not weaken them [-] (ISO 6336-3:2019, Y_B = 1)."""

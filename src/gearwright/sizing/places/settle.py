@@ -16,7 +16,6 @@ from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts import (
     Built,
     refuse_bores,
-    refuse_bores_beyond_roots,
     refuse_idle_shafts,
     size_carriers,
     size_shafts,
@@ -78,7 +77,6 @@ def settle(context: Context, gears: tuple[GearSizing, ...], *, still: bool = Fal
 def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn, ...]) -> Settled:
     bare = arrange_meshing(context, gears, {turn.shaft: turn.after for turn in turns})
     shafts, built = size_shafts(context, gears, bare)
-    refuse_bores_beyond_roots(context, gears, shafts)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
     carriers = size_carriers(context, gears, shafts, bare.two_sided)

@@ -32,7 +32,15 @@ from gearwright.sizing.rating.protocol import (
     Method,
     Unloaded,
 )
-from gearwright.sizing.rating.rims import BACKUP, LEAST_RING, RIMMED, body_inside, rim_below_roots
+from gearwright.sizing.rating.rims import (
+    BACKUP,
+    LEAST_RING,
+    RIMMED,
+    THINNEST_RIM,
+    TOOTH_HEIGHT,
+    body_inside,
+    rim_below_roots,
+)
 from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
 from gearwright.sizing.rating.rules import Ask, Made, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
@@ -72,6 +80,8 @@ __all__ = [
     "RIMMED",
     "STANDARD_MODULES",
     "STEPS_UP",
+    "THINNEST_RIM",
+    "TOOTH_HEIGHT",
     "Ask",
     "ClassDamage",
     "Context",

@@ -20,9 +20,11 @@ LEAST_RING = 1.75
 BACKUP = 1.2
 """Rim below the roots over the tooth height where the design says nothing [-]: the least without loss of strength,
 AGMA 2001-D04, rim thickness factor."""
+THINNEST_RIM = 0.5
+"""Rim below the roots over the tooth height, at least [-]: where Y_B ends, ISO 6336-3:2019, clause 9."""
 RACEWAY = 0.66
 """Raceway of a planet's bearing in the planet over its pitch diameter where no bore is given [-], an estimate."""
-HEIGHT = ISO53_A.addendum + ISO53_A.dedendum
+TOOTH_HEIGHT = ISO53_A.addendum + ISO53_A.dedendum
 """Tooth height h_t of ISO 53, profile A, over the module [-]."""
 
 
@@ -39,7 +41,7 @@ def rim_below_roots(rating: Rating, role: Role, *, internal: bool = False) -> fl
     rules = rating.rules
     if internal:
         return rules.rim_thickness_ratio - ISO53_A.dedendum
-    return None if role not in RIMMED or rules.rim_ratio is None else rules.rim_ratio * HEIGHT
+    return None if role not in RIMMED or rules.rim_ratio is None else rules.rim_ratio * TOOTH_HEIGHT
 
 
 def body_inside(rating: Rating, role: Role, teeth: Value, module: Value, *, internal: bool = False) -> Value | None:
@@ -66,7 +68,7 @@ def body_inside(rating: Rating, role: Role, teeth: Value, module: Value, *, inte
     if role is Role.WHEEL and rules.rim_ratio is None and rules.web_thickness_ratio >= 1.0:
         return None
     rim = BACKUP if rules.rim_ratio is None else rules.rim_ratio
-    inside = np.maximum(pitch - 2.0 * (ISO53_A.dedendum + rim * HEIGHT) * module, 0.0)
+    inside = np.maximum(pitch - 2.0 * (ISO53_A.dedendum + rim * TOOTH_HEIGHT) * module, 0.0)
     if role is Role.PLANET and rules.rim_ratio is None:
         return as_value(np.minimum(inside, RACEWAY * pitch))
     return as_value(inside)
@@ -108,4 +110,4 @@ def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
     """Y_B of one gear."""
     if (rim := rim_below_roots(rating, role, internal=internal)) is None:
         return 1.0
-    return float(np.asarray(rim_factor(rim, HEIGHT, 1.0, internal=internal)))
+    return float(np.asarray(rim_factor(rim, TOOTH_HEIGHT, 1.0, internal=internal)))

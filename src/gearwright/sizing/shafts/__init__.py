@@ -30,7 +30,7 @@ from gearwright.sizing.shafts.holding import (
     unsealed_exits,
 )
 from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
-from gearwright.sizing.shafts.refusals import refuse_bores, refuse_bores_beyond_roots, refuse_idle_shafts
+from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 from gearwright.sizing.shafts.undercuts import Cut, undercuts_of
@@ -60,7 +60,6 @@ __all__ = [
     "holding_checks",
     "pressure_centre_checks",
     "refuse_bores",
-    "refuse_bores_beyond_roots",
     "refuse_idle_shafts",
     "retention_checks",
     "retentions",

@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 from gearwright.catalogue import Bearing, next_seal_shaft, seals_for
 from gearwright.parts import Material
-from gearwright.sizing.arrangement import root_diameter
 from gearwright.sizing.bearings import Checked, Seating
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import JointSizing
-from gearwright.sizing.rating import Context
+from gearwright.sizing.rating import TOOTH_HEIGHT, Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.roots import root_diameter
 from gearwright.sizing.shafts.as_given import cylinder
 from gearwright.sizing.shafts.bending import Bent
 from gearwright.sizing.shafts.joints import Seat, hub_bore, size_joint, spline_root
@@ -27,8 +27,6 @@ THINNEST = 10e-3
 """Diameter from which shafts are grown [m]."""
 SEAL_PLATE = 8e-3
 """Part of a shaft under the cover that carries its seal, beside the seal, at least: an assumption [m]."""
-TOOTH_HEIGHT = 2.25
-"""Height of teeth over their module [-] (ISO 53)."""
 
 
 @dataclass(frozen=True)

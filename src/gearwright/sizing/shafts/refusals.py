@@ -3,25 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from gearwright.errors import Problem, refuse
-from gearwright.identity import Role
-from gearwright.sizing.arrangement import root_diameter
 from gearwright.sizing.carrying import ShaftSizing
-from gearwright.sizing.rating import Context
-from gearwright.sizing.result import GearSizing
-from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.units import text
 
 NOTHING = 1e-9
 """Load over the largest one below which it is rounding [-]."""
 MOST_HOLLOW = 0.95
 """Largest bore over diameter, as for bore_ratio [-]."""
-LEAST_RIM = 0.5 * 2.25
-"""Wall under the teeth over the module that a bore must leave [-]: half the tooth height (ISO 6336-3:2019, Y_B)."""
-ROOTED = (Role.PINION, Role.WHEEL, Role.SUN)
-"""Gears that a shaft goes through."""
 
 
 def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
@@ -67,29 +58,3 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
         if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
     ]
     refuse(problems)
-
-
-def refuse_bores_beyond_roots(context: Context, gears: Sequence[GearSizing], shafts: Iterable[ShaftSizing]) -> None:
-    """Raise where a given bore of a shaft reaches the roots of a gear on it.
-
-    Args:
-        context: What sizing reads.
-        gears: As sized.
-        shafts: As sized.
-
-    Raises:
-        DesignError: With the bore, the root circle and what is allowed, of every such gear.
-    """
-    refuse(
-        Problem(
-            f"layout.{shaft.name}.bore",
-            f"{text(bore, 'length')}, and {gear.name} on it has a root circle of {text(root, 'length')}; allowed: up to"
-            f" {text(root - 2.0 * LEAST_RIM * gear.module, 'length')}, which leaves half a tooth's height under the"
-            " teeth; give a smaller bore, or the gear more teeth or a larger module",
-        )
-        for shaft in shafts
-        if (bore := context.design.layout.get(shaft.name, NOTHING_GIVEN).bore) is not None
-        for gear in gears
-        if shaft.name in gear.shafts and gear.role in ROOTED and gear.name not in context.train.internal
-        if bore > (root := root_diameter(context, gear)) - 2.0 * LEAST_RIM * gear.module
-    )

@@ -6,15 +6,16 @@ What carries them comes after; of several choices of teeth only the one that is 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gearwright.checks import Check, accepted
+from gearwright.errors import Problem, refuse
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context, Demand, Known, context_of, demands_of
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.stages.bores import refuse_bores
+from gearwright.sizing.stages.bores import bores_beyond_roots
 from gearwright.sizing.stages.compound_sizes import compound_sizes
 from gearwright.sizing.stages.gear_checks import gear_checks
 from gearwright.sizing.stages.gears import size_gears, size_meshes
@@ -23,6 +24,7 @@ from gearwright.sizing.stages.sharing_by_size import ROUNDS, STILL, sharing_of_s
 from gearwright.sizing.stages.stage_sizes import StageSize, stage_sizes
 from gearwright.sizing.teeth import Chosen, made_share, refuse_contradictions
 from gearwright.spec import Design, edited
+from gearwright.spec.checks import relief_problem
 from gearwright.spec.design import Given
 from gearwright.train import Train, Turning, build_train, power_flows
 
@@ -108,6 +110,14 @@ def geared(
         before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
         if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
             break
-    refuse_bores(context, gears)
+    refuse((*bores_beyond_roots(context, gears), *_reliefs(context, gears)))
     checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
     return Geared(context, gears, meshes, checks, sizes, demands, choice)
+
+
+def _reliefs(context: Context, gears: Sequence[GearSizing]) -> Iterator[Problem]:
+    """Yield stated tip reliefs that are too large for the modules that stages have come to."""
+    for stage in context.design.stages:
+        module = min(gear.module for gear in gears if gear.stage == stage)
+        if (problem := relief_problem(context.design, stage, module)) is not None:
+            yield problem

@@ -7,6 +7,7 @@ from gearwright.spec.checks.bearings import bearing_problems
 from gearwright.spec.checks.design import reference_problems, table_of
 from gearwright.spec.checks.materials import STEEL_KEYS
 from gearwright.spec.checks.mounting import APART, KINDS, MOST_HOLLOW
+from gearwright.spec.checks.sharing import relief_problem
 
 __all__ = [
     "APART",
@@ -15,5 +16,6 @@ __all__ = [
     "STEEL_KEYS",
     "bearing_problems",
     "reference_problems",
+    "relief_problem",
     "table_of",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from gearwright.errors import Problem
@@ -29,7 +30,8 @@ def sharing_problems(design: Design) -> Iterator[Problem]:
             yield from _of_paths(design, name, stage, path)
         else:
             yield from _of_planets(design, stage, path)
-        yield from _relief(design, name, path)
+        yield from _relief(design, name)
+    yield from _relief_stated_twice(design)
 
 
 def _stated_twice(design: Design, name: str, path: str) -> Iterator[Problem]:
@@ -80,14 +82,45 @@ def _is_held(design: Design, shaft: str) -> bool:
     return sum(seat.shaft == shaft for seat in design.bearings.values()) >= _HELD
 
 
-def _relief(design: Design, name: str, path: str) -> Iterator[Problem]:
+def _relief(design: Design, name: str) -> Iterator[Problem]:
     """Find a stated tip relief that leaves too little of the involute of a stated module."""
-    stage, rules = design.stages[name], design.rules(name).iso6336
+    stage = design.stages[name]
     module = None if isinstance(stage, Epicyclic) else stage.module
-    if rules.tip_relief is None or module is None or rules.tip_relief <= LARGEST_RELIEF * module:
-        return
-    own = stage.gears is not None and "tip_relief" in stage.gears.iso6336.model_fields_set
-    where = f"{path}.gears.iso6336.tip_relief_mm" if own else "gears.iso6336.tip_relief_mm"
-    most = 1e3 * LARGEST_RELIEF * module
-    message = f"{1e3 * rules.tip_relief:g} mm on a module of {1e3 * module:g} mm ({name}); give {most:.3g} mm or less"
-    yield Problem(where, message)
+    if module is not None and (problem := relief_problem(design, name, module)) is not None:
+        yield problem
+
+
+def _relief_stated_twice(design: Design) -> Iterator[Problem]:
+    """Find a rule for reliefs beside the amount that overrides it, in the same table."""
+    tables = {"gears": design.gears} | {f"{design.table(name)}.gears": row.gears for name, row in design.stages.items()}
+    for table, rules in tables.items():
+        if rules is not None and {"tip_relief", "tip_relief_for"} <= rules.iso6336.model_fields_set:
+            message = "has no effect: tip_relief_mm states the amount; keep one of the two"
+            yield Problem(f"{table}.iso6336.tip_relief_for", message)
+
+
+def relief_problem(design: Design, name: str, module: float) -> Problem | None:
+    """Return what is wrong with the tip relief that is stated for a stage of some module; None where nothing is.
+
+    Args:
+        design: As typed.
+        name: Of the stage.
+        module: m_n of its teeth [m].
+    """
+    stage, relief = design.stages[name], design.rules(name).iso6336.tip_relief
+    bevel = isinstance(stage, Pair) and stage.kind != "cylindrical"
+    if bevel or relief is None or relief <= LARGEST_RELIEF * module:
+        return None
+    given, most = 1e3 * relief, 1e-3 * math.floor(1e6 * LARGEST_RELIEF * module + 1e-6)  # whole µm, in mm
+    message = (
+        f"{given:g} mm on a module of {1e3 * module:.4g} mm ({name}) leaves too little of the flank; give {most:.3g} mm"
+        " or less, or leave it out: tips are then relieved for their load"
+    )
+    return Problem(_stated_at(design, name), message)
+
+
+def _stated_at(design: Design, name: str) -> str:
+    """Return where the tip relief of a stage is written: in its own table, or in that of all."""
+    own = design.stages[name].gears
+    stated = own is not None and "tip_relief" in own.iso6336.model_fields_set
+    return f"{design.table(name)}.gears.iso6336.tip_relief_mm" if stated else "gears.iso6336.tip_relief_mm"

@@ -115,6 +115,7 @@ def test_clauses_are_those_of_the_edition():
         ("ISO 6336-1:2019, clause 4", "ISO 6336-1:2006, clause 4", "DIN 3990-1:1987"),
         ("ISO 6336-2:2019, clause 5", "ISO 6336-2:2006, clause 5", "DIN 3990-2:1987"),
         ("ISO 6336-3:2019, clause 5", "ISO 6336-3:2006, clause 5", "DIN 3990-3:1987"),
+        ("ISO/TS 6336-20:2017, C_eff", "ISO/TR 13989-1:2000, C_eff", "DIN 3990-4:1987"),
         ("ISO 1328-1:2013", "ISO 1328-1:2013", "ISO 1328-1:2013"),
     ):
         assert clause_of(source, Edition.ISO2019) == source
@@ -170,9 +171,14 @@ def test_the_weakest_treatment_of_a_mesh_says_what_film_it_needs():
     geometry = cylindrical_mesh((23, 59), 4e-3, 40e-3, own)
     assert own.load_factor == 1.06, "the torque is that of the path that carries most, the force that of the mean"
     force = 2.0 * 700.0 / 1.06 / (23 * 4e-3)
+    relief = factors.relief
+    part = min(1.0, relief.amount * relief.stiffness / (force * 1.06 * float(factors.loads.application) / 40e-3))
+    longest = max(float(ratio) for ratio in geometry.addendum_contact_ratios)
+    assert int(factors.grade) <= 6 and part > 0.5
     line = FilmMesh(
         geometry, force, float(factors.loads.contact), 500.0, rules.flank_roughness / 6.0, grade=int(factors.grade),
         elastic_modulus=own.material.elastic_modulus, poisson_ratio=own.material.poisson_ratio, supply=1.2,
+        relief=1.0 + float(part) * (0.24 * longest + 0.71 * longest**2),
     )  # fmt: skip
     alone = film_thickness(line, OilGrade(rules.oil_viscosity * 1e-6), rules.oil_temperature)
     assert film.micropitting.films == pytest.approx(alone.relative(rules.flank_roughness / 6.0).tolist(), rel=1e-6)

@@ -44,7 +44,7 @@ class TipRelief:
     amount: Annotated[Value, Quantity("length"), Origin("C_a ≤ C_eff, 0.02 m_n; at least C_ay", f"{_PART1}, 6.5.5")]
     """C_a [m]."""
     deflection: Annotated[
-        Value, Quantity("length"), Origin("C_eff = F_t K_A K_γ/(b c′), of ε_β ≥ 1 c_γα", "ISO/TS 6336-20, C_eff")
+        Value, Quantity("length"), Origin("C_eff = F_t K_A K_γ/(b c′), of ε_β ≥ 1 c_γα", "ISO/TS 6336-20:2017, C_eff")
     ]
     """Relief that the load for which it is made asks for C_eff [m]."""
     tolerance: Annotated[Value, Quantity("length"), Origin("max(3 µm, 0.15 C_a)", "estimate for ground teeth")] = 0.0

@@ -38,7 +38,9 @@ from gearwright.sizing.rating.rules import Ask, Beyond, Rating
 IDLER_MEAN_STRESS = 0.7
 """Y_M of gears that are loaded on both flanks alike [-] (ISO 6336-3:2019, annex B)."""
 SQUARE_MM = 1e-6
-_PARTS = tuple((f"ISO 6336-{part}", f"DIN 3990-{part}:1987") for part in (1, 2, 3))
+_SCUFFING = "ISO/TS 6336-20:2017, C_eff"
+_PARTS = (*((f"ISO 6336-{part}", f"DIN 3990-{part}:1987") for part in (1, 2, 3)), (_SCUFFING, "DIN 3990-4:1987"))
+"""Part of ISO 6336 -> that of DIN 3990 on the same."""
 EDITIONS = {"iso6336": Edition.ISO2019, "iso6336-2006": Edition.ISO2006, "din3990": Edition.DIN1987}
 """Name of a method -> edition."""
 WITH_OWN_STEEL = (Role.WHEEL, Role.RING)
@@ -119,7 +121,7 @@ def clause_of(source: str, edition: Edition) -> str:
         edition: That rates.
     """
     if edition is Edition.ISO2006:
-        return source.replace(":2019", ":2006")
+        return source.replace(":2019", ":2006").replace(_SCUFFING, "ISO/TR 13989-1:2000, C_eff")
     if edition is Edition.DIN1987:
         return next((own for part, own in _PARTS if part in source), source)
     return source

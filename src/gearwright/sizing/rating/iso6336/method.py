@@ -167,28 +167,9 @@ class Iso6336:
         return life_slope(rating, mode)
 
     def checks(self, rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
-        """Yield both safeties of both gears, and that against scuffing."""
-        for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
-            yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
-            yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
-        yield from resonance_checks(rated.resonances, mesh)
-        yield from scuffing_checks(rated, mesh)
-        yield from film_checks(rated, mesh)
-        yield from static_checks(rated, gears)
-        yield from range_checks(rated.beyond, mesh)
-        if isinstance(dynamic := rated.factors.dynamic, DynamicFactorBySpeed):
-            clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
-            yield Check(
-                mesh,
-                "speed of K_V",
-                clause,
-                speed,
-                FASTEST,
-                "velocity",
-                at_most=True,
-                exponent=None,
-                symbol="v z_1/100",
-            )
+        """Yield both safeties of both gears, resonance, films, static strength and what lies beyond ranges."""
+        for check in _judgements(rated, mesh, gears):
+            yield replace(check, clause=clause_of(check.clause, self._part3))
 
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
@@ -260,6 +241,30 @@ class Iso6336:
         duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, ask=load.ask)
         alone = replace(duty, application_factor=1.0)
         return self._rate(mesh.rating, load.ask, alone, mesh.module, mesh.face_width)
+
+
+def _judgements(rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+    for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
+        yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
+        yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
+    yield from resonance_checks(rated.resonances, mesh)
+    yield from scuffing_checks(rated, mesh)
+    yield from film_checks(rated, mesh)
+    yield from static_checks(rated, gears)
+    yield from range_checks(rated.beyond, mesh)
+    if isinstance(dynamic := rated.factors.dynamic, DynamicFactorBySpeed):
+        clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
+        yield Check(
+            mesh,
+            "speed of K_V",
+            clause,
+            speed,
+            FASTEST,
+            "velocity",
+            at_most=True,
+            exponent=None,
+            symbol="v z_1/100",
+        )
 
 
 def life_slope(rating: Rating, mode: str) -> float:

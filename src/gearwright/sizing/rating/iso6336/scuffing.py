@@ -9,9 +9,9 @@ from typing import Annotated, Protocol
 from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.identity import PartId
-from gearwright.parts.iso6336 import RZ_OVER_RA, PairRating, Treatment
+from gearwright.parts.iso6336 import RZ_OVER_RA, PairRating, Treatment, mesh_springs
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
-from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting
+from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting, relief_factor
 from gearwright.parts.scuffing import (
     SPRAY,
     IntegralTemperature,
@@ -19,6 +19,7 @@ from gearwright.parts.scuffing import (
     ScuffingMesh,
     flash_temperature,
     integral_temperature,
+    relieved_part,
 )
 from gearwright.sizing.rating.iso6336.inputs import SQUARE_MM, steels_of
 from gearwright.sizing.rating.protocol import LoadedMesh
@@ -110,12 +111,15 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         return None
     force = float(factors.tangential_force) / mesh.face_width
     first, second = steels_of(rating, ask.roles)
+    nominal = force * float(factors.loads.application) * float(factors.loads.mesh_load)
+    springs = mesh_springs(geometry, nominal, steels=(first, second), blank=rules.blank_factor)
     scuffed = ScuffingMesh(
         geometry,
         specific_load=force * float(factors.loads.contact),
-        nominal_load=force * float(factors.loads.application) * float(factors.loads.mesh_load),
+        nominal_load=nominal,
         speed=float(factors.speed),
         roughness=rules.flank_roughness / RZ_OVER_RA,
+        stiffness=(float(springs.single), float(springs.mesh)),
         grade=int(factors.grade),
         elastic_modulus=first.elastic_modulus,
         poisson_ratio=first.poisson_ratio,
@@ -196,6 +200,7 @@ def _micropitted(mesh: LoadedMesh, scuffed: ScuffingMesh, factors: PairRating) -
         elastic_modulus=scuffed.elastic_modulus,
         poisson_ratio=scuffed.poisson_ratio,
         supply=SPRAY,
+        relief=relief_factor(scuffed.geometry, relieved_part(scuffed), scuffed.grade),
     )
     weaker = next((treatment for treatment in _SOFTEST if treatment in treatments), treatments[0])
     oil, temperature = _grade(rules), rules.oil_temperature
