@@ -33,7 +33,8 @@ FACTORS_OF_ONE = """
     deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
     PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
     PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure TransverseTooth.side
-    TeethSearch.sized Proportions.share Run.piece
+    TeethSearch.sized Proportions.share Run.piece MeshDeviations.relief_term MeshQuality.blank mesh_springs.blank
+    MovingBody.meshes Rating.load_factor ScuffingMesh.mates Task.fastest Task.steady
 """
 """Factors, counts and senses that leave a formula as it is."""
 
@@ -42,7 +43,7 @@ NOTHINGS = """
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
     CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
-    LoadedTooth.thickness_shift MeshDeviations.tip_relief MeshGeometry.helix_angle MeshQuality.tip_relief
+    LoadedTooth.thickness_shift MeshGeometry.helix_angle MeshQuality.tip_relief
     PinionShaft.offset PinionShaft.span RingLoad.axial RingLoad.moment_x RingLoad.moment_y RingLoad.x RingLoad.y
     SectionLoad.bending_amplitude SectionLoad.bending_mean SectionLoad.torque_amplitude SectionLoad.torque_mean
     ShaftSection.bore ShaperCutter.shift ToothContact.helix ToothProportions.profile_shift ToothProportions.undercut
@@ -65,7 +66,8 @@ NOTHINGS = """
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
     ClassDamage.within.start TransverseTooth.helix_angle TransverseTooth.profile_shift TransverseTooth.tip_alteration
     TransverseTooth.shaper pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
-    JointSizing.speed on_film.fastest Seat.speed Task.deviation ClutchDrive.carried TeethSearch.failing
+    JointSizing.speed Ask.fastest Ask.relieved on_film.fastest Seat.speed TipRelief.stiffness
+    TipRelief.tolerance Task.deviation ClutchDrive.carried TeethSearch.failing
 """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
@@ -75,17 +77,18 @@ NO = """
     ShaftSection.hard_surface rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
-    Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still
+    Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still LoadSharing.by_size
+    LoadSharing.usual MovingBody.held TipRelief.stated body_inside.internal
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
     " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims Ask.reverse"
     " quality_of.reverse section_stress.notch section_stresses.notch"
 )
-PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers"
+PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers Ask.held"
 PAIRS_OF_NOTHING = """
     BevelTooth.thickness_shifts HobbedPair.profile_shifts ScuffingMesh.reliefs ToothContact.path
-    reduced_mass.bore_ratios theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
+    theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
     Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked scuffing_ratio.asked
 """
 ENDLESS = """

@@ -35,8 +35,8 @@ pin_tangential_um = 20
 FAST = {"turbines.turbine.speed_rpm": 15000, "propellers.propeller.speed_rpm": 5000}
 SLOW = {"turbines.turbine.speed_rpm": 3000, "propellers.propeller.speed_rpm": 1000}
 LONG = {
-    "turbines.turbine.speed_rpm": 9000,
-    "propellers.propeller.speed_rpm": 2000,
+    "turbines.turbine.speed_rpm": 8000,
+    "propellers.propeller.speed_rpm": 1800,
     "service.life_h": 20000,
     "service.bearing_life_h": 20000,
 }
@@ -56,7 +56,7 @@ CASES = {
 }
 """Requirement -> a design in which it binds."""
 BEARING = "planetaries.set.planet_bearing."
-QUICK = LONG | {"turbines.turbine.speed_rpm": 12000}
+QUICK = LONG | {"turbines.turbine.speed_rpm": 12000, "propellers.propeller.speed_rpm": 2000}
 ROTOR = PAIR.replace("[propellers.propeller]", "[rotors.main]").replace(
     "diameter_m = 2", "diameter_m = 2.6\nblades = 4"
 )
@@ -77,7 +77,7 @@ STUBBY = {"pairs.helical.pinion_shift": 0.2, "pairs.helical.pinion_teeth": 15, "
 GIVEN = {
     "carriers": (SET, QUICK | {f"{BEARING}kind": "integral", f"{BEARING}life_h": 1, "service.static_safety": 0.5,
                                "planetaries.set.pin_diameter_mm": 20, "carriers.safety": 20}),
-    "room of planets": (SET, QUICK | {f"{BEARING}kind": "needle", f"{BEARING}width_mm": 25}),
+    "room of planets": (SET, QUICK | {f"{BEARING}kind": "needle", f"{BEARING}width_mm": 30}),
     "machines": (ROTOR, {}),
     "room": (PAIR + WALL, {}),
     "joints": (KEYED, {}),

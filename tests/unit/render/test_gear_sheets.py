@@ -21,7 +21,7 @@ def shown(design, gear):
 @pytest.mark.parametrize(
     ("design", "gear", "length"),
     [
-        ("ec120b", "helical.wheel", 37.0),
+        ("ec120b", "helical.wheel", 36.0),
         ("in-line-h2", "first.ring", None),
         ("face-gear-split-torque", "first.wheel-left", None),
     ],

@@ -56,7 +56,7 @@ def test_what_a_bearing_locates_decides_which_rings_are_held():
 def test_inner_rings_lean_on_shoulders_spacers_and_rings():
     held = by_side(sized("ec120b"))
     assert held["mast-upper", "inner", -1].by == "a shoulder"
-    assert held["intermediate-rear", "inner", 1].by == "a spacer of 8 mm to helical.wheel"
+    assert held["intermediate-rear", "inner", 1].by == "a spacer of 8.5 mm to helical.wheel"
     assert held["intermediate-rear", "inner", -1].by == "a spacer of 6 mm to intermediate-axial"
     assert held["input-axial", "inner", 1].by == "DIN 471 - 25 x 1.2"
     assert held["intermediate-axial", "inner", -1].by == "an end plate with M20"

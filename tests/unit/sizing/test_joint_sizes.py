@@ -251,4 +251,4 @@ def test_splines_are_cut_on_to_the_end_of_their_seat_from_which_the_hub_comes():
     (teeth,) = shaft_body(sizing, "tail").splines
     assert (teeth.start, teeth.end) == pytest.approx((169.0, 190.0))
     (wheel,) = shaft_body(sizing, "intermediate").splines
-    assert wheel.start == pytest.approx(73.5) and wheel.end == pytest.approx(92.0 + 37.0 / 2.0)
+    assert wheel.start == pytest.approx(92.0 - 36.0 / 2.0) and wheel.end == pytest.approx(92.0 + 36.0 / 2.0)

@@ -67,8 +67,8 @@ def test_teeth_below_the_undercut_limit_are_refused():
 @pytest.mark.parametrize(
     ("line", "path", "words"),
     [
-        ("sun_teeth = 8", "sun_teeth", "8 is below 12"),
-        ("planet_teeth = 8", "planet_teeth", "8 is below 12"),
+        ("sun_teeth = 5", "sun_teeth", "give a value from 6 to 2000"),
+        ("planet_teeth = 5", "planet_teeth", "give a value from 6 to 2000"),
         ("sun_teeth = 54\nring_teeth = 187", "ring_teeth", "187 leaves no planets beside a sun of 54"),
         ("planet_teeth = 54\nring_teeth = 100", "ring_teeth", "100 leaves no sun inside planets of 54"),
         ("sun_teeth = 5000", "sun_teeth", "give a value from 6 to 2000"),

@@ -47,15 +47,17 @@ def test_modules_under_a_spectrum_are_those_of_each_lane(is_rounded):
     assert found.data.tolist() == alone
 
 
-def test_modules_beyond_a_resonance_are_those_of_each_lane():
-    """A gap that dips at a module of its own in every lane: none, one or more steps up, and some in vain."""
-    start, dip = next_standard_of(lanes(1e-3, 9e-3)), lanes(1e-3, 1.2e-2, seed=5)
+@pytest.mark.parametrize("standard", [True, False])
+def test_modules_beyond_a_resonance_are_those_of_each_lane(standard):
+    """A gap that asks for a module of its own in every lane: none, one or more steps up, and some in vain."""
+    start, needed = next_standard_of(lanes(1e-3, 9e-3)), lanes(0.9, 1.5, seed=5)
+    needed = start * needed
     twin = twinned("gearwright.sizing.rating.widths")
-    found = twin.strong_enough(start, 10.0, lambda module, width: (module / dip) ** 2, twin.next_standard)
-    rows = zip(start.data.tolist(), dip.data.tolist(), strict=True)
-    alone = [strong_enough(at, 10.0, lambda module, width, d=d: (module / d) ** 2, next_standard) for at, d in rows]
+    found = twin.strong_enough(start, lambda module: (module / needed) ** 2, standard=standard)
+    rows = list(zip(start.data.tolist(), needed.data.tolist(), strict=True))
+    alone = [strong_enough(at, lambda module, d=d: (module / d) ** 2, standard=standard) for at, d in rows]
     assert found.data.tolist() == alone
-    assert len({value / at for value, at in zip(alone, start.data.tolist(), strict=True)}) > 3
+    assert len({value / at for value, (at, _) in zip(alone, rows, strict=True)}) > 3
 
 
 def next_standard_of(needed):

@@ -1,10 +1,11 @@
 """Modules and face widths of stages: the list of ISO 54, the least width in whole millimetres, pairs on common axes."""
 
 import math
+import random
 
 import pytest
 
-from designs import PAIR
+from designs import PAIR, changed
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import STANDARD_MODULES
@@ -71,6 +72,41 @@ def test_without_standard_modules_the_safety_is_just_met_with_the_widest_face():
     module, width, margin = stage(sizing, "stage")
     assert width <= min(9.0, 0.6 * 23) * module + 1e-9
     assert width > min(9.0, 0.6 * 23) * module - 1e-3 and margin == pytest.approx(1.0, abs=5e-3)
+
+
+FREE = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n[gears.iso6336]\nstandard_modules = false\n'
+SET = '[planetaries.stage]\nsun = "fast"\nring = "ground"\ncarrier = "slow"\nplanets = 3\n'
+KINDS = {
+    "spur": "",
+    "helical": "",
+    "internal": "internal = true\n",
+    "bevel": 'kind = "bevel"\naxis_angle_deg = 90\nspiral_angle_deg = 30\n',
+}
+
+
+def of_any_power(kind, seed):
+    """Return a stage of random teeth and power, whose modules are as they come, as text."""
+    draw = random.Random(f"{kind} {seed}")
+    if kind == "set":
+        sun, planet = 3 * draw.randint(7, 13), 3 * draw.randint(7, 16)
+        own, ratio = f"sun_teeth = {sun}\nplanet_teeth = {planet}\n", 2.0 + 2.0 * planet / sun
+        text = changed(PAIR, '[pairs.stage]\npinion = "fast"\nwheel = "slow"\n', SET)
+    else:
+        pinion, wheel = draw.randint(19, 35), draw.randint(40, 100)
+        own, ratio = f"pinion_teeth = {pinion}\nwheel_teeth = {wheel}\n{KINDS[kind]}", wheel / pinion
+        text = PAIR
+    text = changed(changed(text, "2000", repr(6000.0 / ratio)), "100", f"{10.0 ** draw.uniform(1.0, 3.3):.1f}")
+    helix = f"[gears]\nhelix_angle_deg = {draw.randint(8, 30)}\n" if kind == "helical" else "[gears]\n"
+    return text + own + changed(FREE, "[gears]\n", helix)
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("kind", [*KINDS, "set"])
+def test_modules_as_they_come_bear_their_loads_with_whole_millimetres_of_width(kind, seed):
+    """A face that is cut to whole millimetres asks for a larger module; what is sized passes."""
+    _, width, margin = stage(size(parse(of_any_power(kind, seed))), "stage")
+    assert 1e3 * width == pytest.approx(round(1e3 * width), abs=1e-9)
+    assert margin >= 1.0 - 1e-6
 
 
 def test_pairs_on_common_axes_have_the_distance_of_the_one_that_needs_more():

@@ -1,6 +1,8 @@
 """Which combinations of teeth a preliminary sizing looks at, and which it takes."""
 
-from gearwright.sizing.rating.widths import STEPS_UP, next_standard, strong_enough
+import pytest
+
+from gearwright.sizing.rating.widths import LARGER, strong_enough
 from gearwright.sizing.teeth import Trying
 
 TEETH = [(20, 60), (20, 61), (21, 60), (22, 63), (23, 66)]
@@ -59,10 +61,16 @@ def test_no_more_than_twelve_are_looked_at():
 
 
 def test_a_module_that_bears_less_than_the_smaller_one_gives_way_to_the_next():
-    """3.5 mm stands in a resonance: 4 mm is the next that bears its loads; given modules and hopeless ones stay."""
+    """3.5 mm stands in a resonance: 4 mm is the next that bears its loads; hopeless ones stay."""
     gaps = {3.0e-3: 0.9, 3.5e-3: 0.8, 4.0e-3: 1.1}
-    assert strong_enough(3.5e-3, 10.0, lambda module, _: gaps[module], next_standard) == 4.0e-3
-    assert strong_enough(3.5e-3, 10.0, lambda *_: 0.5, lambda _: 3.5e-3) == 3.5e-3
+    assert strong_enough(3.5e-3, gaps.get, standard=True) == 4.0e-3
     tried = []
-    assert strong_enough(3.5e-3, 10.0, lambda module, _: tried.append(module) or 0.5, next_standard) == 3.5e-3
-    assert len(tried) == STEPS_UP
+    assert strong_enough(3.5e-3, lambda module: tried.append(module) or 0.5, standard=True) == 3.5e-3
+    assert len(tried) == 1 + len(LARGER)
+
+
+def test_a_module_that_is_not_rounded_is_the_least_above_that_is_strong_enough():
+    """A module that bears its loads stays; 3.52 and 3.6 mm are found; 4.2 mm are 20 % away: too far."""
+    for needed, found in ((3.4e-3, 3.5e-3), (3.52e-3, 3.52e-3), (3.6e-3, 3.6e-3), (4.2e-3, 3.5e-3)):
+        module = strong_enough(3.5e-3, lambda module, needed=needed: (module / needed) ** 3, standard=False)
+        assert module == pytest.approx(found, rel=1e-6) and module >= found

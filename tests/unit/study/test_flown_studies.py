@@ -94,10 +94,11 @@ def test_a_life_that_is_asked_for_costs_mass() -> None:
 
 
 def test_the_governing_part_is_a_text_in_tables_and_no_objective() -> None:
+    """4223 h are 1.2e10 cycles of the first sun, 3 · 15 500 rpm against its planets: there its line still falls."""
     table = table_of('["fly.governing", "fly.fuel"]')
     assert table.numbers == ("fly.fuel",)
-    assert study_records(table)[0]["fly.governing"] == "second.planet, bending"
-    assert '"second.planet, bending"' in study_csv(table)
+    assert study_records(table)[0]["fly.governing"] == "first.sun, pitting"
+    assert '"first.sun, pitting"' in study_csv(table)
     with pytest.raises(DesignError, match="is a name and no number"):
         table.column("fly.governing")
 

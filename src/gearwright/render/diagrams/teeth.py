@@ -24,13 +24,15 @@ from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer,
 
 
 def pair() -> list[Entity]:
-    """A cylindrical pair along its axes and from the side, with the helix on the pitch cylinder."""
+    """A cylindrical pair along its axes, with its bores, and from the side, with the helix on the pitch cylinder."""
     pinion, wheel = (CylindricalGear(teeth, 2.5, 1.0) for teeth in (17, 29))
     distance = pinion.pitch_radius + wheel.pitch_radius
     entities: list[Entity] = []
     for gear, middle, turn in ((pinion, 0j, 0.0), (wheel, complex(distance), math.pi + math.pi / 29.0)):
         entities += [*toothed(gear, middle, turn), Arc(middle, 7.0, Layer.OUTLINE), *cross(middle, gear.tip_radius)]
     entities.append(across(0j, complex(distance), -48.0, "centre_distance_mm"))
+    entities += leader(cmath.rect(7.0, 145.0 * DEGREE), complex(-28.0, 24.0), "pinion_bore_mm")
+    entities += leader(distance + cmath.rect(7.0, 45.0 * DEGREE), complex(distance + 44.0, 48.0), "wheel_bore_mm")
     entities += [note(complex(0.0, 32.0), "pinion"), note(complex(distance, 46.0), "wheel")]
     start, end, radius = 112.0, 148.0, wheel.tip_radius
     middle = (start + end) / 2.0
@@ -69,7 +71,7 @@ def teeth() -> list[Entity]:
     entities += swept(foot, (90.0 * DEGREE, 110.0 * DEGREE), 17.0, complex(-26.0, 20.0), "pressure_angle_deg")
     relieved = complex(pitch + pitch / 4.0 - slope * high, high)
     entities += [line(relieved + complex(slope * 8.0, -8.0), relieved - 2.6, layer=Layer.THIN)]
-    entities += leader(relieved - 1.0, relieved + complex(9.0, 9.0), "tip_relief_mm")
+    entities += leader(relieved - 1.0, relieved + complex(9.0, 9.0), "tip_relief_mm ± tip_relief_tolerance_mm")
     thick = complex(2.0 * pitch + pitch / 4.0)
     entities += [line(*(thick + complex(2.6 - slope * y, y) for y in (low, high)), layer=Layer.HIDDEN)]
     normal = cmath.rect(2.44, 20.0 * DEGREE)

@@ -159,17 +159,22 @@ def _widths(module: ModuleType) -> None:
                 break
         return size
 
-    def strong_enough(module_: Any, ratio: Any, gap: Any, rounded: Any) -> Any:
-        tried, left, found = module_, lanes_of(np.True_), module_
-        for _ in range(module.STEPS_UP):
-            met = left & lanes_of(gap(tried, ratio * tried) >= 1.0 - module.JUST)
+    def strong_enough(size: Any, gap: Any, *, standard: bool) -> Any:
+        weak, found, left = size, size, lanes_of(np.True_)
+        for tried in module._tries(size, standard=standard):
+            met = left & lanes_of(gap(tried) >= 1.0 - module.JUST)
             found, left = chosen(met, tried, found), left & ~met
-            following = chosen(left, rounded(tried * (1.0 + module.NEXT)), tried)
-            left = left & lanes_of(following > tried * (1.0 + 2.0 * module.NEXT))
             if not left.data.any():
                 break
-            tried = following
-        return found
+            weak = chosen(left, tried, weak)
+        return found if standard else least(chosen(left, size, weak), found, gap)
+
+    def least(weak: Any, strong: Any, gap: Any) -> Any:
+        while (active := lanes_of(strong - weak > module.JUST * strong)).data.any():
+            middle = chosen(active, (weak + strong) / 2.0, strong)
+            bears = lanes_of(gap(middle) >= 1.0)
+            weak, strong = chosen(active & ~bears, middle, weak), chosen(active & bears, middle, strong)
+        return strong
 
     def narrowest(least: Any, widest: Any, gap: Any) -> Any:
         least, widest = np.broadcast_arrays(lanes_of(least).data, lanes_of(widest).data)

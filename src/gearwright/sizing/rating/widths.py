@@ -19,8 +19,8 @@ STANDARD_MODULES = (
 _MM = 1e-3
 CORRECTIONS = 6
 """Corrections of a module under the load spectrum; each closes most of what is left."""
-STEPS_UP = 4
-"""Rounded modules of which the first that is strong enough is taken [-]."""
+LARGER = (1.02, 1.06, 1.18)
+"""By what a module is tried larger that is not rounded; a standard one, by as many steps [-]."""
 JUST = 1e-6
 """Part by which a gap may miss: what an exact module leaves of rounding and of its last correction [-]."""
 NEXT = 1e-6
@@ -58,26 +58,40 @@ def under_spectrum(module: float, ratio: float, gap: Gap, rounded: Callable[[flo
     return module
 
 
-def strong_enough(module: float, ratio: float, gap: Gap, rounded: Callable[[float], float]) -> float:
-    """Return a rounded module, or the next one that meets the safeties at its greatest face width [m].
+def strong_enough(module: float, gap: Callable[[float], float], *, standard: bool) -> float:
+    """Return a module, or a larger one that meets the safeties at its greatest face width [m].
 
-    Near a resonance of the mesh a standard module may bear less than the smaller one that is needed. The first stays
-    where none of the next few bears more than is asked, and where rounding gives it whatever is needed.
+    Near a resonance of the mesh a standard module may bear less than the smaller one that is needed; and a face that
+    is cut to whole millimetres bears less than the one for which a module was found. The first stays where none of the
+    next few bears what is asked.
 
     Args:
-        module: Rounded up from what is needed [m].
-        ratio: λ = b/m_n of the greatest face width [-].
-        gap: Of the stage.
-        rounded: To what a module is rounded.
+        module: That is needed, rounded where it is to be a standard one [m].
+        gap: Module [m] -> by what factor the loads of its stage could grow at its greatest face width [-].
+        standard: Modules are standard ones; else the least that is strong enough is found.
     """
-    tried = module
-    for _ in range(STEPS_UP):
-        if gap(tried, ratio * tried) >= 1.0 - JUST:
-            return tried
-        before, tried = tried, rounded(tried * (1.0 + NEXT))
-        if tried <= before * (1.0 + 2.0 * NEXT):
-            break
+    weak = module
+    for tried in _tries(module, standard=standard):
+        if gap(tried) >= 1.0 - JUST:
+            return tried if standard else _least(weak, tried, gap)
+        weak = tried
     return module
+
+
+def _tries(module: float, *, standard: bool) -> list[float]:
+    """Return a module and the next larger ones to try [m]."""
+    tries = [module]
+    for larger in LARGER:
+        tries.append(next_standard(tries[-1] * (1.0 + NEXT)) if standard else larger * module)
+    return tries
+
+
+def _least(weak: float, strong: float, gap: Callable[[float], float]) -> float:
+    """Return a module that is just strong enough between one that is too weak and one that is not [m]."""
+    while strong - weak > JUST * strong:
+        middle = (weak + strong) / 2.0
+        weak, strong = (weak, middle) if gap(middle) >= 1.0 else (middle, strong)
+    return strong
 
 
 def overlap_width(rating: Rating, module: float) -> float:
@@ -109,6 +123,35 @@ def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> flo
     return high * _MM
 
 
+def whole(width: float) -> float:
+    """Return the most whole millimetres in a face width, one at least [m].
+
+    Args:
+        width: [m].
+    """
+    return narrowest(width, width, lambda _: 1.0)
+
+
+def bevel_module(teeth: tuple[int, int], outer: float, ratio: float, rating: Rating, gap: Gap) -> float:
+    """Return an outer module of a bevel pair, or a larger one that meets the safeties at its widest face [m].
+
+    Args:
+        teeth: z_1, z_2 [-].
+        outer: Outer transverse module m_et, rounded where the rules ask for standard ones [m].
+        ratio: λ = b/m_mn of the widest [-].
+        rating: Resolved rules.
+        gap: Of the stage.
+    """
+
+    def bears(tried: float) -> float:
+        width = _widest_bevel(teeth, tried, ratio, rating)
+        width = whole(width) if rating.width_is_open else width
+        return gap(mean_module(teeth, tried, width, rating), width)
+
+    rules = rating.proportions
+    return outer if rules is None else strong_enough(outer, bears, standard=rules.standard_modules)
+
+
 def bevel_width(teeth: tuple[int, int], outer: float, ratio: float, rating: Rating, gap: Gap) -> float:
     """Return the face width of a bevel pair of an outer module: the widest, or the least that meets the safeties [m].
 
@@ -121,9 +164,14 @@ def bevel_width(teeth: tuple[int, int], outer: float, ratio: float, rating: Rati
         rating: Resolved rules.
         gap: Of the stage.
     """
-    cone = float(cone_ratio(*teeth)) * outer
-    width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
+    width = _widest_bevel(teeth, outer, ratio, rating)
     if not rating.width_is_open:
         return width
     least = overlap_width(rating, mean_module(teeth, outer, width, rating))
     return narrowest(least, width, lambda tried: gap(mean_module(teeth, outer, tried, rating), tried))
+
+
+def _widest_bevel(teeth: tuple[int, int], outer: float, ratio: float, rating: Rating) -> float:
+    """Return the widest face of a bevel pair of an outer module [m]."""
+    cone = float(cone_ratio(*teeth)) * outer
+    return ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)

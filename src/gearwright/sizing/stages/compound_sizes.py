@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve
+from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve, strong_enough, whole
 from gearwright.sizing.stages.stage_sizes import StageSize, rounded
 from gearwright.spec.design import relative_modules
 from gearwright.train import Mesh
@@ -55,16 +55,18 @@ def _unit(
         path = next(iter(context.design.epicyclics[name].planets))
         message = "no load case sends power through this set, so that strength asks for no module; write module_mm = 2"
         raise DesignError([Problem(f"{context.design.table(name)}.planets.{path}", message)])
-    if context.ratings[name].proportions is None:
+    rating, width_ratio = context.ratings[name], context.width_ratios[name]
+    if rating.proportions is None:
         return needed
-    width_ratio = context.width_ratios[name]
+
+    def gap(unit: float, width_of: Callable[[float], float] = lambda width: width) -> float:
+        modules = ((meshes, unit * ratios[group]) for group, meshes in rows.items())
+        return min(_gap(context, meshes, module, width_of(width_ratio * module)) for meshes, module in modules)
+
     for _ in range(CORRECTIONS):
-        gaps = [
-            _gap(context, meshes, needed * ratios[group], width_ratio * needed * ratios[group])
-            for group, meshes in rows.items()
-        ]
-        needed /= math.cbrt(min(gaps))
-    return rounded(context, name, needed)
+        needed /= math.cbrt(gap(needed))
+    bears = partial(gap, width_of=whole) if rating.width_is_open else gap
+    return strong_enough(rounded(context, name, needed), bears, standard=rating.proportions.standard_modules)
 
 
 def _size(context: Context, meshes: list[Mesh], module: float) -> StageSize:

@@ -11,11 +11,10 @@ from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
 from gearwright.sizing.rating import (
     CORRECTIONS,
     JUST,
-    NEXT,
-    STEPS_UP,
     Context,
     Demand,
     Gap,
+    bevel_module,
     bevel_pair,
     bevel_width,
     cone_ratio,
@@ -27,6 +26,7 @@ from gearwright.sizing.rating import (
     scuffing_ratio,
     strong_enough,
     under_spectrum,
+    whole,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
 from gearwright.spec.design import module_owners
@@ -131,10 +131,13 @@ def _bear_together(context: Context, needed: dict[str, float], tied: set[str]) -
 
 def _widest(context: Context, stage: str, module: float) -> float:
     """Return the face width of a stage at its most [m]."""
+    return context.given.get(f"{stage}.face_width", _most(context, stage, module))
+
+
+def _most(context: Context, stage: str, module: float) -> float:
+    """Return the greatest face width of a stage of cylindrical gears, in whole millimetres where it is open [m]."""
     widest = context.width_ratios[stage] * module
-    if context.ratings[stage].width_is_open:
-        widest = narrowest(widest, widest, lambda _: 1.0)
-    return context.given.get(f"{stage}.face_width", widest)
+    return whole(widest) if context.ratings[stage].width_is_open else widest
 
 
 def _span(context: Context, stage: str) -> float:
@@ -166,8 +169,18 @@ def _size(context: Context, stage: str, needed: float, demands: Mapping[str, Dem
     module = made(needed if on_axes else under_spectrum(needed, ratio, gap, made))
     if bevel:
         return _bevel_size(context, stage, module, ratio)
-    size = _cylinder(context, stage, strong_enough(module, ratio, gap, made), ratio)
+    size = _cylinder(context, stage, _strong(context, stage, module, gap), ratio)
     return _against_scuffing(context, stage, size, demands) if rating.width_is_open else size
+
+
+def _strong(context: Context, stage: str, module: float, gap: Gap) -> float:
+    """Return a module of a stage, or a larger one that meets what is asked; one that is given or tied stays [m]."""
+    rules, tied = context.ratings[stage].proportions, any(stage in links for links in _links(context))
+    if rules is None or tied or f"{stage}.module" in context.given:
+        return module
+    return strong_enough(
+        module, lambda tried: gap(tried, _most(context, stage, tried)), standard=rules.standard_modules
+    )
 
 
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
@@ -209,16 +222,14 @@ def _against_scuffing(context: Context, stage: str, size: StageSize, demands: Ma
 
     if f"{stage}.face_width" in context.given or (cool := _of_group(context, stage, alone))(*size[:2]) >= 1.0:
         return size
-    ratio, bears, module = context.width_ratios[stage], _of_group(context, stage, _gap), size.module
-    for _ in range(STEPS_UP):
-        if min(bears(module, ratio * module), cool(module, ratio * module)) >= 1.0 - JUST:
-            own = _cylinder(context, stage, module, ratio)
-            width = narrowest(own.face_width, ratio * module, partial(cool, module))
-            return StageSize(module, width, width)
-        module, before = _made_module(context, stage, module * (1.0 + NEXT)), module
-        if module <= before * (1.0 + 2.0 * NEXT):
-            break
-    return size
+    bears = _of_group(context, stage, _gap)
+    module = _strong(context, stage, size.module, lambda *tried: min(bears(*tried), cool(*tried)))
+    widest = _most(context, stage, module)
+    if min(bears(module, widest), cool(module, widest)) < 1.0 - JUST:
+        return size
+    own = _cylinder(context, stage, module, context.width_ratios[stage])
+    width = narrowest(own.face_width, widest, partial(cool, module))
+    return StageSize(module, width, width)
 
 
 def _made_module(context: Context, stage: str, needed: float) -> float:
@@ -261,7 +272,10 @@ def _outer_module(context: Context, stage: str, needed: float) -> float:
 def _bevel_size(context: Context, stage: str, outer: float, ratio: float) -> StageSize:
     """Return mean normal module and face width of a bevel stage of an outer module."""
     rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
-    width = bevel_width(teeth, outer, ratio, rating, partial(_gap, context, stage))
+    gap = partial(_gap, context, stage)
+    if f"{stage}.outer_module" not in given:
+        outer = bevel_module(teeth, outer, ratio, rating, gap)
+    width = bevel_width(teeth, outer, ratio, rating, gap)
     asked = given.get(f"{stage}.face_width", width)
     width = min(asked, min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * outer)
     return StageSize(mean_module(teeth, outer, width, rating), width, asked)

@@ -15,6 +15,7 @@ from gearwright.sizing.rating import (
     Load,
     LoadedMesh,
     Rating,
+    bevel_module,
     bevel_pair,
     bevel_width,
     mean_module,
@@ -51,7 +52,7 @@ def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], rat
         outer = bevel_pair(teeth, module, ratio * module, rating).outer_module
         return next_standard(outer) if rules is not None and rules.standard_modules else outer
 
-    outer = outer_of(under_spectrum(needed, ratio, gap, outer_of))
+    outer = bevel_module(teeth, outer_of(under_spectrum(needed, ratio, gap, outer_of)), ratio, rating, gap)
     width = bevel_width(teeth, outer, ratio, rating, gap)
     return mean_module(teeth, outer, width, rating), width
 
