@@ -330,7 +330,7 @@ NUMBERS: Mapping[str, Sequence[tuple[str, str | Callable[[], float]]]] = {
         ("No optimiser beats {:.2f} kg honestly", lambda: _total_mass(_lightest_speed())),
     ],
     "how-to/other-tools.md": [
-        ("\n{:.1f} kg for ", r"^ of solid wheels +([\d.]+) kg"),
+        ("\n{:.1f} kg for ", r"^ train as sized +([\d.]+) kg"),
     ],
     "how-to/strategies.md": [("of {} kg at the same charge", r"^Fuel ([\d.]+) kg")],
 }
