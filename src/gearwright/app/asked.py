@@ -76,6 +76,8 @@ class Progress(NamedTuple):
     done: float
     """Part of it, from 0 to 1."""
     words: str = ""
+    lasting: bool = False
+    """Whether it is to be shown even if another has just been, as nothing follows for a while."""
 
 
 Tell = Callable[[Progress], None]

@@ -147,7 +147,7 @@ class Jobs:
 
         def tell(progress: Progress) -> None:
             now = time.monotonic()
-            if now - told[0] > BEAT:
+            if progress.lasting or now - told[0] > BEAT:
                 told[0] = now
                 loop.call_soon_threadsafe(self._told, job, progress)
 

@@ -11,6 +11,7 @@ from threading import Lock
 
 from gearwright.app.asked import Answer, Progress, Question, Tell
 from gearwright.app.verbs import answered
+from gearwright.notices import noticed
 from gearwright.processes import dismiss, hire
 
 MEMORY = 16 * 2**30
@@ -113,8 +114,15 @@ def _work(line: Connection, gives_way: bool) -> None:  # noqa: FBT001 -- argumen
 
 def _safely(question: Question, tell: Tell) -> Answer:
     """Return the answer; an error of gearwright's own is told as one, and the process lives on."""
+    done = [0.0]
+
+    def told(now: Progress) -> None:
+        done[0] = now.done
+        tell(now)
+
     try:
-        return answered(question, tell)
+        with noticed(lambda words: tell(Progress(done[0], words, lasting=True))):
+            return answered(question, told)
     except Exception as error:  # what no rule foresaw must not end the workbench
         sentence = f'{{"error": "gearwright failed here ({type(error).__name__}); this is a fault of its own"}}'
         return Answer(sentence.encode(), status=500)

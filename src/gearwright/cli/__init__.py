@@ -55,6 +55,7 @@ from gearwright.cli.ends import (
 from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.terminal.sections import Sections
 from gearwright.cli.terminal.streams import flushed, steady_streams
+from gearwright.notices import noticed
 from gearwright.version import __version__
 
 YOUNG = 250_000
@@ -97,7 +98,7 @@ def main() -> None:
     gc.set_threshold(YOUNG)
     steady_streams()
     warnings.showwarning = _say
-    with listening():
+    with listening(), noticed(tell):
         code = _code()
     unwritten = flushed()
     sys.exit(code or (_unwritten(unwritten) if unwritten else 0))

@@ -12,7 +12,8 @@ from numba import njit
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
-from gearwright.dynamics.kept_code import folder, read_code, write_code
+from gearwright.dynamics.kept_code import COMPILING, folder, read_code, write_code
+from gearwright.notices import notice
 
 Given = ParamSpec("Given")
 Result = TypeVar("Result")
@@ -41,7 +42,7 @@ class CodeCache:
         return str(folder() or "")
 
     def load_overload(self, signature: Any, target: Any) -> Any:
-        """Return the code for arguments; none if it is not there, or not to be trusted.
+        """Return the code for arguments; none if it is not there, or not to be trusted: then it is compiled next.
 
         Args:
             signature: Kinds of the arguments.
@@ -51,6 +52,7 @@ class CodeCache:
         path = self._path(signature, target.codegen())
         content = None if path is None else read_code(path)
         if content is None:
+            notice(COMPILING)
             return None
         return CompileResult._rebuild(target, *pickle.loads(content))  # type: ignore[no-untyped-call]
 

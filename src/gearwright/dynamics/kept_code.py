@@ -28,6 +28,8 @@ KEPT = 16
 """Versions whose code is kept, some 2 MB each and what structures take: the latest."""
 STRUCTURES = 256
 """Structures whose code is kept, some 50 kB each: the latest."""
+COMPILING = "compiling the steps of this kind of system: some ten seconds the first time, then they are kept"
+"""What is said before code is compiled for more than a second."""
 _HEAD = b"gearwright code 1\n"
 
 

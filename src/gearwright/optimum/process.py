@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 
 LENGTHS = (0.05, 20.0)
 """Least and largest length over which a result changes, over a freedom's range [-]."""
@@ -35,6 +36,7 @@ class Process(NamedTuple):
     weights: Floats
     """Correlations' inverse times the values over their scale, shape (n,)."""
 
+    @one_blas_thread()
     def at(self, places: Floats) -> tuple[Floats, Floats]:
         """Return mean and standard deviation of the result at places.
 
@@ -49,6 +51,7 @@ class Process(NamedTuple):
         return self.mean + self.scale * (across @ self.weights), self.scale * np.sqrt(self.variance * left)
 
     @property
+    @one_blas_thread()
     def left_out(self) -> Floats:
         """By how much the others foretell each value wrong, lengths kept, shape (n,)."""
         from scipy.linalg import cho_solve
@@ -57,6 +60,7 @@ class Process(NamedTuple):
         return np.asarray(self.scale * self.weights / np.diag(inverse))
 
 
+@one_blas_thread()
 def fitted(places: Floats, values: Floats, start: Floats | None = None) -> Process:
     """Return the process of values at places, with the likeliest lengths and noise.
 
@@ -75,6 +79,7 @@ def fitted(places: Floats, values: Floats, start: Floats | None = None) -> Proce
     return conditioned(places, values, found.x)
 
 
+@one_blas_thread()
 def conditioned(places: Floats, values: Floats, logs: Floats) -> Process:
     """Return the process of values at places with given lengths and noise.
 

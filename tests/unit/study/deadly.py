@@ -8,6 +8,7 @@ import time
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+from gearwright.notices import notice
 from gearwright.sizing import Named
 from gearwright.study.answers import Row
 
@@ -56,3 +57,9 @@ def _first_time(place):
     except FileExistsError:
         return False
     return True
+
+
+def said_first(study, design, case):
+    """Return a row, and say that what it needs takes long."""
+    notice("compiling")
+    return _row(study, case)

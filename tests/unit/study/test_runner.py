@@ -11,6 +11,7 @@ import pytest
 
 import gearwright.study.running.runner as runner_module
 from gearwright.errors import DesignError, SolveError
+from gearwright.notices import noticed
 from gearwright.shipped import shipped_design
 from gearwright.spec import Study, edited, parse_study, read
 from gearwright.study import run
@@ -48,6 +49,14 @@ def test_a_journal_gives_the_rows_of_the_plain_run_bit_for_bit(tmp_path: Path) -
     assert table == run(study, DESIGNS)
     assert table.failed and len(table.failed) < 24, "9 planets do not fit"
     assert rows_of(tmp_path / "j") == list(table.rows)
+
+
+def test_what_workers_say_meanwhile_is_heard_once() -> None:
+    said: list[str] = []
+    with noticed(said.append), local(study_of(6), DESIGNS, 2, function=deadly.said_first) as compute:
+        found = dict(row for finished in compute(cases(study_of(6)), 6) for row in finished)
+    assert sorted(found) == list(range(6))
+    assert said == ["compiling"]
 
 
 @pytest.mark.parametrize(("how", "problem"), [("once", ""), ("always", "its worker died 2 times")])

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.assembly.errors import add_errors
@@ -50,6 +51,7 @@ class Driving(NamedTuple):
 
 
 @verb
+@one_blas_thread()
 def assemble(
     sizing: Sizing,
     case: str | None = None,

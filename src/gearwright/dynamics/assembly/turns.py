@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model import System
 from gearwright.identity import Kind
 from gearwright.ranking import smallest
@@ -16,6 +17,7 @@ from gearwright.verbs import verb
 
 
 @verb
+@one_blas_thread()
 def turns_of(sizing: Sizing, scene: Scene, system: System, position: Floats) -> Mapping[str, Floats]:
     """Return node → its turn about its own axis, against the carrier that it is on [rad]; what stands is left out.
 

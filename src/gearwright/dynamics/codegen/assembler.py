@@ -11,7 +11,11 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen.emit import CHUNK, SINGLE
-from gearwright.dynamics.kept_code import keep_code, kept_code
+from gearwright.dynamics.kept_code import COMPILING, keep_code, kept_code
+from gearwright.notices import notice
+
+LONG = 2_500_000
+"""Characters of assembly from which compiling takes more than a second, of some thousand lines of a model."""
 
 
 def aligned(*shape: int, single: bool = False) -> Floats:
@@ -59,6 +63,8 @@ def machine_code(text: str, called: Mapping[str, int] = _NO_CALLS, *, optimised:
     target = triple.create_target_machine(cpu=cpu, features=features, opt=3)
     key = "\n".join([str(triple), cpu, features, text])
     kept = kept_code(key)
+    if not kept and len(text) > LONG:
+        notice(COMPILING)
     module = llvm.parse_assembly("" if kept else text)
     engine = llvm.create_mcjit_compiler(module, target)
     if kept:

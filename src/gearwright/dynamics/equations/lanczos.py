@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations.sparse import factored, rigid_motions, scaled_lines
 from gearwright.dynamics.model import Arrays
 
@@ -47,7 +48,8 @@ def lowest_modes(arrays: Arrays, count: int) -> Lowest:
 
     start = np.random.default_rng(0).normal(size=size)  # the same answer each time
     operator = LinearOperator((size, size), matvec=inverse, dtype=float)
-    share, shapes = eigsh(operator, k=min(count, size - rigid.shape[1] - 1), which="LA", v0=inverse(start))
+    with one_blas_thread():
+        share, shapes = eigsh(operator, k=min(count, size - rigid.shape[1] - 1), which="LA", v0=inverse(start))
     order = np.argsort(-share)
     square, shapes = 1.0 / share[order], shapes[:, order]
     left = lines.T @ (lines @ shapes) - square * shapes

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model import (
     LARGE,
     Arrays,
@@ -129,6 +130,7 @@ def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:
 
 
 @verb
+@one_blas_thread()
 def modes(system: System, count: int | None = None) -> Modes:
     """Return natural frequencies, shapes and the lines that hold each mode's elastic energy.
 

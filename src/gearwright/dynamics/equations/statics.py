@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.equations.potential import Potential, escape, least
 from gearwright.dynamics.equations.reference import external_load, line_state, speed_factor
@@ -47,6 +48,7 @@ class Equilibrium(Shown):
 
 
 @verb
+@one_blas_thread()
 def statics(system: System, *, time: float = 0.0, balance: Balance = "required") -> Equilibrium:
     """Return the elastic equilibrium under the loads, stiffnesses and errors of one instant.
 

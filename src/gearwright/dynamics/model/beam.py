@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model.line import DampingRatio, Line
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import DesignError, Problem
@@ -73,6 +74,7 @@ class _End(NamedTuple):
 
 
 @verb
+@one_blas_thread()
 def bending_shaft(
     model: Model, name: str, segments: Sequence[Segment], *, speed: float | None = None, damping_ratio: float = 0.0
 ) -> list[str]:

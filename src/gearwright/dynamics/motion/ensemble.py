@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.codegen import compiled, parameter_rows, topology
 from gearwright.dynamics.equations import WORKS, unbalanced
 from gearwright.dynamics.model import (
@@ -104,6 +105,7 @@ class Ensemble(Shown):
 
 
 @verb
+@one_blas_thread()
 def simulate_many(
     systems: Sequence[System],
     duration: float,

@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import WORKS, Work, unbalanced
 from gearwright.dynamics.model import Arrays, System, check_finite, kept, plan_of, refuse_not_finite
 from gearwright.dynamics.motion.accuracy import (
@@ -88,6 +89,7 @@ class Ran(NamedTuple):
 
 
 @verb
+@one_blas_thread()
 def simulate(
     system: System,
     duration: float,
@@ -219,6 +221,7 @@ def _statistics_from(start: float) -> Outputs:
 
 
 @verb
+@one_blas_thread()
 def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     """Return every step of a part of a run, bit for bit as it was.
 

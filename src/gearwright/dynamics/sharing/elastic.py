@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import statics
 from gearwright.sizing import Sizing, governing_case
@@ -30,6 +31,7 @@ class PathShare:
 
 
 @verb
+@one_blas_thread()
 def elastic_shares(sizing: Sizing, case: str | None = None) -> dict[str, dict[str, float]]:
     """Return the share of each parallel mesh of every pair that meshes with several, from the System's statics [-].
 

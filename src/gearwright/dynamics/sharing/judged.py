@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from gearwright.blas_threads import one_blas_thread
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.sharing.of_design import parallel_meshes, sharing_problem
 from gearwright.dynamics.sharing.solutions import load_sharing
@@ -29,6 +30,7 @@ def stages_in_parallel(sizing: Sizing) -> list[str]:
 
 
 @verb
+@one_blas_thread()
 def load_factors(sizing: Sizing) -> Mapping[str, float]:
     """Return stage -> K_γ by the errors that a design states: of the case whose most loaded mesh bears most [-].
 

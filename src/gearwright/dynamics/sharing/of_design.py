@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.assembly import assemble, contacts_of
 from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy
 from gearwright.dynamics.model import Contact, System
@@ -79,6 +80,7 @@ class SharingProblem(Shown):
 
 
 @verb
+@one_blas_thread()
 def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
     """Return the stages whose load goes over several meshes, with the names of their lines.
 
@@ -103,6 +105,7 @@ def _most_loaded_row(sizing: Sizing, name: str, stage: Epicyclic) -> tuple[str, 
 
 
 @verb
+@one_blas_thread()
 def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | None = None) -> SharingProblem:
     """Return the parallel meshes of a stage, ready for every study.
 
@@ -159,6 +162,7 @@ class SharingStudy(Shown):
 
 
 @verb
+@one_blas_thread()
 def sharing_study(
     problem: SharingProblem,
     *,
@@ -194,6 +198,7 @@ def sharing_study(
 
 
 @verb
+@one_blas_thread()
 def sharing(
     sizing: Sizing,
     stage: str | None = None,
@@ -241,6 +246,7 @@ class SupportSweep(Shown):
 
 
 @verb
+@one_blas_thread()
 def support_sweep(
     sizing: Sizing, shaft: str, stiffness: Sequence[float], *, stage: str | None = None, case: str | None = None
 ) -> SupportSweep:
@@ -278,6 +284,7 @@ def _sweep_row(problem: SharingProblem, shaft: str) -> tuple[float, float, float
 
 
 @verb
+@one_blas_thread()
 def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Floats:
     """Return a shaft's displacement across itself from the forces of its bearings [m], shape (instants, 2).
 
@@ -305,6 +312,7 @@ def _turn(system: System) -> Floats:
 
 
 @verb
+@one_blas_thread()
 def single_error_sharing(
     problem: SharingProblem,
     source: ErrorSource,

@@ -17,6 +17,7 @@ from typing import Literal
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import errors_at, line_forces, redundancy, slow_position, steady_forces
 from gearwright.dynamics.model import System, top_rate
 from gearwright.dynamics.motion import Outputs, check_shared_load, default_step, line_numbers, simulate
@@ -72,6 +73,7 @@ class LoadSharing:
 
 
 @verb
+@one_blas_thread()
 def load_sharing(
     system: System, lines: Sequence[str], *, method: Method = "auto", span: tuple[float, float] | None = None
 ) -> LoadSharing:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import DampedModes, damped_modes
 from gearwright.dynamics.model import Excitation, System, Tone, entry_matrix, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
@@ -90,6 +91,7 @@ class Campbell(Shown):
 
 
 @verb
+@one_blas_thread()
 def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Campbell:
     """Return natural frequencies at each speed, followed by their shapes, with all tones and shaft speeds as orders.
 

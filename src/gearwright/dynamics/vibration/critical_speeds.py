@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats, Ints
+from gearwright.blas_threads import one_blas_thread
 from gearwright.checks import ROUNDING
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
@@ -138,6 +139,7 @@ class SpeedCase(Shown):
 
 
 @verb
+@one_blas_thread()
 def critical_speeds(
     sizing: Sizing, *, cases: Sequence[str] | None = None, factors: Sequence[float] = FACTORS
 ) -> tuple[SpeedCase, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.arrays import Complexes, Ints
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import linear, statics
 from gearwright.dynamics.model import System, line_matrix
@@ -18,6 +19,7 @@ UNLOADED = 1e-3
 
 
 @verb
+@one_blas_thread()
 def forced_factors(sizing: Sizing, case: str) -> dict[str, float]:
     """Return by how much the steady vibration of a load case raises the force of every mesh row that bears load [-].
 

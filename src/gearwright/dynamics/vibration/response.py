@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import damped_rates, linear
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import UNDAMPED, index_of
@@ -64,6 +65,7 @@ class Peak:
 
 
 @verb
+@one_blas_thread()
 def frequency_response(
     system: System,
     frequency: Sequence[float] | Floats,

@@ -10,6 +10,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model import Excitation, System
 from gearwright.dynamics.motion import (
     GIVEN,
@@ -83,6 +84,7 @@ class Loudest:
 
 
 @verb
+@one_blas_thread()
 def run_up(
     sizing: Sizing,
     system: System,

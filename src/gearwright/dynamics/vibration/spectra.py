@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import speed_factors
 from gearwright.dynamics.model import System, Tone
 from gearwright.dynamics.motion import Samples
@@ -28,6 +29,7 @@ class Waterfall(Shown):
 
 
 @verb
+@one_blas_thread()
 def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tuple[Tone, complex]]:
     """Return the complex amplitude of each tone in a signal, largest first: its real part times e^(iφ) is the share.
 
@@ -56,6 +58,7 @@ def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tu
 
 
 @verb
+@one_blas_thread()
 def waterfall(samples: Samples, signal: Floats, *, stretches: int = 64) -> Waterfall:
     """Return amplitude spectra of overlapping stretches of a signal, Hann window.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model import System, check_finite
 from gearwright.dynamics.motion import Accuracy, Ensemble, simulate_many
 from gearwright.dynamics.vibration.sequences import positive_numbers
@@ -35,6 +36,7 @@ class SpeedMap(Shown):
 
 
 @verb
+@one_blas_thread()
 def speed_map(
     system: System,
     factors: Sequence[float] | Floats,

@@ -14,6 +14,7 @@ from math import gcd, lcm
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import split_rigid, unbalanced
 from gearwright.dynamics.model import Arrays, System
 from gearwright.dynamics.motion import (
@@ -106,6 +107,7 @@ def common_period(arrays: Arrays) -> float:
 
 
 @verb
+@one_blas_thread()
 def periodic(system: System, *, period: float | None = None, step: float | Accuracy | None = None) -> Orbit:
     """Return the periodic motion near static equilibrium.
 

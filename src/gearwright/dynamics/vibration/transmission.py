@@ -6,6 +6,7 @@ import cmath
 
 import numpy as np
 
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.assembly import compound_phases, gear_pairs
 from gearwright.dynamics.model import System
 from gearwright.dynamics.vibration.response import Response, frequency_response
@@ -22,6 +23,7 @@ RANGE = 1000.0
 
 
 @verb
+@one_blas_thread()
 def answer(
     sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top: float = 1e4, case: str | None = None
 ) -> Response:

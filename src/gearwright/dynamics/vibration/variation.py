@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.equations import WORKS, linear, state_matrix, stiffness_at
 from gearwright.dynamics.model import Arrays, System, entry_matrix, line_matrix
 from gearwright.dynamics.motion import BLOCK, Samples, blank_record, stepper
@@ -58,8 +59,9 @@ def monodromy(system: System, samples: Samples) -> Floats:
     step = 2.0 * float(samples.time[1] - samples.time[0])
     exponents = step / 6.0 * (first + 4.0 * middle + last) - step**2 / 12.0 * (first @ last - last @ first)
     total = np.eye(2 * len(arrays.mass))
-    for turn in linalg.expm(exponents):
-        total = turn @ total
+    with one_blas_thread():
+        for turn in linalg.expm(exponents):
+            total = turn @ total
     return np.asarray(total)
 
 

@@ -218,17 +218,67 @@ def _damages(module: ModuleType) -> None:
         return chosen(endured > 0.0, cycles / chosen(endured > 0.0, endured, 1.0), math.inf)
 
     def lasts_in(loads: Any, reference: Any, curve: Any) -> Any:
-        return sum((damage_part(cycles, stress / reference, curve) for stress, cycles in loads), start=0.0) <= 1.0
+        if holds_lanes(curve):
+            return sum((damage_part(cycles, stress / reference, curve) for stress, cycles in loads), start=0.0) <= 1.0
+        columns = [lanes_of(column).data for load in loads for column in (load[1], load[0] / reference)]
+        level = np.broadcast_arrays(*columns)  # all levels in one go, as if each were lanes of its own
+        cycles, factors = (Lanes(np.concatenate(level[k::2])) for k in (0, 1))
+        return Lanes(sum(damage_part(cycles, factors, curve).data.reshape(len(loads), -1), start=0.0) <= 1.0)
 
-    def unit_root(lasts: Any, _near: Any, *ends: Any) -> Any:
+    def near(loads: Any, reference: Any, curve: Any, start: Any) -> Any:
+        return start if holds_lanes(curve) else _about_one(loads, reference, curve, start, steps=module.STEPS)
+
+    def unit_root(lasts: Any, near: Any, *ends: Any) -> Any:
         low, high = (lanes_of(end) for end in ends)
+        about = lanes_of(near())
+        about = chosen((about > low) & (about < high), about, low)
+        holds, fails = about * (1.0 - _BESIDE), about * (1.0 + _BESIDE)
+        holds, fails = chosen(lasts(holds), holds, low), chosen(lasts(fails), high, fails)
         while (active := high / low > 1.0 + 1e-12).data.any():
             middle = chosen(active, (low * high) ** 0.5, low)
-            lasting = lanes_of(lasts(middle))
+            lasting, told = lanes_of(middle <= holds), active & (middle > holds) & (middle < fails)
+            if told.data.any():
+                lasting = lasting | told & lanes_of(lasts(middle))
             low, high = chosen(active & lasting, middle, low), chosen(active & ~lasting, middle, high)
         return low
 
-    module.damage_part, module._lasts, module._unit_root = damage_part, lasts_in, unit_root  # type: ignore[attr-defined]
+    module.damage_part, module._lasts = damage_part, lasts_in  # type: ignore[attr-defined]
+    module._near, module._unit_root = near, unit_root  # type: ignore[attr-defined]
+
+
+_BESIDE = 1e-10
+"""How far beside the factor that secants find it is looked for, over it; farther where it is not there [-]."""
+
+
+def _about_one(loads: Any, reference: Any, curve: Any, start: Any, *, steps: int) -> Lanes:
+    """Return about the factor at which Miner's sum is 1 in every lane, by secants in double logarithmic scale."""
+    stress, cycles, last = np.broadcast_arrays(
+        *(np.stack(np.broadcast_arrays(*(lanes_of(column).data for column in columns)))
+          for columns in ([load[0] / reference for load in loads], [load[1] for load in loads], [start]))
+    )  # fmt: skip
+    at, value, moved = np.log(last[0]), np.zeros(last.shape[1]), np.ones(last.shape[1])
+    slope = np.full(last.shape[1], max((longer / weaker for *_, longer, weaker in curve.lines), default=1.0))
+    for step in range(steps):
+        before, value = value, np.log((cycles / _endured(np.exp(at) * stress, curve)).sum(axis=0))
+        moves = (value != before) & (step > 0)
+        slope = np.where(moves, (value - before) / np.where(moved == 0.0, 1.0, moved), slope)
+        moved = np.where(value == 0.0, 0.0, -value / slope)
+        at = at + moved
+    return Lanes(np.exp(at))
+
+
+def _endured(factor: Any, curve: Any) -> Any:
+    """Return the cycles that are endured at a life factor, to rounding [-]."""
+    left, cycles = factor <= curve.factors[0], np.where(factor > curve.factors[0], 0.0, np.inf)
+    for start, greatest, least, longer, weaker in curve.lines:
+        own = left & (factor > least)
+        cycles, left = np.where(own, start * np.exp(longer * np.log(greatest / factor) / weaker), cycles), left & ~own
+    return cycles
+
+
+def _orders(module: ModuleType) -> None:
+    """Take the order on an axis as one design does, which remembers it: it depends on names alone."""
+    module.best_way = _own(module).best_way  # type: ignore[attr-defined]
 
 
 def _rooms(module: ModuleType) -> None:
@@ -310,6 +360,7 @@ def _unordered(module: ModuleType) -> None:
 CHANGES.update({
     "gearwright.sizing.rating.context": _alone_known,
     "gearwright.sizing.stages.stage_sizes": _whole,
+    "gearwright.sizing.arrangement.ordering": _orders,
     "gearwright.sizing.places.room": _rooms,
     "gearwright.parts.gears.transverse_form": _outlines,
     "gearwright.parts.iso6336.root": _roots,

@@ -34,12 +34,17 @@ FEW, FEWEST = 12, 6
 SPARED = 0.1
 """Part of rows whose time may go into computations that part [-]."""
 LEAST_PURSE = 24.0
-"""Rows that may be computed in vain of few [-]."""
+"""Rows that may be computed in vain of few that part early, as most do: at their powers, speeds and teeth [-]."""
+BEARINGS, BEVELS = 10, 20
+"""Rows one by one that take as long as a computation of rows together, where these part late: by the bearing that is
+chosen for a planet, and by sizes of rated bevel gears, which are looked for longest. Of all others `FEWEST` [-]."""
 TRIED = 4
 """Rows of a group of which one must make a design [-]."""
 PLAIN = "lewis-hertz"
 """Rating of which designs with built shafts are tried together: steps and bearings part the rows as a standard's sizes
 do not, and what is tried in vain costs a second."""
+BEVEL = "iso10300"
+"""Rating of bevel gears."""
 BY_VALUE = frozenset({"pressure_angle"})
 """Numbers of which the search for teeth takes one for all its candidates: rows part by them."""
 DEEP = 12
@@ -198,19 +203,29 @@ def _python(cell: Any) -> Any:
 
 def _size(group: Group, place: Ints, found: Found, results: Sequence[str] | None) -> None:
     """Size some rows of a group, and note their results."""
-    for part, rows in _parting(place, partial(_teeth, group)):
-        for some, numbers in _at_once(rows, partial(_numbers, group, part, results)):
+    price = _price(group.design)
+    for part, rows in _parting(place, partial(_teeth, group), price):
+        for some, numbers in _at_once(rows, partial(_numbers, group, part, results), price):
             found.add(group.rows[part[some]], numbers)
 
 
-def _at_once(rows: Rows, computed: Callable[[Rows, Mapping[str, int], Ints], Any]) -> Iterator[tuple[Ints, Any]]:
+def _price(design: Design) -> int:
+    """Return how many rows one by one take about as long as a computation of rows together [-]."""
+    if any(design.rating(stage) == BEVEL for stage in design.stages):
+        return BEVELS
+    return BEARINGS if any(stage.planet_bearing for stage in design.planetaries.values()) else FEWEST
+
+
+def _at_once(
+    rows: Rows, computed: Callable[[Rows, Mapping[str, int], Ints], Any], price: int
+) -> Iterator[tuple[Ints, Any]]:
     """Yield what is computed of rows with teeth, those of equal numbers of planets at once."""
     count = len(rows.found)
     planets = np.stack([*rows.planets.values(), np.zeros(count)]) if rows.planets else np.zeros((1, count))
     for counts in np.unique(planets[:, rows.found], axis=1).T:
         own = np.flatnonzero(rows.found & (planets == counts[:, None]).all(axis=0))
         given = dict(zip(rows.planets, counts.astype(int).tolist(), strict=False))
-        yield from _parting(own, partial(computed, rows, given))
+        yield from _parting(own, partial(computed, rows, given), price)
 
 
 def _teeth(group: Group, place: Ints) -> Rows:
@@ -226,7 +241,7 @@ def _teeth(group: Group, place: Ints) -> Rows:
     considered = consider_rows(design, train, len(place), kept=CONSIDERED)
 
     def look(rows: Ints, teeth: Rows) -> Iterator[tuple[Ints, Looked]]:
-        yield from _at_once(teeth, partial(_looked, group, place[rows]))
+        yield from _at_once(teeth, partial(_looked, group, place[rows]), _price(group.design))
 
     return nearest_rows(train, considered, look, count=len(place))
 
@@ -269,27 +284,29 @@ class _Purse:
 
 
 def _parting(
-    place: Ints, computed: Callable[[Ints], Any], depth: int = 0, purse: _Purse | None = None
+    place: Ints, computed: Callable[[Ints], Any], price: int = FEWEST, depth: int = 0, purse: _Purse | None = None
 ) -> Iterator[tuple[Ints, Any]]:
     """Yield what a computation in lanes gives of rows, apart where they part; nothing of those that must be alone.
 
-    A computation costs what some rows cost one by one: those that part are paid from a tenth of all rows and from what
-    others gain, so that rows that part again and again are soon left.
+    A computation costs what some rows cost one by one, its price. Those that part are paid from a tenth of all rows and
+    from what others gain, and where rows part late none is begun that could not be paid: so no batch takes much longer
+    than its rows one by one.
     """
-    purse = purse or _Purse(max(SPARED * len(place), LEAST_PURSE))
-    if len(place) < FEWEST or depth > DEEP or purse.left < 0.0:
+    purse = purse or _Purse(max(SPARED * len(place), LEAST_PURSE if price == FEWEST else 0.0))
+    if len(place) < FEWEST or depth > DEEP or purse.left < price:
         return
     try:
         result = computed(place)
     except Diverged as parted:
         labels = np.broadcast_to(np.asarray(parted.labels), (len(place),))
     except (GearwrightError, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, RecursionError):
-        purse.left -= FEWEST
+        purse.left -= price
         return
     else:
-        purse.left += SPARED * (len(place) - FEWEST)
+        gain = len(place) - price
+        purse.left += SPARED * gain if gain > 0 else gain
         yield place, result
         return
-    purse.left -= FEWEST
+    purse.left -= price
     for label in np.unique(labels):
-        yield from _parting(place[labels == label], computed, depth + 1, purse)
+        yield from _parting(place[labels == label], computed, price, depth + 1, purse)

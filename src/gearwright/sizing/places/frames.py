@@ -149,8 +149,8 @@ def _placed(
     if kind == "face" and join.mesh is not None:
         return _across(gears, join, side, known=known, between=between)
     step = join.at[side] - join.at[1 - side]
-    origin = np.array(known.origin) + step * np.array(known.along)
-    origin += between.real * np.array(known.across) + between.imag * np.array(known.up)
+    along = np.array(known.origin) + step * np.array(known.along)
+    origin = along + (between.real * np.array(known.across) + between.imag * np.array(known.up))
     return Frame(_point(origin), known.along, known.across, known.up)
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.errors import Problem, near, refuse
 
 LENGTHS: Mapping[str, float] = {"m": 1.0, "mm": 1e-3}
@@ -40,6 +41,7 @@ class ReducedBody:
         return tuple((place, direction) for place, _, direction in pairs)
 
 
+@one_blas_thread()
 def reduced_body(
     mass: Floats, stiffness: Floats, points: Sequence[str], *, length_unit: str, mass_unit: str
 ) -> ReducedBody:

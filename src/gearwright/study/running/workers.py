@@ -21,6 +21,7 @@ from multiprocessing.reduction import ForkingPickler
 from typing import NamedTuple
 
 from gearwright.errors import SolveError
+from gearwright.notices import notice, noticed
 from gearwright.processes import TRIES, dismiss, hire
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Blocks, Row
@@ -114,7 +115,7 @@ def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]
 
 
 def _serve(pipe: Connection, given: Given) -> None:
-    """Answer chunks with their rows until the pipe closes: the life of a worker."""
+    """Answer chunks with their rows, and with what is said meanwhile, until the pipe closes: the life of a worker."""
     gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
     answer: object = None
     while True:
@@ -124,7 +125,8 @@ def _serve(pipe: Connection, given: Given) -> None:
         except (EOFError, OSError):  # the runner is gone, perhaps with an answer unread or a chunk half sent
             return
         start = time.process_time()
-        rows = given.finished(chunk)
+        with noticed(pipe.send):
+            rows = given.finished(chunk)
         answer = (rows, time.process_time() - start)
 
 
@@ -205,6 +207,9 @@ class _Crew:
             message = worker.pipe.recv()
         except (EOFError, OSError):  # OSError: it died within its answer
             return self._bury(worker)
+        if isinstance(message, str):
+            notice(message)
+            return []
         if message is None:
             worker.ready, self.failed_starts = True, 0
             return []

@@ -244,11 +244,7 @@ def simulated(system: System, duration: float) -> Trace:
     """
     from gearwright.dynamics import Outputs
     from gearwright.dynamics import simulate as run_system
-    from gearwright.dynamics.motion.simulate import LARGEST_GENERATED
 
     window = (max(0.0, duration - WINDOW), duration)
-    lines = len(system.arrays.stiffness)
-    if lines > LARGEST_GENERATED:
-        tell(f"{lines} lines: compiling their steps takes some ten seconds the first time, and is kept")
     with progress("simulating") as update:
         return run_system(system, duration, outputs=Outputs(start=duration / 4.0, windows=(window,)), progress=update)

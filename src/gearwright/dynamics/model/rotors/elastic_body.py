@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model.line import DampingRatio, Line
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import by_name
@@ -145,6 +146,7 @@ def between(first: Motion, second: Motion | None = None) -> dict[str, float]:
 
 
 @verb
+@one_blas_thread()
 def add_body(
     model: Model, name: str, body: ReducedBody, *, damping_ratio: float = 0.0, highest: float | None = None
 ) -> Placed:

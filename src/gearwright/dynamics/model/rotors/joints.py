@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.rotors.elastic_body import Motion, Point, between
@@ -43,6 +44,7 @@ class Bearing:
 
 
 @verb
+@one_blas_thread()
 def add_bearing(model: Model, name: str, journal: Point, bearing: Bearing, *, housing: Point | None = None) -> None:
     """Hold a station of a rotor to the ground, or to a seat of a housing.
 
@@ -150,6 +152,7 @@ class GearContact:
 
 
 @verb
+@one_blas_thread()
 def add_gear_contact(
     model: Model,
     name: str,

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model.beam import Segment
 from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.rotors.elastic_body import (
@@ -72,6 +73,7 @@ class Rotor:
 
 
 @verb
+@one_blas_thread()
 def add_rotor(
     model: Model,
     name: str,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
+from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix, planned
 
 
@@ -65,10 +66,11 @@ def propagator(arrays: Arrays, h: float, doublings: int) -> Propagator:
     from scipy import linalg
 
     rate, rows = _extended(arrays)
-    powers, works = [linalg.expm(rate * h)], [_works(arrays, rate, rows, h)]
-    for _ in range(doublings):
-        works.append(_twice(works[-1], powers[-1]))
-        powers.append(powers[-1] @ powers[-1])
+    with one_blas_thread():
+        powers, works = [linalg.expm(rate * h)], [_works(arrays, rate, rows, h)]
+        for _ in range(doublings):
+            works.append(_twice(works[-1], powers[-1]))
+            powers.append(powers[-1] @ powers[-1])
     return Propagator(powers[0], np.vstack([rows.force, rows.deflection]), tuple(powers), tuple(works))
 
 
