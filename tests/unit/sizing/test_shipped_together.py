@@ -15,7 +15,7 @@ TOGETHER = (
     "in-line", "in-line-h2", "mixed", "mixed-h1", "mixed-h2", "off-set", "off-set-h1", "off-set-h3", "star",
     "single-planetary", "differential-hybrid", "face-gear-split-torque", "geared-turbofan-star", "twin-engine-sprag",
     "contra-rotating-propellers", "in-line-h1", "off-set-h2", "ravigneaux-automatic", "wolfrom-reducer",
-    "wind-turbine-5mw", "e-axle", "twin-engine-helicopter",
+    "wind-turbine-5mw", "e-axle", "twin-engine-helicopter", "off-set-h1-free",
 )  # fmt: skip
 """All but those of gears that a standard rates on shafts that are built."""
 LOADS = {

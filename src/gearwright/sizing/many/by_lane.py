@@ -250,6 +250,7 @@ _BESIDE = 1e-10
 """How far beside the factor that secants find it is looked for, over it; farther where it is not there [-]."""
 
 
+@np.errstate(all="ignore")  # what is no number is no place to look beside
 def _about_one(loads: Any, reference: Any, curve: Any, start: Any, *, steps: int) -> Lanes:
     """Return about the factor at which Miner's sum is 1 in every lane, by secants in double logarithmic scale."""
     stress, cycles, last = np.broadcast_arrays(
