@@ -119,9 +119,9 @@ def test_the_fillet_of_a_ring_whose_tips_lie_within_its_base_circle_ends_at_the_
 
 
 def test_rows_of_whose_teeth_some_miss_the_speeds_are_still_searched_together():
-    """Within 0.3 % some teeth near the ratios give the motor its speed and others do not; no row is left to itself."""
+    """Within 0.3 % some teeth give the motor its speed and others do not; the few rows of each are not left alone."""
     design = edited(read("in-line-h2"), {"teeth.speed_tolerance": 0.003})
-    sizings = size_many(design, {"gears.contact_safety": np.linspace(1.3, 1.5, 13)})
+    sizings = size_many(design, {"gears.contact_safety": np.linspace(1.3, 1.5, 60)})
     assert np.all(sizings.together)
     flows = sizings.at(0).flows.values()
     assert all(abs(flow.speeds["intermediate"] / (4500.0 * math.pi / 30.0) - 1.0) <= 0.003 for flow in flows)
