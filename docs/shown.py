@@ -31,6 +31,7 @@ import numpy as np
 
 import gearwright as gw
 from gearwright.cli import main as command_line
+from gearwright.sizing.mass import complete_mass
 from gearwright.units import RPM
 
 ROOT = Path(__file__).parents[1]
@@ -50,8 +51,10 @@ NEEDS = {"speed_control.py": "fmpy", "optimise_motor.py": "openmdao", "how-to/op
 """Script, or page with examples in Python -> the module of an extra without which it does not run."""
 ELSEWHERE = frozenset({"fmuCheck"})
 """Programs that are shown and are no part of gearwright, nor of its extras: their output is not made anew."""
-SLOW = frozenset({"gearwright close mixed --life-h 20000 --free rims,webs --why"})
-"""Commands that take minutes: they are run here, and by no test."""
+SLOW = frozenset(
+    {"gearwright close mixed --life-h 20000", "gearwright close mixed --life-h 20000 --free rims,webs --why"}
+)
+"""Commands that take half a minute: they are run here, and by no test."""
 ALIKE = 0.55
 """Part of a line that another one shares at least to stand in its place [-]."""
 SAME, FOLLOWS = 0.2, 0.05
@@ -315,11 +318,57 @@ def _propeller_speed() -> float:
     return abs(sizing.reference.speeds[sizing.train.machines["propeller"]]) / RPM
 
 
-NUMBERS: Mapping[str, Sequence[tuple[str, str | Callable[[], float]]]] = {
+@cache
+def _complete(name: str, bearing: str = "") -> float:
+    """Return what a shipped design weighs in full, with another kind of bearing in the first planets if named [kg]."""
+    design = gw.read(name)
+    design = gw.edited(design, {"planetaries.first.planet_bearing.kind": bearing}) if bearing else design
+    return complete_mass(gw.size(design)).total
+
+
+@cache
+def _masses_by_rule() -> dict[str, list[float]]:
+    """Return what each hybrid weighs under the rules of the shipped study, in its order [kg]."""
+    masses: dict[str, list[float]] = {}
+    for row in gw.study(gw.read_study("hybrid-rules"), workers=0).rows:
+        masses.setdefault(row.design, []).append(float(row.results["mass"].value))
+    return masses
+
+
+def _by_rule(name: str) -> Callable[[], list[float]]:
+    return lambda: _masses_by_rule()[name]
+
+
+def _heavier_alone() -> list[float]:
+    """Return how much heavier gearboxes are for a turbine that takes off alone, and how much lighter two are [%]."""
+    heavier = {name: 100.0 * (alone / both - 1.0) for name, (both, alone, *_) in _masses_by_rule().items()}
+    more = [heavier[name] for name in ("off-set-h1", "in-line-h2", "mixed-h1", "mixed-h2")]
+    return [*more, -heavier["in-line-h1"], -heavier["off-set-h3"]]
+
+
+_MIXED = r"^\$ gearwright close mixed --life-h 20000{}\n(?:(?!\$ ).*\n)*? complete mass +([\d.]+) kg"
+_SOLID, _FREE = _MIXED.format(""), _MIXED.format(" --free rims,webs --why")
+
+NUMBERS: Mapping[str, Sequence[tuple[str, str | Callable[[], float | Sequence[float]]]]] = {
     "index.md": [("teeth give {:.0f})", _propeller_speed)],
     "tutorial.md": [
+        ("Whole teeth give {} instead of 1700 rpm", r"^ rated +propeller +1700 +(\d+) "),
         ("The {:.3g} kg are gears, shafts and carriers", r"^([\d.]+) kg \(gears [\d.]+ kg, shafts"),
+        ("they are the {} kg of the sum", r"^Sum .*gears, shafts and carriers ([\d.]+) kg;"),
         ("The sum of {} kg has", r"^Sum ([\d.]+) kg"),
+    ],
+    "how-to/close.md": [
+        ("ends on {} kg with everything", _FREE),
+        ("everything, {} kg without `--free`", _SOLID),
+        ("rims and webs among them (Mixed {} → ", _SOLID),
+        (" → {} kg) | helix", _FREE),
+        ("teeth are free ({:.1f} kg;", lambda: _complete("off-set-h1-free")),
+    ],
+    "how-to/hybrid-rules.md": [
+        *((f"| `{name}` | {{:#.4g}} | {{:#.4g}} | {{:#.4g}} | {{:#.4g}} |", _by_rule(name))
+          for name in ("off-set-h1", "off-set-h2", "off-set-h3", "in-line-h1", "in-line-h2", "mixed-h1", "mixed-h2")),
+        ("{:.0f} % heavier in `off-set-h1`, {:.0f} % in `in-line-h2`, {:.0f} and {:.0f} % in `mixed-h1` and `mixed-h2`;"
+         " it is {:.0f} % lighter in\n`in-line-h1` and {:.0f} % in `off-set-h3`", _heavier_alone),
     ],
     "how-to/openmdao.md": [
         ("has its least value on a grid of 25 rpm at {:.0f} rpm", _lightest_speed),
@@ -331,11 +380,21 @@ NUMBERS: Mapping[str, Sequence[tuple[str, str | Callable[[], float]]]] = {
     ],
     "how-to/other-tools.md": [
         ("\n{:.1f} kg for ", r"^ train as sized +([\d.]+) kg"),
+        (" kg for {:.1f} kg, and `back.toml`", r"^as sized ([\d.]+) kg"),
+    ],
+    "how-to/question-to-page.md": [
+        ("that is the {} %.", r"^(\d+) %\. It wins"),
+        ("{} % more mass is a lot", r"worse in train as sized (\d+) % more"),
     ],
     "how-to/strategies.md": [("of {} kg at the same charge", r"^Fuel ([\d.]+) kg")],
-}
-"""Page -> words around a number, which stands as a field of a format, and what finds it in what the page shows, or
-what computes it."""
+    "how-to/workbench.md": [
+        ("it passes, at {:.1f} kg. Click", lambda: _complete("in-line-h2-star")),
+        ("again: it passes at {:.1f} kg, and", lambda: _complete("in-line-h2-star", "plain")),
+    ],
+}  # fmt: skip
+"""Page -> words around numbers, each of which stands as a field of a format, and what finds them in what the page
+shows, commands and their output, or what computes them."""
+FIELD, NUMBER = re.compile(r"\{[^}]*\}"), r"[-−]?[\d.]*\d"
 
 
 def with_numbers(page: str, text: str, came: Iterable[str]) -> str:
@@ -344,7 +403,7 @@ def with_numbers(page: str, text: str, came: Iterable[str]) -> str:
     Args:
         page: Its path below the documentation.
         text: What stands there.
-        came: Lines that its commands write.
+        came: Commands after a prompt, and the lines that they write.
 
     Raises:
         ValueError: A sentence, or what is to stand in it, is not there.
@@ -355,12 +414,16 @@ def with_numbers(page: str, text: str, came: Iterable[str]) -> str:
             found = re.search(known, lines, re.MULTILINE)
             if found is None:
                 raise ValueError(f"{page}: nothing that it shows has {known!r}")
-            value: Any = found[1] if "{}" in words else float(found[1])
+            values: Sequence[Any] = found.groups()
         else:
-            value = known()
-        before, after = re.split(r"\{[^}]*\}", words)
+            values = np.atleast_1d(known()).tolist()
+        fields = FIELD.findall(words)
+        numbers = (
+            field.format(value if field == "{}" else float(value)) for field, value in zip(fields, values, strict=True)
+        )
+        sentence = FIELD.sub(lambda _, numbers=numbers: next(numbers), words)
         text, count = re.subn(
-            f"{re.escape(before)}[-−]?[\\d.]*\\d{re.escape(after)}", words.format(value).replace("\\", r"\\"), text
+            NUMBER.join(map(re.escape, FIELD.split(words))), lambda _, sentence=sentence: sentence, text
         )
         if count != 1:
             raise ValueError(f"{page}: the words {words!r} are there {count} times; write them as they are, once")
@@ -372,7 +435,7 @@ def made(page: str, *, quick: bool = False) -> tuple[str, list[str]]:
 
     Args:
         page: Its path below the documentation.
-        quick: Leave commands that take minutes as they are, as those are that need an extra that is not there.
+        quick: Leave commands that take half a minute as they are, as those are that need an extra that is not there.
     """
     text, lost, came = (DOCS / page).read_text(encoding="utf-8"), list[str](), list[str]()
     with tempfile.TemporaryDirectory() as name:
@@ -392,7 +455,7 @@ def made(page: str, *, quick: bool = False) -> tuple[str, list[str]]:
                 if _is_run(step, quick=quick):
                     written = called(step, folder)
                     shown, left = renewed(shown, written)
-                    came.extend(written)
+                    came.extend([f"$ {step.command}", *written])
                     lost.extend(f"{step.command}: {line}" for line in left)
                 body += "".join(f"{line}\n" for line in (f"$ {step.command}", *shown))
             return f"```{fence['kind']}\n{body}```"
@@ -410,7 +473,7 @@ def _is_run(step: Step, *, quick: bool) -> bool:
 def main() -> None:
     """Write pages anew, all of them or those that are named.
 
-    ``--quick`` leaves commands that take minutes; ``--check`` only says which pages would change.
+    ``--quick`` leaves commands that take half a minute; ``--check`` only says which pages would change.
     """
     named = [word for word in sys.argv[1:] if not word.startswith("-")]
     wrong = False

@@ -1,4 +1,4 @@
-"""Options that do nothing as they are given: refused, never passed over in silence.
+"""Options that do nothing as they are given, or are no finite number: refused, never passed over in silence.
 
 An option that only means something with another one, or nothing beside another one, stands here by the names of the
 command's parameters. One with its default is not seen as given: it changes nothing anyway.
@@ -7,6 +7,7 @@ command's parameters. One with its default is not seen as given: it changes noth
 from __future__ import annotations
 
 import inspect
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, get_args, get_type_hints
@@ -54,7 +55,7 @@ BESIDE: Mapping[str, Mapping[str, Others]] = MappingProxyType({
 
 
 def refuse_idle(command: Callable[..., None], values: Mapping[str, Any]) -> None:
-    """Refuse what is given to a command and would do nothing; all of it at once.
+    """Refuse what is given to a command and would do nothing, or is no finite number; all of it at once.
 
     Args:
         command: As it is registered.
@@ -62,7 +63,7 @@ def refuse_idle(command: Callable[..., None], values: Mapping[str, Any]) -> None
     """
     defaults = {name: entry.default for name, entry in inspect.signature(command).parameters.items()}
     given = {name for name, value in values.items() if value != defaults[name] and value not in (None, ())}
-    refuse(_idle(command, given))
+    refuse([*_idle(command, given), *_endless(command, {name: values[name] for name in sorted(given)})])
 
 
 def _idle(command: Callable[..., None], given: set[str]) -> Iterator[Problem]:
@@ -79,6 +80,13 @@ def _idle(command: Callable[..., None], given: set[str]) -> Iterator[Problem]:
         if name in given and (stronger := [other for other in others if other in given]):
             asked = " and ".join(_written(command, stronger))
             yield Problem(_written(command, [name])[0], f"does nothing beside {asked}; leave one of them out")
+
+
+def _endless(command: Callable[..., None], given: Mapping[str, Any]) -> Iterator[Problem]:
+    """Yield the numbers that are infinite, or not a number."""
+    for name, value in given.items():
+        if isinstance(value, float) and not math.isfinite(value):
+            yield Problem(_written(command, [name])[0], f"{value}; give a finite number")
 
 
 def _written(command: Callable[..., None], names: Sequence[str]) -> list[str]:

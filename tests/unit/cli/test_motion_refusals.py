@@ -12,6 +12,7 @@ from gearwright.cli import app
     (["simulate", "single-planetary", "--duration", "0"], "duration: 0 s; it must be positive and finite"),
     (["simulate", "single-planetary", "--duration", "1e300"], "duration: 1e+300 s takes"),
     (["runup", "single-planetary", "--lowest", "nan"], "--lowest"),
+    (["runup", "single-planetary", "--highest", "inf"], "--highest: inf; give a finite number"),
 ])  # fmt: skip
 def test_a_command_says_what_cannot_be(words, told):
     result = CliRunner().invoke(app, words)

@@ -9,6 +9,8 @@ import io
 import math
 import re
 import zipfile
+from functools import cache
+from string import ascii_uppercase
 from xml.etree import ElementTree
 
 import numpy as np
@@ -16,7 +18,8 @@ import pytest
 
 import gearwright as gw
 from gearwright.exchange.step import to_step
-from gearwright.exchange.tables import all_tables, to_csv, to_netcdf, to_parquet, to_xlsx
+from gearwright.exchange.tables import all_tables, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
+from gearwright.exchange.tables.formulas import letters
 from gearwright.render.pages.designs.report import report
 from gearwright.render.pages.designs.review import review_page
 from gearwright.render.pages.designs.turning import turning
@@ -50,13 +53,78 @@ def test_a_saved_sizing_is_loaded_as_it_was(design, tmp_path):
     assert gw.load(path) == sized(design)
 
 
+@cache
+def tables_of(design):
+    """Return the tables of a shipped design, by name."""
+    return all_tables(sized(design))
+
+
+def is_same(read, cell):
+    """Tell whether what was read is what a cell holds: a number to its last bits, else the text that is shown."""
+    if cell.is_number:
+        found = float(read)
+        return math.isclose(found, cell.value, rel_tol=1e-14) or (math.isnan(found) and math.isnan(cell.value))
+    return read == cell.text
+
+
+def read_csv(text):
+    """Return the rows of a CSV file; the apostrophe before what a spreadsheet takes for a formula is no part of it."""
+    return [[cell.removeprefix("'") for cell in row] for row in csv.reader(io.StringIO(text))]
+
+
+@each_design
+def test_tables_hold_what_the_sizing_holds(design):
+    """In the units of the trade: teeth, m_n, b, m of gears; length, d, m of shafts; L_10h of bearings."""
+    sizing = sized(design)
+    asked = {
+        "gears": (
+            ("teeth", "module", "face_width", "mass"),
+            ("", "mm", "mm", "kg"),
+            (1.0, 1e3, 1e3, 1.0),
+            sizing.gears,
+        ),
+        "shaft_sizes": (("length", "diameter", "mass"), ("mm", "mm", "kg"), (1e3, 1e3, 1.0), sizing.shafts),
+        "bearing_sizes": (("life",), ("h",), (1.0 / 3600.0,), sizing.bearings),
+    }
+    for name, (fields, units, factors, records) in asked.items():
+        if not records and name not in tables_of(design):
+            continue
+        table = tables_of(design)[name]
+        places = [[column.name for column in table.columns].index(field) for field in ("name", *fields)]
+        assert tuple(table.columns[place].unit for place in places) == ("", *units)
+        for row, record in zip(table.rows, records, strict=True):
+            known = [factor * getattr(record, field) for field, factor in zip(fields, factors, strict=True)]
+            found = [row[place].value for place in places]
+            assert found[0] == record.name and found[1:] == pytest.approx(known, rel=1e-12), (name, record.name)
+
+
 @each_design
 def test_csv_has_every_cell_of_every_table(design):
-    rows, tables = list(csv.DictReader(io.StringIO(to_csv(sized(design))))), all_tables(sized(design)).values()
-    assert {row["table"] for row in rows} == {table.title for table in tables}
-    found = {(row["table"], row["row"], row["quantity"], row["value"].removeprefix("'")) for row in rows}
-    assert all(math.isfinite(float(row["value"])) for row in rows if row["unit"] and row["value"][:1].isdigit())
-    assert len(found) >= len({row["row"] for row in rows})
+    """A line a cell that holds something, in order; a row's first cell is what the row is called."""
+    header, *lines = read_csv(to_csv(sized(design)))
+    cells = [
+        (table.title, row[0].text, column, cell)
+        for table in tables_of(design).values()
+        for row in table.rows
+        for place, (column, cell) in enumerate(zip(table.columns, row, strict=True))
+        if cell.value is not None and (place or len(row) == 1)
+    ]
+    for line, (title, label, column, cell) in zip(lines, cells, strict=True):
+        read = dict(zip(header, line, strict=True))
+        assert (read["table"], read["row"], read["quantity"]) == (title, label, column.header or column.name)
+        assert (read["unit"], read["symbol"], read["mark"]) == (column.unit, column.symbol, cell.mark)
+        assert is_same(read["value"], cell), (title, label, column.name)
+
+
+@each_design
+def test_a_table_alone_is_read_back_with_its_headings_and_units(design):
+    """Gears, and in turn another one of each design."""
+    tables = tables_of(design)
+    for name in {"gears", list(tables)[gw.shipped_designs().index(design) % len(tables)]}:
+        table, (header, *rows) = tables[name], read_csv(table_csv(sized(design), name))
+        assert header == [f"{each.header} [{each.unit}]" if each.unit else each.header for each in table.columns]
+        for read, row in zip(rows, table.rows, strict=True):
+            assert all(map(is_same, read, row)) and len(read) == len(row), (name, row[0].text)
 
 
 @each_design
@@ -77,37 +145,70 @@ def test_an_fmu_describes_its_variables_in_xml_and_brings_its_sources(design, ve
 @pytest.mark.extra("xlsxwriter")
 @each_design
 def test_a_workbook_has_a_sheet_for_every_table_and_a_cell_for_every_value(design):
-    tables, sheets = all_tables(sized(design)), book(to_xlsx(sized(design)))
+    """Under the title: headings, symbols, units, equations, sources, then the rows. An infinite number is a text."""
+    tables, sheets = tables_of(design), book(to_xlsx(sized(design)))
     assert list(sheets) == ["contents", *(name.replace("_", " ")[:31] for name in tables)]
     for table, sheet in zip(tables.values(), list(sheets.values())[1:], strict=True):
-        assert sum(value is not None for value in sheet.values()) >= sum(
-            bool(c.text) for row in table.rows for c in row
-        )
+        assert sheet["A1"] == table.title
+        for place, column in enumerate(table.columns):
+            name = letters(place)
+            heads = [sheet.get(f"{name}{line}", "") for line in (2, 3, 4)]
+            assert heads == [column.header or column.name, column.symbol, column.unit]
+            for line, row in enumerate(table.rows, start=7):
+                assert is_same(sheet.get(f"{name}{line}", ""), row[place]), (table.title, row[0].text, column.name)
+        below = {place for place in sheet if int(place.lstrip(ascii_uppercase)) == 7 + len(table.rows)}
+        assert not any(sheet[place] for place in below), table.title
 
 
 @pytest.mark.extra("pyarrow")
 @each_design
 def test_parquet_has_the_rows_of_the_long_form(design):
+    """Which is compared with the tables cell by cell; here numbers are apart from words."""
     from pyarrow import parquet
 
     read = parquet.read_table(io.BytesIO(to_parquet(sized(design)))).to_pylist()
-    for row, line in zip(read, csv.DictReader(io.StringIO(to_csv(sized(design)))), strict=True):
-        assert (row["table"], row["quantity"], row["unit"]) == (line["table"], line["quantity"], line["unit"])
+    header, *lines = read_csv(to_csv(sized(design)))
+    for row, line in zip(read, (dict(zip(header, each, strict=True)) for each in lines), strict=True):
+        assert [row[key].strip() for key in header if key != "value"] == [
+            line[key].strip() for key in header if key != "value"
+        ]
+        assert (row["value"] is None) != (row["text"] is None)
         value = row["text"] if row["value"] is None else row["value"]
-        assert value == (line["value"].removeprefix("'") if row["value"] is None else float(line["value"]))
+        assert value == (line["value"] if row["value"] is None else float(line["value"]))
 
 
 @pytest.mark.extra("h5netcdf")
 @each_design
 def test_netcdf_has_a_group_for_every_table_with_a_variable_for_every_column(design):
+    """Numbers with their unit, NaN where there is none; a column with words among its numbers is words."""
     import h5netcdf
 
     with h5netcdf.File(io.BytesIO(to_netcdf(sized(design))), "r") as read:
-        assert set(read.groups) == set(all_tables(sized(design)))
-        for name, table in all_tables(sized(design)).items():
-            rows = [value.decode() if isinstance(value, bytes) else value for value in read[name]["row"][:]]
-            assert rows == [row[0].text for row in table.rows]
-            assert len(read[name].variables) == len(table.columns) + 1
+        assert set(read.groups) == set(tables_of(design))
+        for name, table in tables_of(design).items():
+            group, left = read[name], set(read[name].variables) - {"row"}
+            assert (group.attrs["title"], words(group["row"])) == (table.title, [row[0].text for row in table.rows])
+            for place, column in enumerate(table.columns):
+                plain = column.name.replace("/", " over ")
+                variable = group[plain if plain in left else f"{plain} of it"]
+                left.remove(variable.name.rpartition("/")[2])
+                cells = [row[place] for row in table.rows]
+                assert variable.attrs["long_name"] == (column.header or column.name)
+                if variable.dtype.kind == "f":
+                    assert variable.attrs["units"] == (column.unit or "1")
+                    known = [math.nan if cell.value is None else cell.value for cell in cells]
+                    assert np.array_equal(variable[:], np.array(known, dtype=float), equal_nan=True), (name, plain)
+                else:
+                    assert any(not cell.is_number and cell.value is not None for cell in cells) or not any(
+                        cell.is_number for cell in cells
+                    )
+                    assert words(variable) == [cell.text for cell in cells], (name, plain)
+            assert left == set(), name
+
+
+def words(variable):
+    """Return the texts of a variable of netCDF."""
+    return [value.decode() if isinstance(value, bytes) else value for value in variable[:]]
 
 
 @pytest.mark.extra("OCP")

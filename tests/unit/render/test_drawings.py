@@ -3,6 +3,7 @@
 import io
 import itertools
 import math
+import re
 import sys
 import xml.etree.ElementTree as ET
 
@@ -40,11 +41,13 @@ from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.render.drawings.views.positions import positions
 from gearwright.render.drawings.views.shaft_parts import shaft_body
 from gearwright.render.drawings.views.shafts.splines import hob_room
+from gearwright.render.pages.designs.sheets import DrawnSheet, sheets_page
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.mass import complete_mass, gear_blanks
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import edited
+from html_checks import stands_alone
 from shipped_work import sized
 
 
@@ -59,9 +62,15 @@ def drawings(built):
 
 
 @pytest.fixture(scope="module")
-def every(drawings):
+def shipped():
+    """Return the sheets of every shipped design, by its name."""
+    return {name: sheets(sized(name)) for name in shipped_designs()}
+
+
+@pytest.fixture(scope="module")
+def every(drawings, shipped):
     """Return the sheets of the built train and of every shipped design."""
-    return [*drawings.values(), *(sheet for name in shipped_designs() for sheet in sheets(sized(name)))]
+    return [*drawings.values(), *itertools.chain.from_iterable(shipped.values())]
 
 
 def written(sheet):
@@ -247,6 +256,46 @@ def inked(words):
     corners = list(words_corners(words))
     middle = sum(corners) / 4.0
     return [middle + 0.8 * (corner - middle) for corner in corners]
+
+
+NO_NUMBER = re.compile(r"(?<![\w-])(?:nan|-?inf(?:inity)?)(?![\w-])", re.IGNORECASE)
+"""What Python writes where a number is none, as a word of its own: also within points and lengths."""
+
+
+def test_every_sheet_is_an_svg_whose_every_number_is_one(every):
+    """Read as XML; its view is the paper, and each attribute of what is drawn and each text is free of nan and inf."""
+    for sheet in every:
+        root = ET.fromstring(sheet_svg(sheet))
+        left, top, width, height = map(float, root.get("viewBox").split())
+        assert (left, top, width, height) == (0.0, 0.0, sheet.size.width, sheet.size.height) and min(
+            width, height
+        ) > 0.0
+        said = [text for each in root.iter() for text in (*each.attrib.values(), each.text or "", each.tail or "")]
+        assert not [text for text in said if NO_NUMBER.search(text)], sheet.name
+        assert sum(1 for _ in root.iter()) > 20, sheet.name
+
+
+def test_no_number_is_seen_in_points_and_words():
+    assert all(map(NO_NUMBER.search, ("1,nan 2,3", "M nan 2", "inf", "-inf", "d = NaN mm")))
+    assert not any(map(NO_NUMBER.search, ("info", "nano", "infeed", "1,2 3,4")))
+
+
+def test_every_part_of_every_shipped_design_has_its_sheet_and_the_page_shows_them_all(shipped):
+    """Arrangement, shafts, gears that are no one piece with theirs, carriers; each name is one sheet's alone."""
+    for name, its in shipped.items():
+        sizing, found = sized(name), [sheet.name for sheet in its]
+        assert len(found) == len(set(found)) and found[0] == "arrangement", name
+        assert {f"shaft-{shaft.name}" for shaft in sizing.built_shafts if shaft.steps} <= set(found), name
+        assert {f"carrier-{carrier.stage}" for carrier in sizing.carriers} <= set(found), name
+        integral = {joint.part for joint in sizing.joints if joint.kind == "integral"}
+        for gear in {gear.name for gear in sizing.gears} - integral:
+            assert any(each == f"gear-{gear}" or each.startswith(f"gear-{gear}-") for each in found), (name, gear)
+        rows = [DrawnSheet(one.name, one.name, one.size.name, "1:1", sheet_svg(one, f"{one.name}-")) for one in its]
+        page = sheets_page(sizing, rows)
+        stands_alone(page)
+        ids = re.findall(r' id="?([^"> ]+)', page)
+        assert len(ids) == len(set(ids)), name
+        assert page.count("<svg") >= len(its) and all(f">{each}<" in page for each in found), name
 
 
 def test_no_text_covers_another(every):

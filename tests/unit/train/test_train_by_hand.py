@@ -225,6 +225,13 @@ def test_efficiency_is_what_arrives_of_what_is_given():
     assert named_results(size(parse(PAIR + "[gears]\nmesh_efficiency = 1\n")))["efficiency"].value == pytest.approx(1.0)
 
 
+def test_however_little_teeth_lose_power_closes():
+    """1e-10 of 100 kW is 10 µW: it goes into the teeth, and is no rounding of the sum."""
+    flow = size(parse(PAIR + "[gears]\nmesh_efficiency = 0.9999999999\n")).reference
+    assert flow.loss == pytest.approx(1e-10 * max(flow.machine_powers.values()), rel=1e-3)
+    assert sum(flow.machine_powers.values()) == pytest.approx(flow.loss, rel=1e-3)
+
+
 def test_a_compound_set_hands_on_speeds_in_the_ratio_of_its_ties():
     """Without their sense; what is known stays as it is, and where nothing is known nothing is handed on."""
     ties = {"a": 2.0, "b": -3.0, "c": 0.5}

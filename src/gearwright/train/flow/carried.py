@@ -9,8 +9,9 @@ from gearwright.spec import GROUND
 from gearwright.train.graph import Train
 from gearwright.train.kinematics import Yielded
 
-ROUNDING = 1e-9
-"""Of the largest power of a machine: what is lost below this are sums that nearly close [-]."""
+ROUNDING = 1e-12
+"""Of the largest power of a machine: what is lost below this are sums that nearly close [-]. Trains without losses leave
+up to 5e-14."""
 
 
 @dataclass(frozen=True)

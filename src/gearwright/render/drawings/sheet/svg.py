@@ -34,13 +34,14 @@ def sheet_svg(sheet: Sheet, prefix: str = "") -> str:
         prefix: Goes before every id, so that several sheets can share a page.
     """
     width, height = sheet.size.width, sheet.size.height
-    hatches = {(entity.angle, entity.spacing) for entity in sheet.entities if isinstance(entity, Hatch)}
+    hatches = sorted({(entity.angle, entity.spacing) for entity in sheet.entities if isinstance(entity, Hatch)})
+    patterns = {_pattern_name(*hatch): _pattern(*hatch) for hatch in hatches}  # turned views differ by rounding
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
         f'viewBox="0 0 {width:g} {height:g}" font-family="{_FONT}">',
         f"<title>{escape(sheet.title)}</title>",
         f'<rect width="{width:g}" height="{height:g}" fill="#fff"/>',
-        *(_pattern(angle, spacing) for angle, spacing in sorted(hatches)),
+        *patterns.values(),
     ]
     for layer in Layer:
         elements = [_element(mark, height) for mark in drawn(sheet.entities) if mark.layer is layer]
