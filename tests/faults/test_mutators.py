@@ -95,7 +95,7 @@ def test_a_test_that_is_not_there_has_noticed_nothing():
     gone = ["tests/faults/test_mutators.py::test_gone", "tests/unit/test_units.py::test_gone"]
     done = subprocess.run(
         [sys.executable, "-c", COUNTED, *gone],
-        env={**os.environ, "PYTHONPATH": str(here)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(here), *sys.path])},  # the same gearwright as here
         cwd=here.parents[1],
         capture_output=True,
         text=True,
