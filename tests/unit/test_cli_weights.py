@@ -32,7 +32,7 @@ def test_mass_writes_a_report_and_prints_json(tmp_path, capsys):
     page = tmp_path / "out.html"
     app([*PW127, "--mass-kg", "190", "--origin", "weighed", "--report", str(page), "--json"], standalone_mode=False)
     assert "Table 1.15" in page.read_text(encoding="utf-8")
-    assert json.loads(capsys.readouterr().out)["result"]["taken"]["mass_kg"] == 190.0  # that it is written is told apart
+    assert json.loads(capsys.readouterr().out)["result"]["taken"]["mass_kg"] == 190.0
 
 
 def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():

@@ -81,6 +81,14 @@ def test_a_count_is_a_whole_number(value):
     assert found.message.endswith("is not allowed; give a whole number")
 
 
+@pytest.mark.parametrize(("key", "value"), [("module_m", 4), ("module_mm", 100.1), ("outer_module_m", 4)])
+def test_a_module_is_no_larger_than_twice_the_largest_of_iso_54(key, value):
+    """50 mm; 4 that are meant in mm would else be a gearbox of a million tons."""
+    found = problem(f"{PAIR}{key} = {value}\n")
+    assert found.path == f"pairs.stage.{key}" and found.message.startswith(f"{value} {key.rsplit('_', 1)[1]} is not")
+    parse(f"{PAIR}module_mm = 100\n")
+
+
 def test_a_count_has_bounds():
     found = problem(changed(HYBRID, "planets = 3", "planets = 0"))
     assert found.message == "0 is not allowed; give a value from 1 to 12"
@@ -436,7 +444,7 @@ def test_speeds_are_kept_of_machines_that_exist():
 def test_an_override_is_positive(line):
     found = problem(PAIR + f"[overrides]\n{line}\n")
     assert (found.path, found.line) == ("overrides.stage.module_mm", 19)
-    assert "is not allowed; give a value from 0.1 to 300000 mm" in found.message
+    assert "is not allowed; give a value from 0.1 to 100 mm" in found.message
 
 
 def test_an_override_of_nothing_names_the_nearest():

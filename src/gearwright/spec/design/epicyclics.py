@@ -14,7 +14,7 @@ from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
 _TEETH = Field(ge=6, le=2000, description="Tooth number z")
-_MODULE = Field(None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized")
+_MODULE = Field(None, gt=0, le=0.1, description="Module m_n of this gear and of all that mesh with it; left out: sized")
 _WIDTH = Field(None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized")
 _SHIFT = Field(
     None, ge=-1.5, le=1.5, description="Profile shift x; left out: closes its meshes, balanced, or gears.profile_shift"

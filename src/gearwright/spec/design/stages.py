@@ -155,10 +155,10 @@ class Pair(Record):
         0.0, ge=0, le=0.01, description="Along the line of action; 0: teeth stay in contact both ways"
     )
     module: Annotated[Length | None, NORMAL_PITCH] = Field(
-        None, gt=0, description="Normal module m_n, P_nd = 25.4 mm/m_n; left out: sized"
+        None, gt=0, le=0.1, description="Normal module m_n, P_nd = 25.4 mm/m_n; left out: sized"
     )
     outer_module: Annotated[Length | None, OUTER_PITCH] = Field(
-        None, gt=0, description="Outer transverse module m_et of a bevel pair; left out: sized"
+        None, gt=0, le=0.1, description="Outer transverse module m_et of a bevel pair; left out: sized"
     )
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
     centre_distance: Length | None = Field(
@@ -245,7 +245,9 @@ class Planetary(Record):
     backlash: Length = Field(
         0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
     )
-    module: Annotated[Length | None, PITCH, NORMAL_PITCH] = Field(None, gt=0, description="Module m_n; left out: sized")
+    module: Annotated[Length | None, PITCH, NORMAL_PITCH] = Field(
+        None, gt=0, le=0.1, description="Module m_n; left out: sized"
+    )
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
     centre_distance: Length | None = Field(
         None, gt=0, description="Working centre distance a_w of both meshes; shifts follow; left out: they give it"

@@ -10,8 +10,8 @@ from gearwright.train.graph import Train
 from gearwright.train.kinematics import Yielded
 
 ROUNDING = 1e-12
-"""Of the largest power of a machine: what is lost below this are sums that nearly close [-]. Trains without losses leave
-up to 5e-14."""
+"""Of the largest power of a machine: what is lost below this are sums that nearly close [-]. Trains without losses
+leave up to 5e-14."""
 
 
 @dataclass(frozen=True)
