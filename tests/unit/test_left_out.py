@@ -21,7 +21,6 @@ from gearwright.parts.bevel import rating as bevel_rating
 from gearwright.parts.gears import cylindrical_gear, hertz, lewis
 from gearwright.parts.iso6336 import bending, geometry, pitting, root
 from gearwright.parts.iso6336.loads import distribution as face
-from gearwright.parts.iso6336.loads import dynamic
 from gearwright.parts.iso6336.loads import mesh_loads as loads
 from gearwright.parts.iso6336.steels import life, strength
 from gearwright.parts.joints import key, press_fit
@@ -82,8 +81,8 @@ ZEROS = [
     (bevel_geometry.BevelTooth, "profile_shift thickness_shifts"), (bevel_geometry.BevelPair, "spiral_angle"),
     (cylindrical_gear.CylindricalGear, "helix_angle profile_shift tip_alteration"),
     (hertz.module_hertz, "helix_angle"), (lewis.module_lewis, "helix_angle"),
-    (bending.rim_factor, "internal"), (face.PinionShaft, "offset span"), (dynamic.MeshDeviations, "tip_relief"),
-    (dynamic.reduced_mass, "bore_ratios"), (geometry.ToothProportions, "profile_shift undercut"),
+    (bending.rim_factor, "internal"), (face.PinionShaft, "offset span"),
+    (geometry.ToothProportions, "profile_shift undercut"),
     (geometry.MeshGeometry, "helix_angle"), (life.contact_life_curve, "some_pitting"),
     (loads.MeshQuality, "tip_relief"), (root.LoadedTooth, "thickness_shift"),
     (root.shaped_fillet_radius, "cutter_shift"), (press_fit.FitPart, "roughness"),

@@ -146,7 +146,7 @@ def test_a_mission_refuses_a_damper_that_slips(damped):
         (f"damping_nm_s_rad = {C}", "damping_nm_s_rad = -1", "dampers.drum.damping_nm_s_rad"),
         (f"damping_nm_s_rad = {C}", "damping_nm_s_rad = 0", "dampers.drum.damping_nm_s_rad"),
         (f"damping_nm_s_rad = {C}", "damping = 1", "the unit is missing; write one of damping_nm_s_rad"),
-        ("[dampers.drum]", '[clutches.drum]\ndriving = "input"\ndriven = "middle"\n[dampers.drum]', "clutches has one"),
+        ("[dampers.drum]", '[clutches.drum]\ndriving = "input"\ndriven = "middle"\n[dampers.drum]', "clutches.drum is"),
     ],
 )  # fmt: skip
 def test_what_is_no_damper_is_refused(old, new, says):

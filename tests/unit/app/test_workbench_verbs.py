@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import re
 import struct
 
 import numpy as np
@@ -127,7 +128,8 @@ def test_a_file_is_the_file_of_the_command(asked):
     sizing = gw.size(gw.read("single-planetary"))
     for name in ("glb", "rexs", "csv"):
         answer = asked.job("export", text=text_of("single-planetary"), format=name)[1]
-        assert answer.content == FORMATS[name](sizing, AS_USUAL)[0], name
+        files = (answer.content, FORMATS[name](sizing, AS_USUAL)[0])
+        assert len({re.sub(rb'date="[^"]*"', b"", file) for file in files}) == 1, name  # REXS says when it was written
 
 
 def test_solids_carry_the_contact_temperature_of_gears_that_a_standard_rates(asked):

@@ -50,7 +50,7 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
     """
     problems = [
         Problem(
-            f"layout.{shaft.name}.bore",
+            f"layout.{shaft.name}.bore_mm",
             f"the bore {text(shaft.bore, 'length')} leaves too thin a wall in a shaft of"
             f" {text(shaft.diameter, 'length')}; it may be {MOST_HOLLOW:.0%} of the diameter: give a smaller bore",
         )

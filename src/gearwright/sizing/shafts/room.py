@@ -54,7 +54,7 @@ def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> Non
             f"{given} leave too thin a wall in {text(thin.diameter, 'length')} ({thin.name}); the bore may be"
             f" {MOST_HOLLOW:.0%} of that: give {most} or less"
         )
-        raise DesignError([Problem(f"layout.{shaft}.bore", message)])
+        raise DesignError([Problem(f"layout.{shaft}.bore_mm", message)])
 
 
 def _close(item: Item, neighbour: str, over: float, place: float) -> str:
