@@ -89,7 +89,7 @@ def test_a_train_in_equilibrium_stays_there_and_its_heat_is_counted(damped, meth
 
 def test_paths_share_their_load_as_without_it(damped):
     """Equal planets carry alike, what the damper lets past them is missing, and both ways to the forces agree."""
-    problem = sharing_problem(damped, "second")
+    problem = sharing_problem(damped, "second", case="cruise")
     force, places = (
         redundancy(problem.system).perfect,
         [problem.system.labels.lines.index(name) for name in problem.lines],
