@@ -22,7 +22,7 @@ from multiprocessing.process import BaseProcess
 from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, CompletedProcess, Popen
-from threading import Lock, Thread
+from threading import Lock, Thread, current_thread, main_thread
 from types import FrameType
 from typing import Any, NamedTuple, NoReturn, TypeVar
 
@@ -40,6 +40,7 @@ COPIES = sys.platform == "linux"
 """Whether a process may be a copy of another one here: elsewhere libraries do not bear it."""
 _ONE_AT_A_TIME = Lock()
 """Threads share what processes inherit."""
+_ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
@@ -66,7 +67,7 @@ def hire(work: Work, *given: Any, needed: Sequence[str] = (), heirs: bool = Fals
         context.set_forkserver_preload(list(needed))
     here, there = context.Pipe()
     process = context.Process(target=_live, args=(there, bytes(ForkingPickler.dumps((work, given)))), daemon=not heirs)
-    with _ONE_AT_A_TIME, _inherited():
+    with _ONE_AT_A_TIME, _heard_after(), _inherited():
         process.start()
     there.close()
     return Hired(process, here)
@@ -216,6 +217,26 @@ def _outlive_nobody() -> None:
 
 
 @contextmanager
+def _heard_after() -> Iterator[None]:
+    """Hear what ends this process after what is within: another thread may take a signal that this one masks.
+
+    Half begun, a process would be left without what it is to be sent, and say so.
+    """
+    came: list[int] = []
+    heard = _ENDING if current_thread() is main_thread() else ()
+    before = {number: handler for number in heard if (handler := signal.getsignal(number)) is not None}
+    for number in before:
+        signal.signal(number, lambda number, _: came.append(number))
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if came:
+            signal.raise_signal(came[0])
+
+
+@contextmanager
 def _inherited() -> Iterator[None]:
     """Let new processes compute on one thread each, as they share the cores, and leave what ends a group to this one.
 
@@ -226,7 +247,7 @@ def _inherited() -> Iterator[None]:
     masked = hasattr(signal, "pthread_sigmask")
     if masked:
         resource_tracker.ensure_running()  # the first process starts it otherwise, and it takes the mask away
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP}) if masked else set()
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDING) if masked else set()
     try:
         yield
     finally:
