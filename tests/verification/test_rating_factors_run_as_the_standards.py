@@ -65,7 +65,7 @@ def _transverse(deviation):
 
 
 def _dynamic(speed):
-    return dynamic_factor(SPUR, SPRINGS, ROUGH, specific_load=2e5, pinion_speed=speed, mass=3.0).factor
+    return dynamic_factor(SPUR, SPRINGS, ROUGH, specific_load=2e5, pinion_speed=speed, masses=(3.0,)).factor
 
 
 def _by_speed(speed):

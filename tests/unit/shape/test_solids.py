@@ -173,6 +173,22 @@ def test_a_plate_that_is_left_whole_is_a_disc_less_its_holes():
     assert edges_of(blind) == (0, -4)
 
 
+@pytest.mark.parametrize("count", [3, 4, 5, 7])
+@pytest.mark.parametrize("fill", [0.2, 0.3, 0.4])
+def test_a_plate_with_equal_arms_is_the_same_at_each_and_balanced(count, fill):
+    """Turned by one arm its outline falls on itself, and its middle is on the axis: rounding only."""
+    turn = 2.0 * math.pi / count
+    eyes = [Arm(turn * k + 0.1, 0.0772, 0.0203) for k in range(count)]
+    bridges = [Arm(turn * (k + 0.5) + 0.1, 0.0824, 0.005, 0.04, is_round=False) for k in range(count)]
+    body = plate([*eyes, *bridges], Outline(0.1, 0.02, fill), 0.008, pin=0.012, segments=24 * count)
+    corners = body.sections[0].radius * np.exp(1j * body.sections[0].angle)
+    turned = corners * np.exp(1j * turn)
+    assert np.abs(turned[:, None] - corners[None, :]).min(axis=1).max() < 1e-12
+    after = np.roll(corners, -1)
+    areas = 0.5 * (np.conj(corners) * after).imag
+    assert abs(np.sum(areas * (corners + after)) / 3.0 / np.sum(areas)) < 1e-12
+
+
 @pytest.mark.parametrize("fill", [0.1, 0.35, 0.6, 0.9])
 def test_a_plate_has_metal_all_around_its_pins_and_bridges_and_the_area_that_is_asked(fill):
     """Eyes of 22 mm on 70 mm and bridges of 12 × 20 mm: no ray ends within them; as much is left as they let."""

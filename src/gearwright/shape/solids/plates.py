@@ -137,7 +137,8 @@ def _square_arm(arm: Arm, angles: Floats, stem: float) -> Floats:
     off = np.angle(np.exp(1j * (angles - arm.angle)))
     across, along = np.maximum(np.abs(np.sin(off)), 1e-9), np.maximum(np.cos(off), 1e-9)
     end = np.minimum(arm.half / across, arm.radius / along)
-    return _ahead(off, np.where(np.abs(off) <= math.atan2(arm.half, arm.inner), end, stem * arm.half / across))
+    within = np.abs(off) <= math.atan2(arm.half, arm.inner) + SAME  # rays through its near corners reach them
+    return _ahead(off, np.where(within, end, stem * arm.half / across))
 
 
 def _ahead(off: Floats, radius: Floats) -> Floats:
