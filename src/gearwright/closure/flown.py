@@ -136,16 +136,22 @@ def _gears(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
 
 
 def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the lives that open bearings of sets and of shafts must have: as much longer as flights shorten them."""
+    """Return the lives that open bearings of sets and of shafts must have: as much longer as flights shorten them.
+
+    A set in which none with room lived as long as was asked last is asked for no more.
+    """
     task, planets, seats = state.task, dict[str, float](), dict[str, float]()
     asked = task.design.service.bearing_life / HOUR
     bodies = {str(body.part): body.stage for body in planet_bodies(state.sizing.design, state.sizing.gears)}
+    worn = {check.part.name for check in state.sizing.checks if check.mode == "life" and check.fails}
     for check in failing:
         hours = (check.value or 0.0) / HOUR
         if check.mode != "bearing life" or not 0.0 < hours < asked:
             continue
         name, longer = check.part.name, LONGER * asked / hours
         stage, seat = task.design.planetaries.get(bodies.get(name, "")), task.design.bearings.get(name)
+        if bodies.get(name) in worn:
+            continue
         if stage is not None and "planet_bearing" not in stage.model_fields_set:
             planets[bodies[name]] = longer * task.planets.get(bodies[name], asked)
         elif seat is not None and seat.designation is None and seat.life is None:

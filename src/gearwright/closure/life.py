@@ -57,7 +57,8 @@ def _life(sizing: Sizing, stage: str, left_out: frozenset[str]) -> StageLife:
 def _margin(sizing: Sizing, stage: str, life: float, left_out: frozenset[str]) -> tuple[float, str]:
     """Return the least margin against fatigue of a stage that lives so long [-], and the name of its check."""
     design = edited(sizing.design, {"service.life_h": life / HOUR})
-    gear = next(gear for gear in sizing.gears if gear.stage == stage)
+    mesh = next(mesh for mesh in sizing.meshes if mesh.stage == stage)
+    gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
     checks = trial_of(design, sizing).checks(stage, gear.module, gear.face_width)
     fatigue = [check for check in checks if check.mode in FATIGUE and requirement_of(check) not in left_out]
     reserves = [(check.reserve, check.name) for check in fatigue if check.reserve is not None]

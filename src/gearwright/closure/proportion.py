@@ -109,7 +109,8 @@ def _sizes(
 
 def _on_axes(trial: Trial, first: Sizing) -> dict[str, float]:
     """Return stage -> module to begin at [m]: as sized or given, so that pairs on common axes have one distance."""
-    given, sized = _given(trial), {gear.stage: gear.module for gear in first.gears}
+    given, of_gears = _given(trial), {gear.name: gear.module for gear in first.gears}
+    sized = {mesh.stage: of_gears[mesh.gears[0]] for mesh in first.meshes}
     spans = {mesh.stage: mesh.centre_distance / sized[mesh.stage] for mesh in first.meshes}
     modules = sized | given
     for name, pair in trial.design.pairs.items():

@@ -1,12 +1,15 @@
 """What single changes of a settled design lead to: what is screened a little heavier, critical speeds, common axes."""
 
+from dataclasses import replace
+
 import pytest
 
 import gearwright.closure.moves.separate as separate
 from designs import PAIR, changed
 from gearwright.closure import Wishes, close
+from gearwright.closure.life import stage_lives
 from gearwright.closure.loop import Task, settled
-from gearwright.closure.moves.neighbours import Candidate, Change, judged, screened
+from gearwright.closure.moves.neighbours import Candidate, Change, judged, other_teeth, screened
 from gearwright.sizing import size
 from gearwright.spec import edited, parse
 
@@ -61,3 +64,19 @@ def test_other_teeth_of_one_pair_leave_pairs_on_common_axes_at_one_distance(step
     assert second == pytest.approx(first, rel=1e-9)
     assert not [check.name for check in other.sizing.checks if check.fails and check.mode.startswith("axes of")]
     assert judged(other).settled is other
+
+
+def test_a_pair_between_gears_of_two_other_pairs_is_closed_with_them():
+    """It has no gear of its own: its module is theirs, and no teeth of it are varied."""
+    shared = changed(PAIR, '["fast", "slow"]', '["fast", "slow", "left", "right"]')
+    shared = changed(shared, 'wheel = "slow"\n', 'wheel = "left"\npinion_teeth = 25\nwheel_teeth = 75\n')
+    shared = changed(shared, '[propellers.propeller]\nshaft = "slow"\nspeed_rpm = 2000\ndiameter_m = 2\n',
+                     '[loads.load]\nshaft = "slow"\n')  # fmt: skip
+    shared += '[pairs.last]\npinion = "right"\nwheel = "slow"\npinion_teeth = 25\nwheel_teeth = 75\n'
+    shared += '[pairs.between]\npinion = "stage.wheel"\nwheel = "last.pinion"\n'
+    state = settled(Task(edited(parse(shared), ISO), Wishes()))
+    modules = {gear.stage: gear.module for gear in state.sizing.gears}
+    assert modules["stage"] == modules["last"]
+    assert {life.stage for life in stage_lives(state.sizing)} == {"stage", "last", "between"}
+    free = replace(state, task=replace(state.task, wishes=Wishes(free=("teeth",))))
+    assert {change.table for change in other_teeth(free, [1])} == {"pairs.stage", "pairs.last"}

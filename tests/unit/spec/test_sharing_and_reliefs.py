@@ -64,6 +64,22 @@ pinion_teeth = 25
 wheel_teeth = 75
 module_mm = 4
 """
+BETWEEN = """\
+[pairs.first]
+pinion = "fast"
+wheel = "left"
+pinion_teeth = 25
+wheel_teeth = 40
+module_mm = 4
+[pairs.second]
+pinion = "right"
+wheel = "slow"
+pinion_teeth = 25
+wheel_teeth = 75
+[pairs.between]
+pinion = "first.wheel"
+wheel = "second.pinion"
+"""
 LONE = """\
 [pairs.first]
 pinion = "fast"
@@ -207,6 +223,14 @@ def test_a_relief_is_held_to_the_module_that_is_found_where_none_is_stated_and_b
     (found,) = told(compound, {"gears.iso6336.tip_relief_mm": 0.1, "turbines.turbine.power_kw": 30}).items()
     assert found[0] == "gears.iso6336.tip_relief_mm" and "0.1 mm on a module of 1.75 mm (set)" in found[1]
     assert "give 0.087 mm or less" in found[1]  # of 0.0875 mm, in whole micrometres
+
+
+def test_a_pair_between_gears_of_two_other_pairs_is_held_to_their_module():
+    """It has no gear of its own; a twentieth of 4 mm is 0.2 mm."""
+    between = text(BETWEEN, "left", "right")
+    key = "pairs.between.gears.iso6336.tip_relief_mm"
+    assert "on a module of 4 mm (between)" in told(between, {key: 0.3})[key]
+    assert size(edited(parse(between), {key: 0.2})).meshes
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from gearwright.closure.closed import Round, Step
 from gearwright.closure.loop import Settled
 from gearwright.closure.moves.bodies import BODIES, thicknesses
 from gearwright.closure.moves.neighbours import (
+    DRIVING,
     TEETH_OF_SETS,
     Candidate,
     Change,
@@ -166,8 +167,8 @@ def _teeth(state: Settled) -> Iterator[Change]:
 def _shifts(state: Settled) -> Iterator[Change]:
     """Yield other profile shifts of pinions and suns."""
     for name in searched(state.task.design):
-        gear = next(gear for gear in state.sizing.gears if gear.stage == name)
-        if gear.role in (Role.PINION, Role.SUN):
+        gear = next((gear for gear in state.sizing.gears if gear.stage == name and gear.role in DRIVING), None)
+        if gear is not None:
             path = f"{state.task.design.table(name)}.{gear.role}_shift"
             yield from (Change("", {path: round(gear.profile_shift + step, 3)}) for step in SHIFTS)
 

@@ -28,6 +28,8 @@ TEETH_OF_SETS = ("sun_teeth", "planet_teeth", "ring_teeth")
 """Keys of the teeth of a planetary set."""
 TEETH_OF_PAIRS = ("pinion_teeth", "wheel_teeth")
 """Keys of the teeth of a pair."""
+DRIVING = (Role.SUN, Role.PINION)
+"""Gears whose teeth are varied; a pair has none of its own where its pinion is a gear of another stage."""
 
 
 class Change(NamedTuple):
@@ -119,9 +121,9 @@ def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change
     for name in searched(design):
         stage, table = design.simple_stages[name], design.table(name)
         keys = TEETH_OF_SETS if isinstance(stage, Planetary) else TEETH_OF_PAIRS
-        gear = next(gear for gear in sizing.gears if gear.stage == name)
+        gear = next((gear for gear in sizing.gears if gear.stage == name and gear.role in DRIVING), None)
         given = {f"{table}.{key}": None for key in keys if getattr(stage, key) is not None}
-        if (not given or "teeth" in state.task.wishes.free) and gear.role in (Role.SUN, Role.PINION):
+        if (not given or "teeth" in state.task.wishes.free) and gear is not None:
             frees = tuple(f"{table}.{key}" for key in keys)
             yield from (Change(table, {**given, frees[0]: gear.teeth + step}, frees) for step in steps)
 

@@ -110,14 +110,18 @@ def geared(
         before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
         if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
             break
-    refuse((*bores_beyond_roots(context, gears), *_reliefs(context, gears)))
+    refuse((*bores_beyond_roots(context, gears), *_reliefs(context, gears, meshes)))
     checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
     return Geared(context, gears, meshes, checks, sizes, demands, choice)
 
 
-def _reliefs(context: Context, gears: Sequence[GearSizing]) -> Iterator[Problem]:
-    """Yield stated tip reliefs that are too large for the modules that stages have come to."""
+def _reliefs(context: Context, gears: Sequence[GearSizing], meshes: Sequence[MeshSizing]) -> Iterator[Problem]:
+    """Yield stated tip reliefs that are too large for the modules that stages have come to.
+
+    By the gears in mesh, since a pair between gears of two other stages has none of its own.
+    """
+    modules = {gear.name: gear.module for gear in gears}
     for stage in context.design.stages:
-        module = min(gear.module for gear in gears if gear.stage == stage)
+        module = min(modules[gear] for mesh in meshes if mesh.stage == stage for gear in mesh.gears)
         if (problem := relief_problem(context.design, stage, module)) is not None:
             yield problem

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from gearwright.exchange.rexs.files import Document
 from gearwright.exchange.rexs.reading.asking import Asking
+from gearwright.ranking import ALIKE
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating
@@ -65,16 +67,23 @@ def _safety(mesh: MeshSizing, side: int, symbol: Symbol) -> float | None:
 
 
 def read_stated(asking: Asking, labels: Mapping[int, str]) -> tuple[Stated, ...]:
-    """Return every safety that a document states, once for equal planets.
+    """Return every safety that a document states, once for equal planets and paths.
 
     Args:
         asking: The document.
         labels: Gear -> what the design calls it.
     """
-    found: dict[tuple[str, str, str, float], Stated] = {}
+    found: list[Stated] = []
     for stated in _all(asking, labels):
-        found.setdefault((stated.gear, stated.mate, stated.standard + stated.symbol, stated.value), stated)
-    return tuple(found.values())
+        if not any(_alike(stated, other) for other in found):
+            found.append(stated)
+    return tuple(found)
+
+
+def _alike(first: Stated, second: Stated) -> bool:
+    """Return whether two safeties are one and the same but for rounding."""
+    same = replace(first, value=second.value, line=second.line) == second
+    return same and math.isclose(first.value, second.value, rel_tol=ALIKE)
 
 
 def _all(asking: Asking, labels: Mapping[int, str]) -> Iterator[Stated]:
