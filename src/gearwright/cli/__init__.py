@@ -48,7 +48,7 @@ from gearwright.cli.ends import (
     FAILED,
     WRONG,
     ended_well,
-    interrupted_code,
+    interrupted,
     is_interrupted,
     listening,
 )
@@ -111,10 +111,9 @@ def _code() -> int | str | None:
     try:
         _asked(sys.argv[1:])()
     except SystemExit as end:
-        return interrupted_code() if is_interrupted() and end.code in (FAILED, CTRL_C) else end.code
+        return interrupted() if is_interrupted() and end.code in (FAILED, CTRL_C) else end.code
     except KeyboardInterrupt:
-        tell("interrupted")
-        return interrupted_code()
+        return interrupted()
     except GearwrightError as error:
         tell(str(error))
         return WRONG if isinstance(error, DesignError) else FAILED

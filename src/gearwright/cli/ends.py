@@ -27,8 +27,8 @@ BROKEN_PIPE = 141
 """Nobody reads what is printed: 128 and the number of SIGPIPE."""
 
 P = ParamSpec("P")
-_heard = list[int]()
-"""Signals that have asked the command to end."""
+_heard, _said = list[int](), list[str]()
+"""Signals that have asked the command to end, and what was said of it."""
 
 
 @contextmanager
@@ -38,6 +38,7 @@ def listening() -> Iterator[None]:
     usual = (signal.SIG_DFL, signal.default_int_handler)
     before = {number: handler for number in numbers if (handler := signal.getsignal(number)) in usual}
     _heard.clear()
+    _said.clear()
     for number in before:
         signal.signal(number, _interrupt)
     try:
@@ -62,6 +63,18 @@ def interrupted_code() -> int:
     return 128 + (_heard[0] if _heard else signal.SIGINT)
 
 
+def interrupted(kept: str = "") -> int:
+    """Say that the command is interrupted, and what is kept, where nothing has yet; return its exit code.
+
+    Args:
+        kept: In words.
+    """
+    if not _said:
+        _said.append(f"interrupted: {kept}" if kept else "interrupted")
+        tell(_said[0])
+    return interrupted_code()
+
+
 def ended_well(command: Callable[P, None]) -> Callable[P, None]:
     """Return a command that ends without a word about itself when it is interrupted or nobody reads it.
 
@@ -78,8 +91,7 @@ def ended_well(command: Callable[P, None]) -> Callable[P, None]:
         except (KeyboardInterrupt, Exception) as reason:  # libraries that are interrupted as they load raise others
             if isinstance(reason, typer.Exit) or not (is_interrupted() or isinstance(reason, KeyboardInterrupt)):
                 raise
-            tell("interrupted")
-            raise typer.Exit(interrupted_code()) from None
+            raise typer.Exit(interrupted()) from None
 
     return run
 
@@ -121,8 +133,7 @@ def end_interrupted(trace: Trace, kept: Path | None) -> None:
     """End with the code of an interruption, and say what is kept, if the run was interrupted."""
     if trace.interrupted:
         words = f"its first {trace.duration:.4g} s are in {kept}" if kept else "nothing is kept; --output keeps it"
-        tell(f"interrupted: {words}")
-        raise typer.Exit(interrupted_code())
+        raise typer.Exit(interrupted(words))
 
 
 def named_after(design: str, what: str) -> Path:

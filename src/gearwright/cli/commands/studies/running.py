@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 import typer
 
 from gearwright.cli.answers import show_row, show_rows
-from gearwright.cli.ends import interrupted_code
-from gearwright.cli.terminal.output import screen, tell
+from gearwright.cli.ends import interrupted
+from gearwright.cli.terminal.output import screen
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -83,8 +83,7 @@ def stopped_cleanly(journal: Path | None, following: str = "") -> Iterator[None]
     except KeyboardInterrupt:
         following = following or f"gearwright resume {journal}"
         kept = f"what is finished is kept; next: {following}" if journal else "nothing was kept"
-        tell(f"interrupted: {kept}")
-        raise typer.Exit(interrupted_code()) from None
+        raise typer.Exit(interrupted(kept)) from None
 
 
 def row_printer(command: str, study: Study) -> Callable[[Progress], None]:
