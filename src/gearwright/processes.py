@@ -192,11 +192,12 @@ def _answer(line: Connection, function: Callable[[A], B]) -> None:
 
 def _live(line: Connection, sent: bytes) -> None:
     """Work as long as the process that hired this one is there, which is watched before what it needs is loaded."""
-    signal.signal(signal.SIGTERM, _leave)
+    signal.signal(signal.SIGTERM, lambda number, _: os._exit(128 + number))  # nothing is begun, and libraries load
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
     Thread(target=_outlive_nobody, daemon=True).start()
     work, given = pickle.loads(sent)
+    signal.signal(signal.SIGTERM, _leave)
     work(line, *given)
 
 
