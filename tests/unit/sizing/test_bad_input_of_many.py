@@ -77,7 +77,7 @@ def test_an_override_on_some_designs_only_leaves_the_others_their_own() -> None:
     own, other = size(HYBRID).mass, size(edited(HYBRID, {MODULE: 3.0})).mass
     assert own != other
     assert sizings.columns["mass"][:29].tolist() == [own] * 15 + [other] * 14
-    assert sizings.reasons == {29: f"{MODULE}: -3.0 mm is not allowed; give a value from 0.1 to 300000 mm"}
+    assert sizings.reasons == {29: f"{MODULE}: -3.0 mm is not allowed; give a value from 0.1 to 100 mm"}
 
 
 def test_numbers_of_planets_are_columns_and_those_that_do_not_fit_are_told() -> None:
