@@ -27,6 +27,7 @@ from types import FrameType
 from typing import Any, NamedTuple, NoReturn, TypeVar
 
 from gearwright.errors import SolveError
+from gearwright.signals import ENDING, heard_by
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -40,7 +41,6 @@ COPIES = sys.platform == "linux"
 """Whether a process may be a copy of another one here: elsewhere libraries do not bear it."""
 _ONE_AT_A_TIME = Lock()
 """Threads share what processes inherit."""
-_ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
@@ -224,15 +224,12 @@ def _heard_after() -> Iterator[None]:
     Half begun, a process would be left without what it is to be sent, and say so.
     """
     came: list[int] = []
-    heard = _ENDING if current_thread() is main_thread() else ()
-    before = {number: handler for number in heard if (handler := signal.getsignal(number)) is not None}
-    for number in before:
-        signal.signal(number, lambda number, _: came.append(number))
+    heard = ENDING if current_thread() is main_thread() else ()
+    ours = [number for number in heard if signal.getsignal(number) is not None]
     try:
-        yield
+        with heard_by(lambda number, _: came.append(number), ours):
+            yield
     finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
         if came:
             signal.raise_signal(came[0])
 
@@ -248,7 +245,7 @@ def _inherited() -> Iterator[None]:
     masked = hasattr(signal, "pthread_sigmask")
     if masked:
         resource_tracker.ensure_running()  # the first process starts it otherwise, and it takes the mask away
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDING) if masked else set()
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING) if masked else set()
     try:
         yield
     finally:

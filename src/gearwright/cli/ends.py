@@ -14,14 +14,13 @@ import typer
 
 from gearwright.cli.idle import refuse_idle
 from gearwright.cli.terminal.output import tell
+from gearwright.signals import ENDING, heard_by
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Trace
     from gearwright.sizing import Sizing
 
 FAILED, WRONG = 1, 2
-ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
-"""Signals that end a command, all in the way of Ctrl-C, as far as the system has them and nobody has them ignored."""
 CTRL_C = 128 + signal.SIGINT
 BROKEN_PIPE = 141
 """Nobody reads what is printed: 128 and the number of SIGPIPE."""
@@ -33,19 +32,12 @@ _heard, _said = list[int](), list[str]()
 
 @contextmanager
 def listening() -> Iterator[None]:
-    """Let every signal that asks a command to end interrupt it, as Ctrl-C does."""
-    numbers = [getattr(signal, name) for name in ENDING if hasattr(signal, name)]
+    """Let every signal that asks a command to end, and is not ignored, interrupt it as Ctrl-C does."""
     usual = (signal.SIG_DFL, signal.default_int_handler)
-    before = {number: handler for number in numbers if (handler := signal.getsignal(number)) in usual}
     _heard.clear()
     _said.clear()
-    for number in before:
-        signal.signal(number, _interrupt)
-    try:
+    with heard_by(_interrupt, [number for number in ENDING if signal.getsignal(number) in usual]):
         yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def _interrupt(number: int, _: FrameType | None) -> NoReturn:

@@ -63,7 +63,7 @@ def refuse_idle(command: Callable[..., None], values: Mapping[str, Any]) -> None
     """
     defaults = {name: entry.default for name, entry in inspect.signature(command).parameters.items()}
     given = {name for name, value in values.items() if value != defaults[name] and value not in (None, ())}
-    refuse([*_idle(command, given), *_endless(command, {name: values[name] for name in sorted(given)})])
+    refuse([*_idle(command, given), *_not_finite(command, {name: values[name] for name in sorted(given)})])
 
 
 def _idle(command: Callable[..., None], given: set[str]) -> Iterator[Problem]:
@@ -82,7 +82,7 @@ def _idle(command: Callable[..., None], given: set[str]) -> Iterator[Problem]:
             yield Problem(_written(command, [name])[0], f"does nothing beside {asked}; leave one of them out")
 
 
-def _endless(command: Callable[..., None], given: Mapping[str, Any]) -> Iterator[Problem]:
+def _not_finite(command: Callable[..., None], given: Mapping[str, Any]) -> Iterator[Problem]:
     """Yield the numbers that are infinite, or not a number."""
     for name, value in given.items():
         if isinstance(value, float) and not math.isfinite(value):
