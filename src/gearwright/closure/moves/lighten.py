@@ -16,14 +16,15 @@ from gearwright.closure.moves.neighbours import (
     Change,
     confirmed_anew,
     judged,
+    open_modules,
     other_teeth,
     screened,
+    standard_modules,
 )
 from gearwright.closure.proportion import is_tied, searched
 from gearwright.identity import Role
-from gearwright.ranking import smallest, smallest_first
+from gearwright.ranking import smallest_first
 from gearwright.sizing.mass import complete_mass
-from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design
 from gearwright.spec.design import module_owners
 
@@ -116,7 +117,7 @@ def _changes(state: Settled) -> Iterator[Change]:
 def _modules(state: Settled) -> Iterator[Change]:
     """Yield other modules where they are open, wider or narrower faces with them: standard ones, or by factors."""
     design, owners = state.task.design, module_owners(state.task.design)
-    open_ = {name: own for name, own in _open_modules(state).items() if owners[name] == name}
+    open_ = {name: own for name, own in open_modules(state).items() if owners[name] == name}
     tied = {name: own for name, own in open_.items() if is_tied(design, name, owners)}
     for name, own in open_.items():
         for value in _others(state, name, own) if name not in tied else ():
@@ -137,21 +138,12 @@ def _as_large(state: Settled, stage: str, change: Change, factor: float) -> Iter
             yield other._replace(values={**other.values, **change.values})
 
 
-def _open_modules(state: Settled) -> dict[str, float]:
-    """Return stage -> module of those that are searched and give none [m]."""
-    design = state.task.design
-    modules = {gear.stage: gear.module for gear in state.sizing.gears}
-    return {name: modules[name] for name in searched(design) if design.simple_stages[name].module is None}
-
-
 def _others(state: Settled, stage: str, own: float) -> Iterator[float]:
     """Yield modules beside the one that is [m]."""
     if not (state.task.wishes.rounded and state.task.design.rules(stage).iso6336.standard_modules):
         yield from (factor * own for factor in FACTORS)
         return
-    place = smallest(range(len(STANDARD_MODULES)), lambda k: abs(STANDARD_MODULES[k] * MM - own))
-    places = (place + step for step in MODULES)
-    yield from (STANDARD_MODULES[other] * MM for other in places if 0 <= other < len(STANDARD_MODULES))
+    yield from (value * MM for value in standard_modules(own, MODULES))
 
 
 def _scaled(state: Settled, modules: Mapping[str, float]) -> Change:

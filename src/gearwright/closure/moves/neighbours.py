@@ -16,6 +16,7 @@ from gearwright.errors import GearwrightError
 from gearwright.identity import Role
 from gearwright.sizing import size
 from gearwright.sizing.making import built_checks
+from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import edited
 from gearwright.spec.design import Planetary
 from gearwright.spec.edit import Value
@@ -28,6 +29,9 @@ TEETH_OF_SETS = ("sun_teeth", "planet_teeth", "ring_teeth")
 """Keys of the teeth of a planetary set."""
 TEETH_OF_PAIRS = ("pinion_teeth", "wheel_teeth")
 """Keys of the teeth of a pair."""
+ROUNDING = 1e-9
+"""Of modules [-]."""
+_MM = 1e-3
 DRIVING = (Role.SUN, Role.PINION)
 """Gears whose teeth are varied; a pair has none of its own where its pinion is a gear of another stage."""
 
@@ -126,6 +130,28 @@ def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change
         if (not given or "teeth" in state.task.wishes.free) and gear is not None:
             frees = tuple(f"{table}.{key}" for key in keys)
             yield from (Change(table, {**given, frees[0]: gear.teeth + step}, frees) for step in steps)
+
+
+def open_modules(state: Settled) -> dict[str, float]:
+    """Return stage -> module of those that are searched and give none [m].
+
+    Args:
+        state: As settled.
+    """
+    design = state.task.design
+    modules = {gear.stage: gear.module for gear in state.sizing.gears}
+    return {name: modules[name] for name in searched(design) if design.simple_stages[name].module is None}
+
+
+def standard_modules(own: float, steps: Iterable[int]) -> tuple[float, ...]:
+    """Return modules of ISO 54 so many steps from the largest that is not above one's own [mm].
+
+    Args:
+        own: Module [m].
+        steps: Upwards [-].
+    """
+    place = sum(value * _MM <= own * (1.0 + ROUNDING) for value in STANDARD_MODULES) - 1
+    return tuple(STANDARD_MODULES[place + step] for step in steps if 0 <= place + step < len(STANDARD_MODULES))
 
 
 def words_of(chosen: Mapping[str, Value]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from gearwright.closure.closed import Round, Step
@@ -13,13 +13,14 @@ from gearwright.closure.moves.neighbours import (
     Change,
     confirmed_anew,
     judged,
+    open_modules,
     other_teeth,
     screened,
+    standard_modules,
     words_of,
 )
 from gearwright.closure.proportion import is_tied, searched
 from gearwright.closure.wishes import Wishes
-from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec.design import module_owners
 
 SWEEPS = 5
@@ -102,29 +103,16 @@ def _settled_of(state: Settled, lacks: float) -> Iterator[Candidate]:
 
 def _changes(state: Settled) -> Iterator[Change]:
     """Yield other numbers of teeth, other modules, and both at once, stage by stage, where they are open."""
-    open_ = dict(_open_modules(state))
+    design, owners = state.task.design, module_owners(state.task.design)
+    alone = (entry for entry in open_modules(state).items() if not is_tied(design, entry[0], owners))
+    open_ = {design.table(name): own for name, own in alone}
     for change in other_teeth(state, STEPS):
         yield change
-        place = open_.get(change.table)
-        values = () if place is None else _modules_at(place, BESIDE)
+        values = standard_modules(open_[change.table], BESIDE) if change.table in open_ else ()
         yield from (_with_module(change, change.table, value) for value in values)
-    for table, place in open_.items():
+    for table, own in open_.items():
         if f"{table}.module_mm" not in state.task.chosen:
-            yield from (_with_module(Change("", {}), table, value) for value in _modules_at(place, MODULES))
-
-
-def _open_modules(state: Settled) -> Iterator[tuple[str, int]]:
-    """Yield table and place in ISO 54, the next larger if between, of stages with a module that is open and its own."""
-    design = state.task.design
-    for name in searched(design):
-        if not is_tied(design, name, module_owners(design)) and design.simple_stages[name].module is None:
-            own = next(gear.module for gear in state.sizing.gears if gear.stage == name)
-            yield design.table(name), sum(value * _MM < own * (1.0 - 1e-9) for value in STANDARD_MODULES)
-
-
-def _modules_at(place: int, steps: Iterable[int]) -> tuple[float, ...]:
-    """Return standard modules by so many steps from a place [mm]."""
-    return tuple(STANDARD_MODULES[place + step] for step in steps if 0 <= place + step < len(STANDARD_MODULES))
+            yield from (_with_module(Change("", {}), table, value) for value in standard_modules(own, MODULES))
 
 
 def _with_module(change: Change, table: str, value: float) -> Change:

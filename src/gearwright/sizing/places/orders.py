@@ -9,12 +9,9 @@ from gearwright.identity import Kind, PartId, Role
 from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.arrangement import Axle, axles_in, best_way
 from gearwright.sizing.places.coaxial import CLAUSE
-from gearwright.sizing.rating import Context
+from gearwright.sizing.rating import BACKUP, TOOTH_HEIGHT, Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.roots import root_diameter
-
-THINNEST_RIM = 1.2
-"""Rim under the teeth over their height from which on it does not weaken them [-] (ISO 6336-3:2019, Y_B = 1)."""
 
 
 def order_checks(context: Context, arrangement: Arrangement) -> Iterator[Check]:
@@ -73,6 +70,6 @@ def hollow_checks(context: Context, gears: Sequence[GearSizing], arrangement: Ar
         bore = max((body.bore for body in arrangement.bodies if body.part in own), default=0.0)
         rim = root_diameter(context, gear) / 2.0 - bore
         yield Check(
-            gear.part, "rim around its bore", "ISO 6336-3:2019, Y_B", rim / (2.25 * gear.module), THINNEST_RIM,
+            gear.part, "rim around its bore", "ISO 6336-3:2019, Y_B", rim / (TOOTH_HEIGHT * gear.module), BACKUP,
             exponent=None, symbol="s_R/h_t",
         )  # fmt: skip
