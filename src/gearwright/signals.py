@@ -1,15 +1,20 @@
-"""Signals that ask a program to end, and who hears them for a while."""
+"""Signals that ask a program to end: who hears them for a while, and that what they raise arrives."""
 
 from __future__ import annotations
 
 import signal
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import Any
+from typing import Any, NoReturn
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
 """Those that the system has."""
+AGAIN = 0.05
+"""Until an interruption is raised again that has not arrived [s]."""
+_asked = list[int]()
+"""Signals whose interruption has not been answered."""
 
 
 @contextmanager
@@ -26,3 +31,32 @@ def heard_by(handler: Callable[[int, FrameType | None], Any], numbers: Iterable[
     finally:
         for number, own in before.items():
             signal.signal(number, own)
+
+
+def interrupt(number: int, _: FrameType | None) -> NoReturn:
+    """Raise `KeyboardInterrupt`, again and again until it is answered: libraries in C swallow what is raised in them.
+
+    The handler of a signal. Where the system has no timer, it is raised once.
+    """
+    _asked.append(number)
+    if hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, _interrupt_again)
+        signal.setitimer(signal.ITIMER_REAL, AGAIN, AGAIN)
+    raise KeyboardInterrupt
+
+
+def answered() -> None:
+    """Tell that an interruption has arrived, where the program goes on behind it."""
+    if _asked:
+        _asked.clear()
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+
+
+def _interrupt_again(*_: object) -> None:
+    """Raise an interruption again, unless it is on its way, through blocks that put away what was begun."""
+    way = sys.exception()
+    while way is not None and not isinstance(way, KeyboardInterrupt):
+        way = way.__context__
+    if way is None and _asked:
+        signal.raise_signal(_asked[0])

@@ -43,7 +43,7 @@ def serve(
     threading.Thread(target=worker.start, daemon=True).start()  # it loads what sizes while this loads what serves
     import uvicorn
 
-    from gearwright.app.arriving import Arriving
+    from gearwright.app.arriving import arriving
     from gearwright.app.guard import Guard
     from gearwright.app.routes import Opened, workbench
 
@@ -56,7 +56,7 @@ def serve(
         uvicorn.Server(
             uvicorn.Config(
                 guarded, log_level="critical", access_log=False, server_header=False, ws="none", lifespan="on",
-                http=Arriving, limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=1, proxy_headers=False,
+                http=arriving(), limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=1, proxy_headers=False,
             )
         )
     )  # fmt: skip

@@ -14,7 +14,7 @@ import typer
 
 from gearwright.cli.idle import refuse_idle
 from gearwright.cli.terminal.output import tell
-from gearwright.signals import ENDING, heard_by
+from gearwright.signals import ENDING, answered, heard_by, interrupt
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Trace
@@ -37,12 +37,15 @@ def listening() -> Iterator[None]:
     _heard.clear()
     _said.clear()
     with heard_by(_interrupt, [number for number in ENDING if signal.getsignal(number) in usual]):
-        yield
+        try:
+            yield
+        finally:
+            answered()
 
 
-def _interrupt(number: int, _: FrameType | None) -> NoReturn:
+def _interrupt(number: int, frame: FrameType | None) -> NoReturn:
     _heard.append(number)
-    raise KeyboardInterrupt
+    interrupt(number, frame)
 
 
 def is_interrupted() -> bool:
@@ -61,6 +64,7 @@ def interrupted(kept: str = "") -> int:
     Args:
         kept: In words.
     """
+    answered()
     if not _said:
         _said.append(f"interrupted: {kept}" if kept else "interrupted")
         tell(_said[0])

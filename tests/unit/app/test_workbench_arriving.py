@@ -22,19 +22,19 @@ def served():
     """Yield the port of a server on this machine."""
     import uvicorn
 
-    from gearwright.app.arriving import Arriving
+    from gearwright.app.arriving import arriving
     from gearwright.app.serving import MOST_CONNECTIONS
 
     bound = socket.create_server(("127.0.0.1", 0), backlog=256)
     given = {"log_level": "critical", "lifespan": "off", "ws": "none", "limit_concurrency": MOST_CONNECTIONS}
-    server = uvicorn.Server(uvicorn.Config(answering, http=Arriving, **given))
+    server = uvicorn.Server(uvicorn.Config(answering, http=arriving(), **given))
     thread = threading.Thread(target=server.run, kwargs={"sockets": [bound]})
     thread.start()
     yield bound.getsockname()[1]
     server.should_exit = True
     thread.join()
     bound.close()
-    assert not Arriving.waiting
+    assert not arriving().waiting
 
 
 def asked(port):

@@ -98,7 +98,10 @@ def test_given_teeth_that_cannot_be_assembled_are_named():
 def test_a_bore_thicker_than_the_sized_shaft_is_refused():
     found = problem(PAIR + "[layout.fast]\nbore_mm = 80\n", sized=True)
     assert found.path == "layout.fast.bore_mm"
-    assert "80 mm, and stage.pinion (z 18, m_n 3.109 mm) has a root circle of 48.19 mm; allowed: up to 41.19 mm" in found.message
+    assert (
+        "80 mm, and stage.pinion (z 18, m_n 3.109 mm) has a root circle of 48.19 mm; allowed: up to 41.19 mm"
+        in found.message
+    )
     found = problem(PAIR + "[layout.fast]\nbore_mm = 40\n", sized=True)
     assert found.path == "layout.fast.bore_mm"
     assert found.message.startswith("the bore 40 mm leaves too thin a wall in a shaft of ")

@@ -14,6 +14,7 @@ from gearwright.dynamics.model import System
 from gearwright.dynamics.motion.accuracy import Forces
 from gearwright.dynamics.motion.record import BLOCK, TAKE, Outputs, Recorder, Taking, take
 from gearwright.dynamics.motion.steps import Pace, Stepper, check_duration, generated_run, stepper
+from gearwright.signals import answered
 
 TOGETHER = 32
 """Blocks that are marched over before Python looks whether the user stops the run, or wants to know how far it is."""
@@ -125,6 +126,7 @@ def marched(
     except KeyboardInterrupt:
         if done[0] == 0.0:
             raise
+        answered()
     taken = int(done[0])
     kept = len(recorder.points) if taken == steps else -(-taken // recorder.spacing)
     recorder.points = recorder.points[:kept]

@@ -10,6 +10,7 @@ import typer
 from gearwright.cli.completion import designs
 from gearwright.cli.ends import CTRL_C, interrupted_code
 from gearwright.cli.terminal.output import show, show_commands
+from gearwright.signals import answered
 
 
 def app(
@@ -35,3 +36,4 @@ def app(
     except KeyboardInterrupt:
         if interrupted_code() != CTRL_C:  # which is the usual end
             raise
+        answered()

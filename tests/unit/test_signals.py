@@ -1,0 +1,63 @@
+"""An interruption arrives, whatever swallows it first, and never within what puts away."""
+
+import os
+import signal
+import time
+
+import pytest
+
+from gearwright.signals import AGAIN, answered, heard_by, interrupt
+
+pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no timer")
+LONG = 20 * AGAIN
+
+
+@pytest.fixture(autouse=True)
+def heard():
+    with heard_by(interrupt, [signal.SIGTERM]):
+        yield
+    answered()
+
+
+def swallowed():
+    """Do as a library in C does that is interrupted where it tells nobody of it."""
+    try:
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(LONG)
+    except KeyboardInterrupt:
+        pass
+
+
+def test_what_is_swallowed_comes_again():
+    swallowed()
+    with pytest.raises(KeyboardInterrupt):
+        time.sleep(LONG)
+
+
+def test_what_is_answered_does_not_come_again():
+    swallowed()
+    answered()
+    time.sleep(4 * AGAIN)
+
+
+def test_what_puts_away_is_not_interrupted():
+    put_away = []
+
+    def work():
+        try:
+            yield os.kill(os.getpid(), signal.SIGTERM)
+        finally:
+            time.sleep(4 * AGAIN)
+            put_away.append("generator")
+
+    with pytest.raises(RuntimeError):
+        try:
+            for _ in work():
+                pass
+        except KeyboardInterrupt as reason:
+            raise RuntimeError("a library says it in its way") from reason
+        finally:
+            time.sleep(4 * AGAIN)
+            put_away.append("block")
+            answered()
+    assert put_away == ["generator", "block"]
