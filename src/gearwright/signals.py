@@ -37,6 +37,9 @@ def interrupt(number: int, _: FrameType | None) -> NoReturn:
     """Raise `KeyboardInterrupt`, again and again until it is answered: libraries in C swallow what is raised in them.
 
     The handler of a signal. Where the system has no timer, it is raised once.
+
+    Args:
+        number: Of the signal.
     """
     _asked.append(number)
     if hasattr(signal, "setitimer"):
