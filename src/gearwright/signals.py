@@ -33,13 +33,14 @@ def heard_by(handler: Callable[[int, FrameType | None], Any], numbers: Iterable[
             signal.signal(number, own)
 
 
-def interrupt(number: int, _: FrameType | None) -> NoReturn:
+def interrupt(number: int, frame: FrameType | None) -> NoReturn:
     """Raise `KeyboardInterrupt`, again and again until it is answered: libraries in C swallow what is raised in them.
 
     The handler of a signal. Where the system has no timer, it is raised once.
 
     Args:
         number: Of the signal.
+        frame: Where it is heard; whatever runs there is interrupted.
     """
     _asked.append(number)
     if hasattr(signal, "setitimer"):
