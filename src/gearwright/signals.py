@@ -7,12 +7,14 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import Any, NoReturn
+from typing import Any
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
 """Those that the system has."""
 AGAIN = 0.05
 """Until an interruption is raised again that has not arrived [s]."""
+_IMPORTING = vars(sys.modules["_frozen_importlib"])
+"""Globals of what imports modules."""
 _asked = list[int]()
 """Signals whose interruption has not been answered."""
 
@@ -33,10 +35,11 @@ def heard_by(handler: Callable[[int, FrameType | None], Any], numbers: Iterable[
             signal.signal(number, own)
 
 
-def interrupt(number: int, frame: FrameType | None) -> NoReturn:
+def interrupt(number: int, frame: FrameType | None) -> None:
     """Raise `KeyboardInterrupt`, again and again until it is answered: libraries in C swallow what is raised in them.
 
-    The handler of a signal. Where the system has no timer, it is raised once.
+    The handler of a signal. While a module is imported it waits: half a module helps nobody, and an interpreter in
+    which source is executed as text meanwhile ends by itself later. Where the system has no timer, it is raised once.
 
     Args:
         number: Of the signal.
@@ -46,7 +49,16 @@ def interrupt(number: int, frame: FrameType | None) -> NoReturn:
     if hasattr(signal, "setitimer"):
         signal.signal(signal.SIGALRM, _interrupt_again)
         signal.setitimer(signal.ITIMER_REAL, AGAIN, AGAIN)
+        if _imports(frame):
+            return
     raise KeyboardInterrupt
+
+
+def _imports(frame: FrameType | None) -> bool:
+    """Tell whether a module is being imported."""
+    while frame is not None and frame.f_globals is not _IMPORTING:
+        frame = frame.f_back
+    return frame is not None
 
 
 def answered() -> None:

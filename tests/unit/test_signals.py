@@ -40,6 +40,18 @@ def test_what_is_answered_does_not_come_again():
     time.sleep(4 * AGAIN)
 
 
+def test_what_is_imported_is_imported_whole(tmp_path, monkeypatch):
+    text = "import os, signal, time\nos.kill(os.getpid(), signal.SIGTERM)\ntime.sleep(%s)\nwhole = True\n" % (4 * AGAIN)
+    (tmp_path / "slow_to_import.py").write_text(text, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    whole = False
+    with pytest.raises(KeyboardInterrupt):
+        from slow_to_import import whole
+
+        time.sleep(LONG)
+    assert whole
+
+
 def test_what_puts_away_is_not_interrupted():
     put_away = []
 
