@@ -11,7 +11,7 @@ import importlib
 import importlib.util
 import sys
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib.abc import MetaPathFinder
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from pathlib import Path
@@ -59,8 +59,19 @@ def twin(name: str) -> Any:
     return importlib.import_module(twin_name(name))
 
 
-CHANGES: dict[str, Callable[[ModuleType], None]] = {}
+Change = Callable[[ModuleType], None]
+_CHANGES: dict[str, list[Change]] = {}
 """Module -> what is changed in its twin once it is loaded."""
+
+
+def change_twins(changes: Iterable[tuple[str, Change]]) -> None:
+    """Change twins once they are loaded.
+
+    Args:
+        changes: Module, and what is changed in its twin; a module may have several.
+    """
+    for name, change in changes:
+        _CHANGES.setdefault(name, []).append(change)
 
 
 class _Twinned(ast.NodeTransformer):
@@ -165,7 +176,7 @@ class _Loader(SourceFileLoader):
     def exec_module(self, module: ModuleType) -> None:
         """Run the code, then change what the twin does otherwise."""
         super().exec_module(module)
-        if change := CHANGES.get(module.__name__.replace(PREFIX, "gearwright", 1)):
+        for change in _CHANGES.get(module.__name__.replace(PREFIX, "gearwright", 1), ()):
             change(module)
 
 

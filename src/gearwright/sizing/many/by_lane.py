@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes import CHANGES, Diverged, Lanes, chosen, lanes_of
+from gearwright.lanes import Diverged, Lanes, change_twins, chosen, lanes_of
 from gearwright.lanes.twins import PREFIX
 from gearwright.sizing.many.planet_bearings import friction, lives, of_catalogue
 from gearwright.spec import Record
@@ -358,22 +358,22 @@ def _unordered(module: ModuleType) -> None:
     module.ordered = tuple  # type: ignore[attr-defined]
 
 
-CHANGES.update({
-    "gearwright.sizing.rating.context": _alone_known,
-    "gearwright.sizing.stages.stage_sizes": _whole,
-    "gearwright.sizing.arrangement.ordering": _orders,
-    "gearwright.sizing.places.room": _rooms,
-    "gearwright.parts.gears.transverse_form": _outlines,
-    "gearwright.parts.iso6336.root": _roots,
-    "gearwright.parts.iso6336.steels.life": _lives,
-    "gearwright.parts.iso6336.steels.damage": _damages,
-    "gearwright.sizing.rating.widths": _widths,
-    "gearwright.sizing.rating.search": _rated,
-    "gearwright.sizing.planets.choice": of_catalogue,
-    "gearwright.catalogue.bearing_oil": friction,
-    "gearwright.parts.bearings.modified_life": lives,
-    "gearwright.sizing.mass.record": _unordered,
-    "gearwright.sizing.casing.shell": _in_each_lane("_around"),
-    "gearwright.sizing.casing.ring_seats": _in_each_lane("_module", "spline", "_pieces"),
-    "gearwright.sizing.loads.forces": _in_each_lane("_worst_direction", "_at"),
-})  # fmt: skip
+change_twins((
+    ("gearwright.sizing.rating.context", _alone_known),
+    ("gearwright.sizing.stages.stage_sizes", _whole),
+    ("gearwright.sizing.arrangement.ordering", _orders),
+    ("gearwright.sizing.places.room", _rooms),
+    ("gearwright.parts.gears.transverse_form", _outlines),
+    ("gearwright.parts.iso6336.root", _roots),
+    ("gearwright.parts.iso6336.steels.life", _lives),
+    ("gearwright.parts.iso6336.steels.damage", _damages),
+    ("gearwright.sizing.rating.widths", _widths),
+    ("gearwright.sizing.rating.search", _rated),
+    ("gearwright.sizing.planets.choice", of_catalogue),
+    ("gearwright.catalogue.bearing_oil", friction),
+    ("gearwright.parts.bearings.modified_life", lives),
+    ("gearwright.sizing.mass.record", _unordered),
+    ("gearwright.sizing.casing.shell", _in_each_lane("_around")),
+    ("gearwright.sizing.casing.ring_seats", _in_each_lane("_module", "spline", "_pieces")),
+    ("gearwright.sizing.loads.forces", _in_each_lane("_worst_direction", "_at")),
+))  # fmt: skip

@@ -13,7 +13,7 @@ import numpy as np
 
 from gearwright.arrays import Ints
 from gearwright.checks import ROUNDING, Status
-from gearwright.lanes import CHANGES, Diverged, Lanes, Unsupported, chosen, lanes_of, twin
+from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, lanes_of, twin
 from gearwright.ranking import ALIKE
 from gearwright.spec.design import stage_shifts
 
@@ -296,16 +296,16 @@ DIGITS = 9
 """To which the order of checks rounds margins [-]."""
 
 
-CHANGES.update({
-    "gearwright.sizing.answers.named": _named,
-    "gearwright.sizing.stages.tooth_checks": _tooth_checks,
-    "gearwright.sizing.teeth.search": _search,
-    "gearwright.parts.gears.internal_interference": _interference,
-    "gearwright.spec.design.teeth.profile_shifts": _by_teeth,
-    "gearwright.train.algebra.memory": _memory,
-    "gearwright.sizing.answers.gate": _gate,
-    "gearwright.checks": _checks,
-})  # fmt: skip
+change_twins((
+    ("gearwright.sizing.answers.named", _named),
+    ("gearwright.sizing.stages.tooth_checks", _tooth_checks),
+    ("gearwright.sizing.teeth.search", _search),
+    ("gearwright.parts.gears.internal_interference", _interference),
+    ("gearwright.spec.design.teeth.profile_shifts", _by_teeth),
+    ("gearwright.train.algebra.memory", _memory),
+    ("gearwright.sizing.answers.gate", _gate),
+    ("gearwright.checks", _checks),
+))  # fmt: skip
 
 
 def twinned(name: str) -> Any:
