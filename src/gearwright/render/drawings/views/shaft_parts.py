@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 from gearwright.catalogue import THREAD_TOLERANCE, key_for_shaft, seat_tolerance
 from gearwright.catalogue.standard_parts.radial_seals import SHAFT as UNDER_SEAL
-from gearwright.parts import bevel
 from gearwright.parts.bevel import BevelProfile
+from gearwright.parts.bevel import bevel_profile as bevel_teeth
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import BuiltShaft, GearSizing, JointSizing, ShaftStep, Sizing
@@ -248,7 +248,7 @@ def bevel_profile(sizing: Sizing, gear: GearSizing) -> BevelProfile:
         gear: A bevel gear.
     """
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
-    return bevel.bevel_profile(pair, side).scaled(MM)
+    return bevel_teeth(pair, side).scaled(MM)
 
 
 def away_of(sizing: Sizing, gear: GearSizing) -> float:
