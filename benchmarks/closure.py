@@ -15,8 +15,8 @@ from collections.abc import Iterator
 
 import gearwright as gw
 from gearwright.closure import Closed, Wishes, close
-from gearwright.closure.confirm import Factors, changes_of, confirmed
-from gearwright.closure.life import LONGEST
+from gearwright.closure.loop import Factors, changes_of, confirmed
+from gearwright.closure.requirements import LONGEST
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
 from gearwright.errors import GearwrightError
 from gearwright.sizing.mass import complete_mass

@@ -16,8 +16,8 @@ import numpy as np
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.catalogue import DesignPoint
-from gearwright.catalogue.turboshafts.made import highest_state, inlet_at, turboshaft_engine
-from gearwright.machines.power import state_for, steady_state
+from gearwright.catalogue.turboshafts import highest_state, inlet_at, turboshaft_engine
+from gearwright.machines.turboshaft import state_for, steady_state
 from gearwright.units import FOOT, HORSEPOWER, POUND
 
 RATIO = {1120.0: 9.0, 4465.2: 9.5}

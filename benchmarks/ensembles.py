@@ -28,7 +28,7 @@ from peers import Case, dense, has, numba_slope
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import System, simulate_many, statics
-from gearwright.dynamics.motion.side_by_side import Precision, lanes_of
+from gearwright.dynamics.motion.ensemble import Precision, lanes_of
 
 DURATION, TARGET, TRIED = 0.1, 1e-3, 4
 WORKERS = os.cpu_count() or 1

@@ -17,7 +17,7 @@ import numpy as np
 
 from gearwright.catalogue import PublishedGearbox, published_gearboxes
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.casing import shell_around
+from gearwright.sizing.housing_shell import shell_around
 from gearwright.sizing.mass import CALIBRATED
 from gearwright.spec import Design, edited
 from gearwright.validate.gearboxes import Held, design_of, fitted, held, left_out, score

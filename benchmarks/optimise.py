@@ -204,8 +204,7 @@ class Pymoo:
 
 def _whole(axes: dict, objectives: dict, seed: int) -> tuple[np.ndarray, float]:
     """Return the front of all layers with as many designs in all, and the processor time of each, prices left out."""
-    from gearwright.optimum.bench import Bench
-    from gearwright.optimum.course import followed
+    from gearwright.optimum.course import Bench, followed
     from gearwright.optimum.optimise import _polished
 
     own = study(axes, objectives, screened=SCREENED, evaluations=EVALUATIONS - SCREENED, population=POPULATION,

@@ -20,9 +20,7 @@ from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.bearings import planet_duty
-from gearwright.sizing.planets.films import design_oil, film_margin, judged, on_film
-from gearwright.sizing.planets.rollers import integral, on_rollers
-from gearwright.sizing.planets.task import Task, tasks
+from gearwright.sizing.planets import Task, design_oil, film_margin, integral, judged, on_film, on_rollers, tasks
 from gearwright.sizing.rating import context_of
 from gearwright.spec import Design, edited, read
 from gearwright.units import CELSIUS, RPM

@@ -22,7 +22,7 @@ from integrators import machine
 from gearwright.dynamics import System
 from gearwright.dynamics.codegen import aligned, compiled, parameter_rows, topology
 from gearwright.dynamics.model import own_groups, stacked
-from gearwright.dynamics.motion.side_by_side import Clock, Precision, lanes_of
+from gearwright.dynamics.motion.ensemble import Clock, Precision, lanes_of
 
 
 class Mix(NamedTuple):

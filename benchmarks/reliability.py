@@ -16,7 +16,7 @@ from scipy.special import ndtr
 
 from gearwright.spec import parse_study
 from gearwright.study import run
-from gearwright.study.running import reliability
+from gearwright.study.reliability import reliability
 
 STUDY = """
 schema = 1

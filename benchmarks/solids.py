@@ -16,11 +16,9 @@ from gearwright.exchange.step import to_step
 from gearwright.identity import HOUSING
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import Scene, casing_masses, glb, kind_of, sized_mesh, solid_masses
-from gearwright.shape.crossing import crossed_depths
-from gearwright.shape.masses import CORNERS
-from gearwright.shape.meshing import deepest, planar_contacts
-from gearwright.shape.overlaps import overlaps
-from gearwright.shape.record import triangles_of
+from gearwright.shape.overlaps import crossed_depths, deepest, overlaps, planar_contacts
+from gearwright.shape.scene import CORNERS
+from gearwright.shape.stands import triangles_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import bevel_cones
 

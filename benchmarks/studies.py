@@ -31,10 +31,11 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import Named
 from gearwright.spec import Study, parse_study, read
 from gearwright.study import run
-from gearwright.study.answers import Row, blocks_of
 from gearwright.study.cases import Case, cases
-from gearwright.study.journal.journal import Journal
-from gearwright.study.running import Progress, begin, local, opened, run_study
+from gearwright.study.journal import Journal, begin, opened
+from gearwright.study.running import Progress, run_study
+from gearwright.study.tables import Row, blocks_of
+from gearwright.study.workers import local
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

@@ -8,9 +8,9 @@ altitude and days off the standard one; below, the same with the exponent -0.5 o
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.catalogue import DesignPoint
-from gearwright.catalogue.turboshafts.made import highest_state, inlet_at, turboshaft_engine
+from gearwright.catalogue.turboshafts import highest_state, inlet_at, turboshaft_engine
 from gearwright.machines import Engine, power_limits
-from gearwright.machines.power import steady_state
+from gearwright.machines.turboshaft import steady_state
 from gearwright.spec import EngineRules
 from gearwright.units import KWH
 

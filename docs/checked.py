@@ -20,7 +20,8 @@ from gearwright.parts.planetary import most_planets
 from gearwright.replays.pulvirenti.claims import claims
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
-from gearwright.validate import bearings, gears, shafts
+from gearwright.validate import gears, shafts
+from gearwright.validate import shafts as bearings
 from gearwright.weights import beta, mass_afdd00, mass_afdd83, mass_tm215680, mass_wate2
 
 TESTS = Path(__file__).parents[1] / "tests"
@@ -193,7 +194,7 @@ def _plain(words: str) -> str:
     return words
 
 
-_RATED = (("gears", gears.CASES), ("bearings", bearings.CASES), ("shafts", shafts.CASES))
+_RATED = (("gears", gears.CASES), ("bearings", bearings.BEARING_CASES), ("shafts", shafts.SHAFT_CASES))
 _BOOK = "Budynas & Nisbett, Shigley's Mechanical Engineering Design"
 _PLACE = r"[;(]|, (?:as tabulated|stage|example|problem|table|annex|pair|test|in |\d)| \("
 _SOURCES_HEAD = """

@@ -11,15 +11,13 @@ from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import fly
 from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.svg import sheet_svg
+from gearwright.render.drawings.writers import sheet_svg
 from gearwright.render.figures.dynamics import campbell_figure
-from gearwright.render.figures.flights.flight import profile_figure
-from gearwright.render.figures.flights.sankey import sankey_figure
-from gearwright.render.figures.sizing import margin_figure, mass_figure
-from gearwright.render.figures.study.lines import study_figure
-from gearwright.render.figures.treemap import treemap_figure
-from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
-from gearwright.render.style.theme import to_svg
+from gearwright.render.figures.flights import profile_figure, sankey_figure
+from gearwright.render.figures.masses import margin_figure, mass_figure, treemap_figure
+from gearwright.render.figures.study import study_figure
+from gearwright.render.schematic import power_flow_figure, schematic_figure
+from gearwright.render.style import to_svg
 from gearwright.shipped import shipped_mission, shipped_study
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import complete_mass

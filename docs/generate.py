@@ -10,7 +10,7 @@ from pathlib import Path
 from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
 from gearwright.render.diagrams import DIAGRAMS
-from gearwright.render.tables.sizing.materials import properties
+from gearwright.render.tables.sizing import properties
 from gearwright.render.words.design_file import (
     anchor,
     design_file_markdown,
@@ -18,7 +18,7 @@ from gearwright.render.words.design_file import (
     mix_file_markdown,
     study_file_markdown,
 )
-from gearwright.replays.colibri.page import colibri_markdown
+from gearwright.replays.colibri.pages import colibri_markdown
 from gearwright.units import written
 
 FOLDER = Path(__file__).parent

@@ -7,15 +7,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from gearwright.catalogue import gear_steel
-from gearwright.parts.bevel import (
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, gleason_profile_shift
+from gearwright.parts.iso10300 import (
     LOW_CROWNING,
     BevelDuty,
-    BevelPair,
     BevelRating,
     BevelSurfaces,
-    BevelTooth,
     bevel_pitch_tolerance,
-    gleason_profile_shift,
     rate_bevel,
 )
 from gearwright.render.tables.checks import check_sentence

@@ -11,7 +11,7 @@ import numpy as np
 
 import gearwright as gw
 from gearwright.dynamics import DampingRatio, Outputs, Periodic
-from gearwright.render.style import theme
+from gearwright.render import style as theme
 
 STEPS, SETTLE, KEPT = 128, 60, 60
 """Steps in a period; periods that are left out, and that are kept."""

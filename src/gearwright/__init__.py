@@ -52,9 +52,9 @@ if TYPE_CHECKING:
     from gearwright.mission.windows import fly_window as window
     from gearwright.optimum import optimise, search
     from gearwright.render.drawings.catalogue import sheets as draw
-    from gearwright.render.pages.designs.report import report
     from gearwright.render.pages.notebook import figure
-    from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+    from gearwright.render.pages.report import report
+    from gearwright.render.schematic import power_flow_figure, schematic_figure
     from gearwright.reviews import review
     from gearwright.shape import scene
     from gearwright.shipped import (

@@ -51,7 +51,7 @@ def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
 
 
 def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.pages.designs.turning import turning
+    from gearwright.render.pages.motion import turning
 
     content = turning(sizing, detail=wanted.detail).encode()
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
@@ -141,14 +141,14 @@ def _netcdf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
 
 def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.sheet.svg import sheet_svg
+    from gearwright.render.drawings.writers import sheet_svg
 
     return sheet_svg(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
 
 
 def _dxf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.sheet.dxf import sheet_dxf
+    from gearwright.render.drawings.writers import sheet_dxf
 
     return sheet_dxf(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
 

@@ -19,7 +19,7 @@ class Shown:
     __slots__ = ()
 
     def __repr__(self) -> str:
-        return str(import_module("gearwright.render.words.short").short(self))
+        return str(import_module("gearwright.render.pages.notebook").short(self))
 
     def _repr_html_(self) -> str:
         return str(import_module("gearwright.render.pages.notebook").html(self))

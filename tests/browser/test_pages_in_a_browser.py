@@ -8,22 +8,21 @@ import shutil
 import pytest
 from written import COMMANDS, EVERY_DESIGN, written
 
-from gearwright.cli.terminal.printing import print_pdf
+from gearwright.cli.printing import print_pdf
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
 from gearwright.render.answers.design import size_answer
-from gearwright.render.answers.plain import plain
 from gearwright.render.answers.review import review_answer
-from gearwright.render.pages.designs.report import report
-from gearwright.render.pages.designs.review import review_page
+from gearwright.render.answers.schema import plain
+from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
+from gearwright.render.pages.report import report, review_page
 from gearwright.render.pages.sharing import sharing_page
-from gearwright.render.pages.studies.comparison import comparison
-from gearwright.replays.colibri.page import colibri_page
-from gearwright.replays.pulvirenti.page import thesis_page
+from gearwright.replays.colibri.pages import colibri_page
+from gearwright.replays.pulvirenti.pages import thesis_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import governing_case

@@ -7,7 +7,7 @@ import shutil
 import pytest
 
 import gearwright as gw
-from gearwright.render.pages.designs.turning import turning
+from gearwright.render.pages.motion import turning
 from shipped_work import sized
 
 pytestmark = pytest.mark.extra("playwright")

@@ -22,7 +22,7 @@ TARGETS = (
     "gearwright.sizing",
     "gearwright.dynamics.assembly",
     "gearwright.dynamics.model",
-    "gearwright.dynamics.sharing.error_sources",
+    "gearwright.dynamics.sharing.errors",
 )
 """Packages, whose modules all get faults, and modules."""
 

@@ -22,7 +22,7 @@ import pytest
 import gearwright
 
 PACKAGE = str(Path(gearwright.__file__).parent)
-CACHING = ("gearwright.parts", "gearwright.sizing.rating", "gearwright.catalogue.gear_strength")
+CACHING = ("gearwright.parts", "gearwright.sizing.rating", "gearwright.catalogue.materials")
 """Modules whose cached functions are quick."""
 
 

@@ -21,9 +21,9 @@ from gearwright.dynamics.motion import default_step
 from gearwright.errors import DesignError, SolveError
 from gearwright.mission import durability, fly
 from gearwright.render.answers.design import size_answer
-from gearwright.render.answers.flights.flight import fly_answer
+from gearwright.render.answers.flights import fly_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
-from gearwright.render.answers.plain import plain
+from gearwright.render.answers.schema import plain
 from gearwright.reviews import review_of
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse, parse_mission, parse_study

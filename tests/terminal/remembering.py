@@ -23,13 +23,13 @@ PURE = (
     "gearwright.dynamics.vibration:critical_speeds",
     "gearwright.dynamics.vibration:run_up",
     "gearwright.mission:fly",
-    "gearwright.render.pages.designs.report:report",
+    "gearwright.render.pages.report:report",
     "gearwright.replays.pulvirenti.claims:claims",
     "gearwright.replays.wang.claims:split_torque_claims",
     "gearwright.reviews:review_of",
     "gearwright.sizing:size",
-    "gearwright.study.cases.evaluate:results_of",
-    "gearwright.study.cases.sampling:unit_sample",
+    "gearwright.study.cases:results_of",
+    "gearwright.study.cases:unit_sample",
     "gearwright.validate.case:check",
 )
 """Module and name of what takes most of the time of the commands and neither reads, writes nor prints."""

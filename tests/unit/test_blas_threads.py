@@ -9,7 +9,7 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 from gearwright.blas_threads import one_blas_thread
 from gearwright.dynamics import Model, modes
-from gearwright.optimum.process import conditioned
+from gearwright.optimum.generations import conditioned
 
 
 def threads():

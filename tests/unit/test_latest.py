@@ -6,8 +6,8 @@ import pytest
 
 import gearwright as gw
 from gearwright.latest import of_latest
-from gearwright.sizing.sealing import exits_of
 from gearwright.sizing.shafts import held_rings, holders_of
+from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import edited
 from shipped_work import sized
 

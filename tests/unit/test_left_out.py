@@ -6,34 +6,47 @@ import math
 
 import pytest
 
-from gearwright.dynamics.model import beam, drives, line, model, planetary_set
-from gearwright.parts.agma2001 import factors as agma_factors
-from gearwright.parts.agma2001 import geometry as agma_geometry
-from gearwright.parts.agma2001 import mesh as agma_mesh
-from gearwright.parts.agma2001 import rating as agma_rating
+from gearwright.dynamics.model import elements as drives
+from gearwright.dynamics.model import elements as line
+from gearwright.dynamics.model import model
+from gearwright.dynamics.model import planetary as planetary_set
+from gearwright.dynamics.model import rotors as beam
+from gearwright.parts import agma908 as agma_geometry
+from gearwright.parts import agma2001 as agma_factors
+from gearwright.parts import agma2001 as agma_mesh
+from gearwright.parts import agma2001 as agma_rating
+from gearwright.parts import bevel_geometry, din743
+from gearwright.parts import iso10300 as bevel_bending
+from gearwright.parts import iso10300 as bevel_pitting
+from gearwright.parts import iso10300 as bevel_rating
+from gearwright.parts import joints as key
+from gearwright.parts import joints as press_fit
+from gearwright.parts import losses as mesh_loss
+from gearwright.parts import losses as oil
+from gearwright.parts import shaft_fatigue as fatigue
+from gearwright.parts import shafts as shaft
+from gearwright.parts import stiffness as energy
+from gearwright.parts import stiffness as kuang_yang
+from gearwright.parts import stiffness as mesh_stiffness
+from gearwright.parts import stiffness as passing_pairs
 from gearwright.parts.bearings import distribution, rolling_bearing
 from gearwright.parts.bearings import life as bearing_life
-from gearwright.parts.bearings import load as bearing_load
-from gearwright.parts.bevel import bending as bevel_bending
-from gearwright.parts.bevel import geometry as bevel_geometry
-from gearwright.parts.bevel import pitting as bevel_pitting
-from gearwright.parts.bevel import rating as bevel_rating
-from gearwright.parts.gears import cylindrical_gear, hertz, lewis
-from gearwright.parts.iso6336 import bending, geometry, pitting, root
-from gearwright.parts.iso6336.loads import distribution as face
-from gearwright.parts.iso6336.loads import mesh_loads as loads
-from gearwright.parts.iso6336.steels import life, strength
-from gearwright.parts.joints import key, press_fit
-from gearwright.parts.losses import mesh as mesh_loss
-from gearwright.parts.losses import oil
-from gearwright.parts.scuffing.flash_temperature import Oil, ScuffingMesh
-from gearwright.parts.shafts import din743, fatigue, lumped_shaft, shaft
-from gearwright.parts.stiffness import energy, kuang_yang, passing_pairs
-from gearwright.parts.stiffness import iso6336 as mesh_stiffness
-from gearwright.sizing import mounted
-from gearwright.sizing.bearings.seat import Seat
-from gearwright.sizing.rating import protocol, rules, standard_teeth
-from gearwright.sizing.rating.lewis_hertz import record
+from gearwright.parts.bearings import life as bearing_load
+from gearwright.parts.gears import cylindrical_gear
+from gearwright.parts.gears import lewis_hertz as hertz
+from gearwright.parts.gears import lewis_hertz as lewis
+from gearwright.parts.iso6336 import bending, geometry, loads, pitting
+from gearwright.parts.iso6336 import loads as face
+from gearwright.parts.iso6336 import steels as life
+from gearwright.parts.iso6336 import steels as strength
+from gearwright.parts.iso6336 import tooth_root as root
+from gearwright.parts.scuffing import Oil, ScuffingMesh
+from gearwright.parts.shafts import lumped_shaft
+from gearwright.sizing import shaft_results as mounted
+from gearwright.sizing.bearing_seats import Seat
+from gearwright.sizing.rating import geometry as standard_teeth
+from gearwright.sizing.rating import lewis_hertz as record
+from gearwright.sizing.rating import protocol, rules
 from gearwright.sizing.shafts import stretches
 
 ONES = [

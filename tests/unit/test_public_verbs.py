@@ -28,13 +28,11 @@ from gearwright.dynamics.sharing import (
 from gearwright.dynamics.vibration import critical_speeds, run_up, waterfall
 from gearwright.errors import DesignError
 from gearwright.mission import fly, mesh_spectrum, shaft_spectrum
-from gearwright.mission.gearbox import Oil, gearbox_of
+from gearwright.mission.gearbox import gearbox_of
 from gearwright.mission.windows import fly_window, window_rules
-from gearwright.render.figures.dynamics import response_figure
-from gearwright.render.figures.maps import waterfall_figure
-from gearwright.render.figures.motion import mesh_frequencies
-from gearwright.render.figures.paths import orbit_figure, phase_figure, transmission_error_figure
-from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+from gearwright.render.figures.dynamics import response_figure, waterfall_figure
+from gearwright.render.figures.motion import mesh_frequencies, orbit_figure, phase_figure, transmission_error_figure
+from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.shipped import (
     find_mission,
     find_mix,
@@ -45,6 +43,7 @@ from gearwright.shipped import (
     shipped_study,
 )
 from gearwright.sizing import named_results, pick
+from gearwright.sizing.losses import Oil
 from gearwright.spec import edited, edited_mission, read_mission, read_study
 from shipped_work import flown
 

@@ -5,14 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.ranking import (
-    largest,
-    largest_first,
-    place_of_largest,
-    place_of_smallest,
-    smallest,
-    smallest_first,
-)
+from gearwright.arrays import largest, largest_first, place_of_largest, place_of_smallest, smallest, smallest_first
 
 SUM = 0.1 + 0.2
 """0.30000000000000004."""

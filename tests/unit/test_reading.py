@@ -7,13 +7,13 @@ import pytest
 
 from designs import PAIR
 from gearwright.catalogue import read_propeller_map
-from gearwright.catalogue.propellers.maps import LARGEST_MAP
+from gearwright.catalogue.propeller_maps import LARGEST_MAP
 from gearwright.errors import DesignError
-from gearwright.reading import LARGEST_TEXT, beside, text_of
+from gearwright.files import LARGEST_TEXT, beside, text_of
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.spec import parse, parse_mission, parse_study, read, read_mission, read_study
 from gearwright.store import load
-from gearwright.study.journal.file import reading
+from gearwright.study.journal import reading
 
 CURVE = PAIR + '[dynamics.curves.stage]\nfile = "{}"\n'
 STUDY = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'

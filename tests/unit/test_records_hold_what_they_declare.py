@@ -18,8 +18,9 @@ import pytest
 from designs import HYBRID, PAIR
 from gearwright.dynamics.assembly import assemble
 from gearwright.identity import Kind, PartId
+from gearwright.sizing import insight as aspects
+from gearwright.sizing import insight as bevel_aspects
 from gearwright.sizing import size
-from gearwright.sizing.insight import aspects, bevel_aspects
 from gearwright.sizing.mass import GROUPS, complete_mass
 from gearwright.sizing.rating import METHODS
 from gearwright.spec import parse, read

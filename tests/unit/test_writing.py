@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from gearwright.errors import DesignError, SolveError
-from gearwright.writing import make_folder, write_bytes, write_text
+from gearwright.files import make_folder, write_bytes, write_text
 
 LIMIT = 1000
 """Size beyond which no file can grow in these tests [bytes]."""

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from gearwright.parts.agma908 import HobbedPair, LoadPlace, bending_geometry, pitting_geometry_factor
 from gearwright.parts.agma2001 import (
     BENDING_HB250,
     PITTING,
@@ -10,22 +11,18 @@ from gearwright.parts.agma2001 import (
     AgmaLoad,
     AgmaMesh,
     AgmaSteel,
-    HobbedPair,
-    LoadPlace,
     agma_rating,
     agma_strength,
-    bending_geometry,
     dynamic_factor_agma,
     hardness_ratio_factor,
     load_distribution_factor,
-    pitting_geometry_factor,
     reliability_factor,
     size_factor,
 )
 from gearwright.parts.gears import lewis_form_factor
 from gearwright.parts.iso6336 import life_factor
 from gearwright.units import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
-from gearwright.validate.gears.rating import AGMA_FACTORS
+from gearwright.validate.gears.ratings import AGMA_FACTORS
 
 PSI = POUND_FORCE / INCH**2
 

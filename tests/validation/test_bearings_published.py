@@ -21,7 +21,7 @@ from gearwright.parts.bearings import (
     taper_factors,
 )
 from gearwright.units import RPM
-from gearwright.validate.bearings import BALL_FACTORS, REFERENCE, REFERENCE_LIVES, inside
+from gearwright.validate.shafts import BALL_FACTORS, REFERENCE, REFERENCE_LIVES, inside
 
 
 def test_ball_factors_within_a_thousandth_where_print_allows():

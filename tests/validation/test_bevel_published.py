@@ -8,22 +8,20 @@ import math
 
 import pytest
 
-from gearwright.parts.bevel import (
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, gleason_profile_shift
+from gearwright.parts.iso6336 import GearSteel, Treatment
+from gearwright.parts.iso10300 import (
     HIGH_CROWNING,
     LOW_CROWNING,
     BevelDuty,
-    BevelPair,
     BevelSurfaces,
-    BevelTooth,
     VirtualPair,
     bevel_bending,
     bevel_load_factors,
     bevel_pitch_tolerance,
     bevel_pitting,
-    gleason_profile_shift,
     rate_bevel,
 )
-from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.units import RPM
 
 PAIR = BevelPair(

@@ -8,12 +8,11 @@ from dataclasses import replace
 
 import pytest
 
+from gearwright.replays.colibri import report as chain
+from gearwright.replays.colibri import report as steps
 from gearwright.replays.colibri.replay import Outcome, replay
-from gearwright.replays.colibri.report import chain, steps
-from gearwright.replays.colibri.report.chain import executed
-from gearwright.replays.colibri.report.printed import colibri_errata, printed_numbers
-from gearwright.replays.colibri.verdicts.facts import colibri_facts
-from gearwright.replays.colibri.verdicts.findings import Sense, findings
+from gearwright.replays.colibri.report import colibri_errata, executed, printed_numbers
+from gearwright.replays.colibri.verdicts import Sense, colibri_facts, findings
 
 NUMBERS = {one.printed.key: one for one in replay().numbers}
 COARSE = {"shaft-1.axial-limit": 6e-3}

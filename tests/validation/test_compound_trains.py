@@ -9,8 +9,7 @@ from gearwright.parts.planetary import CompoundSet, assembles, can_assemble
 from gearwright.sizing import size
 from gearwright.spec import parse
 from gearwright.train import build_train, efficiencies, power_flow, recirculation, teeth_of
-from gearwright.validate.automatics import FORD_6R_80, FORD_AOD, GM_8L_90, THM_440_T4, ZF_8HP_70
-from gearwright.validate.compound_trains import WOLFROM, wolfrom
+from gearwright.validate.trains import FORD_6R_80, FORD_AOD, GM_8L_90, THM_440_T4, WOLFROM, ZF_8HP_70, wolfrom
 
 EACH = {"sun-planet": math.sqrt(0.98), "planet-ring": math.sqrt(0.98)}
 LESS = {"sun-planet": math.sqrt(0.97), "planet-ring": math.sqrt(0.97)}

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.validate.planetary_sets import LIN_PARKER
+from gearwright.validate.trains import LIN_PARKER
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
 

@@ -16,8 +16,8 @@ from gearwright.weights import (
     mass_wate2,
     refit,
     scores,
-    willis,
 )
+from gearwright.weights import laws as willis
 
 PW127 = (2051e3, 20204 * RPM, 1212 * RPM)
 PRINTED_TENTH = 0.05

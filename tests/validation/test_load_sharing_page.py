@@ -9,9 +9,8 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.commands.sharing import sharing
-from gearwright.replays.wang.claims import split_torque_claims
-from gearwright.replays.wang.split_torque import split_torque
+from gearwright.cli.commands.dynamics import sharing
+from gearwright.replays.wang.claims import split_torque, split_torque_claims
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

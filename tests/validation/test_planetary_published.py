@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics.model import Model, add_planetary, entry_matrix, line_matrix
-from gearwright.validate.planetary_sets import by_family, lin_parker, sharing
+from gearwright.validate.trains import by_family, lin_parker, sharing
 
 
 def build(planetary, **more):

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from gearwright.errors import DesignError, SolveError
-from gearwright.render.tables.validation import by_source, source_table, verdict
+from gearwright.render.pages.validation import by_source, source_table, verdict
 from gearwright.validate import check, published
 
 

@@ -6,31 +6,24 @@ import numpy as np
 import pytest
 
 from gearwright.catalogue import key_for_shaft, standard_keys
+from gearwright.parts.din743 import ShaftSection, ShaftSteel, SteelGroup, section_factor, surface_factors, yield_limits
 from gearwright.parts.joints import MODULES, KeySection, key_length, key_pressure, spline, spline_length
-from gearwright.parts.shafts import (
+from gearwright.parts.shaft_fatigue import (
     Concentration,
     FatigueStrength,
     SectionLoad,
-    Sections,
-    ShaftSection,
-    ShaftSteel,
     Shoulder,
-    SteelGroup,
     asme_safety,
-    critical_speed,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
     goodman_safety,
-    influence,
     notch_sensitivity,
-    section_factor,
     section_stress,
     stress_concentration,
-    surface_factors,
-    yield_limits,
     yield_safety,
 )
+from gearwright.parts.shafts import Sections, critical_speed, influence
 from gearwright.units import GRAVITY, INCH, POUND, POUND_FORCE
 
 POUND_INCH = POUND_FORCE * INCH

@@ -29,7 +29,7 @@ from gearwright.parts.losses import tooth_contact
 from gearwright.shipped import shipped_design
 from gearwright.sizing import cylindrical_gear, pair_data, size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.rating.iso6336.inputs import steel_of
+from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.spec import Case, Drive, read
 
 UM = 1e-6

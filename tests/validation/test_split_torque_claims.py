@@ -8,9 +8,8 @@ from split_torque import shipped
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.render.pages.sharing import sharing_page
 from gearwright.replays import paper_on
-from gearwright.replays.verdict import Verdict
-from gearwright.replays.wang.claims import split_torque_claims
-from gearwright.replays.wang.split_torque import split_torque
+from gearwright.replays.replay import Verdict
+from gearwright.replays.wang.claims import split_torque, split_torque_claims
 from gearwright.sizing import size
 
 VERDICTS = {

@@ -6,7 +6,7 @@ Numbers of masses may move by 1 % with the model of shafts and carriers, differe
 import pytest
 
 from gearwright.replays.pulvirenti.claims import claims
-from gearwright.replays.verdict import Verdict
+from gearwright.replays.replay import Verdict
 
 PINNED = [
     ("in-line-lightest", 1.86, None, 0.04),

@@ -7,7 +7,7 @@ import pytest
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import assemble
-from gearwright.parts.bevel import Hand, Rotation, bevel_forces
+from gearwright.parts.bevel_geometry import Hand, Rotation, bevel_forces
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.loads import shaft_loads

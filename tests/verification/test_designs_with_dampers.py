@@ -16,7 +16,7 @@ from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
 from gearwright.mission import fly
-from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission
 from gearwright.train import branches

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.parts.bevel import BevelPair
+from gearwright.parts.bevel_geometry import BevelPair
 from gearwright.parts.iso6336 import (
     Edition,
     GearSteel,

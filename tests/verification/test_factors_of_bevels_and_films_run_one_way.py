@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gearwright.parts.agma2001 import Hardnesses, HobbedPair, hardness_ratio_of, pitting_geometry_factor
+from gearwright.parts.agma908 import HobbedPair, pitting_geometry_factor
+from gearwright.parts.agma2001 import Hardnesses, hardness_ratio_of
 from gearwright.parts.agma2003 import (
     BENDING,
     BENDING_CRITICAL,
@@ -28,31 +29,28 @@ from gearwright.parts.agma2003 import (
     size_factor_contact,
     temperature_factor,
 )
-from gearwright.parts.bevel import (
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
+from gearwright.parts.gears import lewis_form_factor
+from gearwright.parts.iso6336 import GearSteel, MeshGeometry, Treatment, life_factor
+from gearwright.parts.iso10300 import (
     BevelDuty,
-    BevelPair,
-    BevelTooth,
     VirtualPair,
     contact_ratio_factor_bending,
     mid_zone_factor,
     rate_bevel,
     spiral_angle_factor,
 )
-from gearwright.parts.gears import lewis_form_factor
-from gearwright.parts.iso6336 import GearSteel, MeshGeometry, Treatment, life_factor
-from gearwright.parts.micropitting import OilGrade
-from gearwright.parts.micropitting.film import helical_factor, path_places
-from gearwright.parts.micropitting.film import load_sharing as film_sharing
+from gearwright.parts.micropitting import OilGrade, helical_factor, path_places
+from gearwright.parts.micropitting import load_sharing as film_sharing
 from gearwright.parts.scuffing import (
     Oil,
     ScuffingMesh,
+    approach_factor,
     contact_ratio_factor_integral,
     flash_temperature,
-    integral_temperature,
-)
-from gearwright.parts.scuffing.flash_temperature import approach_factor, friction_coefficient
-from gearwright.parts.scuffing.integral_temperature import (
+    friction_coefficient,
     friction_coefficient_integral,
+    integral_temperature,
     scuffing_integral_temperature,
     tip_relief_factor,
 )

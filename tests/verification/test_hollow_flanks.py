@@ -12,17 +12,17 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.iso6336 import MeshGeometry
-from gearwright.parts.micropitting import FilmMesh, OilGrade, film_thickness
-from gearwright.parts.micropitting.film import path_places
+from gearwright.parts.micropitting import FilmMesh, OilGrade, film_thickness, path_places
 from gearwright.parts.scuffing import (
     FlashEdition,
     Oil,
     ScuffingMesh,
+    flank_radii,
     flash_temperature,
     integral_temperature,
     load_sharing,
+    thermo_elastic_factor,
 )
-from gearwright.parts.scuffing.flash_temperature import flank_radii, thermo_elastic_factor
 
 ANGLE = math.radians(20.0)
 RING = MeshGeometry((24.0, -79.0), 3e-3, 30e-3, 82.5e-3, (39e-3, 115.8e-3))

@@ -9,7 +9,8 @@ from designs import changed
 from gearwright.catalogue import with_ratings
 from gearwright.parts import Material
 from gearwright.parts.bearings import BearingKind, basic_life, life_time, system_life
-from gearwright.parts.shafts import PointLoads, Shoulder, diagram, supported
+from gearwright.parts.shaft_fatigue import Shoulder
+from gearwright.parts.shafts import PointLoads, diagram, supported
 from gearwright.sizing import ShaftPlan
 from gearwright.sizing.loads import ShaftForces, shaft_forces
 from gearwright.sizing.rating import context_of

@@ -5,7 +5,8 @@ from itertools import combinations, permutations
 import pytest
 
 from gearwright.shipped import shipped_design
-from gearwright.sizing.arrangement import axles_in, best_way
+from gearwright.sizing.arrangement import axles_in
+from gearwright.sizing.axis_order import best_way
 from gearwright.sizing.rating import Context
 from gearwright.spec import read
 from gearwright.train import build_train

@@ -12,8 +12,8 @@ import pytest
 
 from gearwright.identity import Role
 from gearwright.parts.gears import lewis_form_factor, virtual_teeth, working_pressure_angle
-from gearwright.render.tables.sizing.factors import factor_tables
-from gearwright.render.tables.sizing.overview import tables_of
+from gearwright.render.tables.checks import factor_tables
+from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.sizing.mass import complete_mass

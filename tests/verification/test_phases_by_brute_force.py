@@ -11,10 +11,10 @@ from functools import cached_property
 import numpy as np
 import pytest
 
-from gearwright.dynamics.assembly.compound_sets import compound_phases
+from gearwright.dynamics.assembly.meshes import compound_phases
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.compound import pins_of
+from gearwright.sizing.gear_geometry import pins_of
 from gearwright.spec import edited, parse, read
 
 POINTS = 4001

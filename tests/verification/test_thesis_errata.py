@@ -1,6 +1,6 @@
 """The corrections to Pulvirenti (2023) that a line of algebra, a balance or a limit case decides, one test for each.
 
-Names begin with the equation, as `gearwright.replays.pulvirenti.errata` quotes them.
+Names begin with the equation, as `gearwright.replays.pulvirenti.claims` quotes them.
 """
 
 import math
@@ -27,7 +27,7 @@ from gearwright.parts.gears import (
 from gearwright.parts.planetary import assembles, even_positions, most_planets, neighbours_clear, pin_diameter
 from gearwright.parts.shafts import shaft_stress
 from gearwright.parts.stiffness import cut_square_wave, stiffness_at
-from gearwright.replays.pulvirenti.flight.printed import relative_planets
+from gearwright.replays.pulvirenti.flight import relative_planets
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import width_ratio

@@ -1,15 +1,17 @@
-"""What the page asks of many designs: studies in the journal of the command line, one variant as a text, what moves."""
+"""Studies and design closure in the workbench."""
 
 from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearwright.app.asked import Answer, Progress, Question, Tell, as_json, sized
+from gearwright.app.form import form, with_entry
 from gearwright.errors import DesignError, Problem
 
 if TYPE_CHECKING:
@@ -18,6 +20,12 @@ if TYPE_CHECKING:
     from gearwright.spec import Design, Study
     from gearwright.study import Table
     from gearwright.study.running import Progress as Ran
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the page asks of many designs: studies in the journal of the command line, one variant as a text, what moves.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 OWN = "this"
 """How a study calls the design that is on the page."""
@@ -53,7 +61,7 @@ def study(question: Question, tell: Tell) -> Answer:
     table = run_study(
         read, designs, workers=workers, journal=journal, origin=str(folder), watch=_watch(tell)
     )  # fmt: skip
-    return Answer(as_json(_told(read, table)))
+    return Answer(as_json(_told_table(read, table)))
 
 
 def resume(question: Question, tell: Tell) -> Answer:
@@ -63,13 +71,13 @@ def resume(question: Question, tell: Tell) -> Answer:
         question: With the journal's name.
         tell: Takes how far it is.
     """
-    from gearwright.study.running import recorded
+    from gearwright.study.journal import recorded
     from gearwright.study.running import resume as go_on
 
     journal = _journal(question, Path(question.folder))
     known = recorded(journal)
     workers = 0 if known.total <= SMALL else os.cpu_count() or 1
-    return Answer(as_json(_told(known.study, go_on(journal, workers=workers, watch=_watch(tell)))))
+    return Answer(as_json(_told_table(known.study, go_on(journal, workers=workers, watch=_watch(tell)))))
 
 
 def rows(question: Question, tell: Tell) -> Answer:
@@ -79,14 +87,15 @@ def rows(question: Question, tell: Tell) -> Answer:
         question: With the journal's name.
         tell: Takes how far it is; there is nothing to tell.
     """
-    from gearwright.study.running import rows_of, status, table_of
+    from gearwright.study.journal import rows_of, status
+    from gearwright.study.running import table_of
 
     journal = _journal(question, Path(question.folder))
     state = status(journal)
     known = state.recorded.study
     finished = rows_of(journal)
     table = replace(table_of(known, finished), rows=tuple(finished)) if finished else None
-    told = _told(known, table) if table is not None else {"rows": [], "front": []}
+    told = _told_table(known, table) if table is not None else {"rows": [], "front": []}
     return Answer(as_json({**told, "done": state.done, "total": state.recorded.total, "running": state.running}))
 
 
@@ -97,7 +106,7 @@ def variant(question: Question, tell: Tell) -> Answer:
         question: With the design's name, and path -> value.
         tell: Takes how far it is; there is nothing to tell.
     """
-    from gearwright.app.edits import with_entry
+    from gearwright.app.form import with_entry
     from gearwright.shipped import find_design
     from gearwright.spec import file_text
 
@@ -219,7 +228,7 @@ def _design(question: Question, name: str, folder: Path) -> Design:
 
 
 def _journal(question: Question, folder: Path) -> Path:
-    from gearwright.app.folder import journal_path
+    from gearwright.app.serving import journal_path
 
     return journal_path(folder, question.words("journal"))
 
@@ -232,10 +241,10 @@ def _watch(tell: Tell) -> Callable[[Ran], None]:
     return watch
 
 
-def _told(read: Study, table: Table) -> dict[str, Any]:
+def _told_table(read: Study, table: Table) -> dict[str, Any]:
     """Return a table with its front and what it must keep, as the page draws it."""
-    from gearwright.render.answers.plain import plain
-    from gearwright.render.answers.study import study_row
+    from gearwright.render.answers.schema import plain
+    from gearwright.render.answers.studies import study_row
     from gearwright.render.words.study import answer
 
     stride = max(1, -(-len(table.rows) // MOST_ROWS))
@@ -258,9 +267,74 @@ def _kept(read: Study) -> list[dict[str, Any]]:
 
 
 def _front(read: Study, table: Table) -> set[int]:
-    from gearwright.study.answers import pareto_front
+    from gearwright.study.tables import pareto_front
 
     try:
         return {id(row) for row in pareto_front(read, table)} if read.objectives else set()
     except DesignError:
         return set()
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the page asks of closure: a design whose free sizes meet every check, or what none of them meets.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FREE = re.compile(r"(?:.*_)?(?:teeth|module|face_width|diametral_pitch|least_dynamic_factor)(?:_[a-z]+)?")
+"""Keys of stages that a closure chooses where nobody gives them."""
+STAGES = ("pairs", "planetaries")
+"""Tables of stages whose sizes may be left out."""
+
+
+def freed(text: str) -> str:
+    """Return a text without the teeth, modules, widths and diameters of shafts that it gives.
+
+    Args:
+        text: Of a design.
+    """
+    for group in form(text):
+        stage, shaft = group.path[:1] and group.path[0] in STAGES, group.path[:1] == ("layout",)
+        if any(entry.key == "as_given" and entry.value for entry in group.written):
+            continue
+        for entry in group.written:
+            if (stage and FREE.fullmatch(entry.key)) or (shaft and entry.key.startswith("diameter_")):
+                text = with_entry(text, (*group.path, entry.key), None)
+    return text
+
+
+def close(question: Question, tell: Tell) -> Answer:
+    """Return a closed design as a text, with what it meets, and the nearest variant that closes if one is asked for.
+
+    Args:
+        question: With the text, the life [h] if another one is asked for, whether variants are looked for, and whether
+            sizes that it gives are chosen anew.
+        tell: Takes what is being done.
+    """
+    from gearwright.closure import Outcome, Wishes, nearest_variant
+    from gearwright.closure import close as closed_by
+    from gearwright.closure.requirements import HOUR
+    from gearwright.render.answers.review import close_answer
+    from gearwright.render.answers.schema import plain
+    from gearwright.render.tables.checks import check_sentence
+    from gearwright.spec import parse
+
+    hours, wide, anew = question.options.get("life_h"), _switched(question, "variants"), _switched(question, "anew")
+    design = parse(freed(question.text) if anew else question.text, folder=Path(question.folder))
+    wishes = Wishes(life=None if hours is None else question.number("life_h", 1.0, 1e7) * HOUR)
+    done = [0.0]
+
+    def say(words: str) -> None:
+        done[0] += 0.1 * (1.0 - done[0])
+        tell(Progress(done[0], words))
+
+    closed = closed_by(design, wishes=wishes, tell=say)
+    found = nearest_variant(design, closed, tell=say) if wide and closed.outcome is Outcome.OPEN else None
+    words = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
+    return Answer(as_json({"headline": words, **plain(close_answer(closed, found))}))
+
+
+def _switched(question: Question, name: str) -> bool:
+    value = question.options.get(name, False)
+    if not isinstance(value, bool):
+        raise DesignError([Problem(name, "true or false is needed")])
+    return value

@@ -9,8 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from gearwright.app.asked import Answer, Question, Tell, as_json, case_of, sized
-from gearwright.app.offered import LONG, QUICK
+from gearwright.app.asked import LONG, QUICK, Answer, Question, Tell, as_json, case_of, sized
 from gearwright.errors import DesignError, GearwrightError, Problem, by_name, refuse
 
 if TYPE_CHECKING:
@@ -50,8 +49,8 @@ def size(question: Question) -> Answer:
         question: With the text.
     """
     from gearwright.render.answers.design import size_answer
-    from gearwright.render.answers.plain import plain
-    from gearwright.render.words.headline import sizing_headline
+    from gearwright.render.answers.schema import plain
+    from gearwright.render.words.sizing import sizing_headline
     from gearwright.sizing import governing_case
 
     sizing = sized(question)
@@ -82,7 +81,7 @@ def edit(question: Question) -> Answer:
     Args:
         question: With the text, the path, and the value or the key of the other unit.
     """
-    from gearwright.app.edits import in_unit, with_entry
+    from gearwright.app.form import in_unit, with_entry
 
     path, value, key = (question.options.get(name) for name in ("path", "value", "key"))
     if not isinstance(path, list) or not all(isinstance(name, str) for name in path):
@@ -98,8 +97,8 @@ def flow(question: Question) -> Answer:
     Args:
         question: With the text, and the load case.
     """
-    from gearwright.render.schematic.schematic import power_flow_figure
-    from gearwright.render.style.theme import to_svg
+    from gearwright.render.schematic import power_flow_figure
+    from gearwright.render.style import to_svg
 
     sizing = sized(question)
     return Answer(to_svg(power_flow_figure(sizing, case_of(question, sizing)), "flow").encode(), "image/svg+xml")
@@ -111,8 +110,8 @@ def schematic(question: Question) -> Answer:
     Args:
         question: With the text.
     """
-    from gearwright.render.schematic.schematic import schematic_figure
-    from gearwright.render.style.theme import to_svg
+    from gearwright.render.schematic import schematic_figure
+    from gearwright.render.style import to_svg
 
     return Answer(to_svg(schematic_figure(sized(question)), "schematic").encode(), "image/svg+xml")
 
@@ -123,7 +122,7 @@ def model(question: Question) -> Answer:
     Args:
         question: With the text, and the detail.
     """
-    from gearwright.render.pages.designs.turning import solid_facts
+    from gearwright.render.pages.motion import solid_facts
     from gearwright.shape import glb, scene
 
     sizing = sized(question)
@@ -135,7 +134,7 @@ def model(question: Question) -> Answer:
 
 def _with_temperatures(sizing: Sizing, facts: dict[str, Any]) -> dict[str, Any]:
     """Return what is said of solids with the contact temperature of gears that a standard rates against scuffing."""
-    from gearwright.render.answers.insight import factors_answer
+    from gearwright.render.answers.design import factors_answer
 
     for mesh in factors_answer(sizing):
         hot = [value for row in mesh.factors if (row.chapter, row.quantity) == CONTACT for value in row.values]
@@ -153,9 +152,9 @@ def review(question: Question, _: Tell) -> Answer:
         question: With the text.
         _: There is nothing to tell.
     """
-    from gearwright.render.answers.plain import plain
     from gearwright.render.answers.review import review_answer
-    from gearwright.render.words.headline import headline
+    from gearwright.render.answers.schema import plain
+    from gearwright.render.words.sizing import headline
     from gearwright.reviews import review_of
     from gearwright.spec import placed
 
@@ -173,8 +172,8 @@ def influences(question: Question) -> Answer:
     Args:
         question: With the text.
     """
-    from gearwright.render.answers.insight import factors_answer, influences_answer
-    from gearwright.render.answers.plain import plain
+    from gearwright.render.answers.design import factors_answer, influences_answer
+    from gearwright.render.answers.schema import plain
 
     sizing = sized(question)
     told = {"factors": factors_answer(sizing), "influences": influences_answer(sizing, 1.0)}
@@ -187,8 +186,8 @@ def meaning(_: Question) -> Answer:
     Args:
         _: Of a page; the text does not matter.
     """
-    from gearwright.render.answers.described import described
     from gearwright.render.answers.design import SizeAnswer
+    from gearwright.render.answers.schema import described
 
     definitions: dict[str, Any] = {}
     described(SizeAnswer, definitions)
@@ -217,6 +216,6 @@ def report(question: Question, _: Tell) -> Answer:
         question: With the text.
         _: There is nothing to tell.
     """
-    from gearwright.render.pages.designs.report import report
+    from gearwright.render.pages.report import report
 
     return Answer(report(sized(question)).encode(), "application/octet-stream")

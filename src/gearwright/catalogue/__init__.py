@@ -3,14 +3,17 @@
 from gearwright.catalogue.bearing_choice import (
     BearingCheck,
     BearingDuty,
+    BearingOil,
     BearingSpectrum,
+    ModifiedLife,
+    bearing_friction,
     bore_around,
     check_bearing,
     equivalent_loads,
     fitting_bearings,
     least_ratings,
+    modified_life,
 )
-from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
 from gearwright.catalogue.bearings import (
     STEEL_SHARE,
     Bearing,
@@ -20,35 +23,35 @@ from gearwright.catalogue.bearings import (
     with_ratings,
 )
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
-from gearwright.catalogue.gear_strength import (
-    USUAL_HARDNESS,
-    gear_steel,
-    gear_steel_names,
-    is_cast_iron,
-    rated_steel,
-)
-from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
-from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
-from gearwright.catalogue.load_factors import (
+from gearwright.catalogue.gearboxes import (
     LEAST_SHARING,
+    PublishedGearbox,
+    gearbox_classes,
     level_load_factor,
     load_factor_tables,
     load_factors,
+    published_gearboxes,
+    weighed_gearboxes,
 )
-from gearwright.catalogue.materials import hardnesses_of, material_of, materials
-from gearwright.catalogue.propellers import (
+from gearwright.catalogue.materials import (
+    USUAL_HARDNESS,
+    HousingMaterial,
+    gear_steel,
+    gear_steel_names,
+    hardnesses_of,
+    housing_materials,
+    is_cast_iron,
+    material_of,
+    materials,
+    rated_steel,
+)
+from gearwright.catalogue.propeller_maps import (
     ALL_STATES,
     ANGLES,
     MAPS,
     RATIOS,
-    FlightPoint,
-    Helicopter,
     MadePropeller,
-    PropellerLoads,
     RatioRow,
-    RotorRow,
-    RotorTrim,
-    TailRotor,
     carried_on,
     charted_point,
     compressed,
@@ -56,57 +59,64 @@ from gearwright.catalogue.propellers import (
     map_of,
     map_text,
     propeller,
-    propeller_loads,
     propeller_map,
     read_blades,
     read_propeller_map,
+)
+from gearwright.catalogue.propellers_in_flight import (
+    FlightPoint,
+    Helicopter,
+    PropellerLoads,
+    RotorRow,
+    RotorTrim,
+    TailRotor,
+    propeller_loads,
     rotor,
 )
-from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
-from gearwright.catalogue.standard_parts.centre_holes import CentreHole, centre_hole, centre_holes
-from gearwright.catalogue.standard_parts.fits import (
+from gearwright.catalogue.standard_parts import (
+    CENTRE_FITS,
+    ELASTOMERS,
     LARGEST,
+    LENGTHS,
     SEAT_SOURCE,
     SMALLEST,
-    seat_tolerance,
-    shaft_limits,
-    standard_tolerance,
-)
-from gearwright.catalogue.standard_parts.gear_fits import (
-    CENTRE_FITS,
     THICKNESS_FITS,
-    centre_allowance,
-    thickness_allowances,
-)
-from gearwright.catalogue.standard_parts.keys import (
-    LENGTHS,
-    StandardKey,
-    key_for_shaft,
-    keyway_tolerance,
-    standard_keys,
-)
-from gearwright.catalogue.standard_parts.lock_nuts import LockNut, lock_nut, lock_nuts
-from gearwright.catalogue.standard_parts.radial_seals import (
-    ELASTOMERS,
-    Elastomer,
-    ElastomerName,
-    RadialSeal,
-    lip_speed,
-    next_seal_shaft,
-    radial_seals,
-    seals_for,
-)
-from gearwright.catalogue.standard_parts.retaining_rings import RetainingRing, retaining_ring, retaining_rings
-from gearwright.catalogue.standard_parts.thread_ends import (
     THREAD_RUN_IN,
     THREAD_TOLERANCE,
+    CentreHole,
+    Elastomer,
+    ElastomerName,
+    LockNut,
+    RadialSeal,
+    RetainingRing,
+    StandardKey,
     ThreadUndercut,
+    Undercut,
+    centre_allowance,
+    centre_hole,
+    centre_holes,
+    key_for_shaft,
+    keyway_tolerance,
+    lip_speed,
+    lock_nut,
+    lock_nuts,
+    next_seal_shaft,
+    radial_seals,
+    retaining_ring,
+    retaining_rings,
+    seals_for,
+    seat_tolerance,
+    shaft_limits,
+    standard_keys,
+    standard_tolerance,
+    thickness_allowances,
     thread_chamfer,
     thread_run_out,
     thread_undercut,
     thread_undercuts,
+    undercut,
+    undercuts,
 )
-from gearwright.catalogue.standard_parts.undercuts import Undercut, undercut, undercuts
 from gearwright.catalogue.turboshafts import (
     DesignPoint,
     EngineTransient,

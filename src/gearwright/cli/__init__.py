@@ -19,29 +19,15 @@ import typer
 from typer.main import get_command_name
 from typer.models import CommandInfo
 
-from gearwright.cli.commands.designs.app import app as app_
-from gearwright.cli.commands.designs.closure import close
-from gearwright.cli.commands.designs.design import check, modes, report, simulate, size
-from gearwright.cli.commands.designs.draw import draw
-from gearwright.cli.commands.designs.exchange import import_
-from gearwright.cli.commands.designs.export import export
-from gearwright.cli.commands.designs.files import new, schema
-from gearwright.cli.commands.designs.review import review
-from gearwright.cli.commands.designs.run import run
-from gearwright.cli.commands.dynamics import campbell, response, runup, validate
-from gearwright.cli.commands.flights.lives import duty, mix
-from gearwright.cli.commands.flights.mission import fly
-from gearwright.cli.commands.flights.propeller import propeller
-from gearwright.cli.commands.flights.rotor import rotor
-from gearwright.cli.commands.flights.turboshaft import turboshaft
-from gearwright.cli.commands.flights.windows import window
+from gearwright.cli.commands.designs import app as app_
+from gearwright.cli.commands.designs import check, close, modes, new, report, review, run, schema, simulate, size
+from gearwright.cli.commands.dynamics import campbell, response, runup, sharing, validate, window
+from gearwright.cli.commands.engines import engines, mass, turboshaft
+from gearwright.cli.commands.exchange import draw, export, import_
+from gearwright.cli.commands.flights import duty, fly, mix, propeller, rotor
 from gearwright.cli.commands.replay import colibri, replay, thesis
-from gearwright.cli.commands.sharing import sharing
-from gearwright.cli.commands.studies.architectures import architectures
-from gearwright.cli.commands.studies.journals import cluster, merge, resume, status
-from gearwright.cli.commands.studies.optimise import optimise
-from gearwright.cli.commands.studies.study import compare, study
-from gearwright.cli.commands.weights import engines, mass
+from gearwright.cli.commands.search import architectures, optimise
+from gearwright.cli.commands.studies import cluster, compare, merge, resume, status, study
 from gearwright.cli.ends import (
     BROKEN_PIPE,
     CTRL_C,
@@ -52,10 +38,8 @@ from gearwright.cli.ends import (
     is_interrupted,
     listening,
 )
-from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
-from gearwright.cli.terminal.sections import Sections
-from gearwright.cli.terminal.streams import flushed, steady_streams
-from gearwright.notices import noticed
+from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, flushed, show, steady_streams, tell
+from gearwright.signals import noticed
 from gearwright.version import __version__
 
 YOUNG = 250_000
@@ -139,7 +123,7 @@ def _name(command: CommandInfo) -> str:
 def _say(message: Warning | str, category: type[Warning], filename: str, lineno: int,
          file: TextIO | None = None, line: str | None = None) -> None:  # fmt: skip
     """Say a warning to the user; one about a word of a file without the place in gearwright's source."""
-    from gearwright.spec.former import FormerWord
+    from gearwright.spec.record import FormerWord
 
     said = issubclass(category, FormerWord)
     tell(str(message) if said else warnings.formatwarning(message, category, filename, lineno, line).rstrip())

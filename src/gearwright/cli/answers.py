@@ -12,7 +12,7 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import Any
 
-from gearwright.cli.terminal.output import show_json
+from gearwright.cli.terminal import show_json
 from gearwright.version import __version__
 
 _ROOM = "gearwright.render.answers."
@@ -47,7 +47,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "mass": (f"{_ROOM}weights:MassAnswer", ""),
     "engines": (f"{_ROOM}weights:EnginesAnswer", f"{_ROOM}weights:EngineRow"),
     "validate": (f"{_ROOM}weights:ValidateAnswer", "gearwright.validate:Checked"),
-    "replay colibri": ("gearwright.replays.colibri.answer:ColibriAnswer", ""),
+    "replay colibri": ("gearwright.replays.colibri.pages:ColibriAnswer", ""),
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
 REVISIONS: Mapping[str, int] = MappingProxyType({
@@ -104,13 +104,13 @@ def show_row(row: object) -> None:
     Args:
         row: A record of the type of a command's rows.
     """
-    from gearwright.render.answers.plain import plain
+    from gearwright.render.answers.schema import plain
 
     show_json(json.dumps(plain(row), ensure_ascii=False, allow_nan=False))
 
 
 def _envelope(command: str, answer: object, design: str | None) -> dict[str, Any]:
-    from gearwright.render.answers.plain import plain
+    from gearwright.render.answers.schema import plain
 
     return {
         "schema": schema_id(command),
@@ -136,7 +136,7 @@ def answer_schema(command: str) -> dict[str, Any]:
     Args:
         command: A key of `ANSWERS`.
     """
-    from gearwright.render.answers.described import described
+    from gearwright.render.answers.schema import described
     from gearwright.spec.schema import DIALECT
 
     answer, row = ANSWERS[command]

@@ -1,14 +1,103 @@
-"""Arguments and options that several commands take, each written once."""
+"""Options and arguments that several commands share, shell completion, and the design that a command reads."""
 
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.completion import designs, missions
+from gearwright.errors import DesignError, Problem, refuse
+
+if TYPE_CHECKING:
+    from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.render.pages.page import Stamp
+    from gearwright.reviews import Review
+    from gearwright.sizing import Sizing
+    from gearwright.spec import Design
+    from gearwright.spec.studies import Axis, Bound, Value
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a shell completes: names of shipped designs, missions, mixes, studies and notebooks, and files beside them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def designs(incomplete: str) -> list[str]:
+    """Return designs that begin so: shipped ones, and TOML files.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_designs
+
+    return _beginning(incomplete, shipped_designs())
+
+
+def missions(incomplete: str) -> list[str]:
+    """Return missions that begin so: shipped ones, and TOML files.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_missions
+
+    return _beginning(incomplete, shipped_missions())
+
+
+def mixes(incomplete: str) -> list[str]:
+    """Return mixes that begin so: shipped ones, and TOML files.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_mixes
+
+    return _beginning(incomplete, shipped_mixes())
+
+
+def studies(incomplete: str) -> list[str]:
+    """Return studies that begin so: shipped ones, and TOML files.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_studies
+
+    return _beginning(incomplete, shipped_studies())
+
+
+def shipped(incomplete: str) -> list[str]:
+    """Return everything shipped that begins so.
+
+    Args:
+        incomplete: What stands on the command line.
+    """
+    from gearwright.shipped import shipped_designs, shipped_missions, shipped_mixes, shipped_notebooks, shipped_studies
+
+    names = (*shipped_designs(), *shipped_missions(), *shipped_mixes(), *shipped_studies(), *shipped_notebooks())
+    return [name for name in names if name.startswith(incomplete)]
+
+
+def _beginning(incomplete: str, names: Iterable[str]) -> list[str]:
+    """Return names, TOML files and folders that begin so; a file may stand in a folder."""
+    place = Path(incomplete) if incomplete.endswith("/") else Path(incomplete).parent
+    try:
+        beside = sorted(place.iterdir())
+    except OSError:
+        beside = []
+    files = [f"{path}/" if path.is_dir() else str(path) for path in beside if path.suffix == ".toml" or path.is_dir()]
+    return [name for name in (*names, *files) if name.startswith(incomplete)]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Arguments and options that several commands take, each written once.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 DesignArgument = Annotated[
     str,
@@ -91,3 +180,160 @@ def steps(text: str, option: str) -> list[float]:
         message = f"{text!r} is not first:last:step with a step towards the last, such as 0:4:0.1"
         raise DesignError([Problem(f"--{option}", message)]) from None
     return [round(first + k * step, 9) for k in range(math.floor(count + 1e-9) + 1)]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Freedoms and bounds as a user writes them on the command line.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def axis_of(text: str) -> tuple[str, Axis]:
+    """Return path and axis of a text such as ``motors.electric.speed_rpm=4000..6000`` or ``gears.material=a,b``.
+
+    Args:
+        text: As a user wrote it.
+
+    Raises:
+        DesignError: If it is neither a range nor a list.
+
+    >>> axis_of("planetaries.first.planets=3,4,5")[1].values
+    [3, 4, 5]
+    """
+    from gearwright.spec.studies import Axis
+
+    path, equals, written = (part.strip() for part in text.partition("="))
+    low, dots, high = written.partition("..")
+    if not path or not equals or not written:
+        raise DesignError([Problem("--free", f"{text!r} is no freedom; write PATH=FROM..TO, or PATH=VALUE,VALUE")])
+    if not dots:
+        return path, Axis.model_validate({"values": [_value(part) for part in written.split(",")]})
+    ends = [_value(low), _value(high)]
+    refuse(
+        Problem("--free", f"{path}: {end!r} is no number; a range is FROM..TO, such as 4000..6000")
+        for end in ends
+        if not isinstance(end, int | float) or not math.isfinite(end)
+    )
+    return path, Axis.model_validate({"from": ends[0], "to": ends[1]})
+
+
+def _value(text: str) -> Value:
+    """Return a number or a word."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text.strip()
+
+
+def bound_of(text: str) -> tuple[str, Bound]:
+    """Return result and bound of a text such as ``envelope.length<=400``, in the unit of the tables.
+
+    Args:
+        text: As a user wrote it.
+
+    Raises:
+        DesignError: If it is none.
+
+    >>> bound_of("envelope.length<=400")
+    ('envelope.length', Bound(minimum=None, maximum=400.0))
+    """
+    from gearwright.spec.studies import Bound
+
+    found = re.fullmatch(r"\s*([\w.\-]+)\s*(<=|>=)\s*([-+0-9.eE]+)\s*", text)
+    limit = _value(found[3]) if found else ""
+    if found is None or not isinstance(limit, int | float):
+        raise DesignError([Problem("--keep", f"{text!r} is no bound; write RESULT>=NUMBER or RESULT<=NUMBER")])
+    side = "minimum" if found[2] == ">=" else "maximum"
+    return found[1], Bound.model_validate({side: limit})
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Find, read and size the design that a command names.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def design_of(name: str, folder: Path | None = None) -> Design:
+    """Return a design from a file, or a shipped one by its name.
+
+    Args:
+        name: Path or name.
+        folder: Of the study that names it; left out: the path may lead anywhere.
+    """
+    from gearwright.shipped import find_design
+    from gearwright.spec import read
+
+    return read(find_design(name, folder))
+
+
+def sized(name: str, level: str | None = None, life_h: float | None = None) -> Sizing:
+    """Return the sizing of a design; what sizing finds wrong is placed at its line in the file.
+
+    Args:
+        name: Path or name of the design.
+        level: At which it is sized; None: its own.
+        life_h: Life that is asked of gears and bearings [h]; None: its own.
+
+    Raises:
+        DesignError: If the design cannot be read or sized.
+    """
+    from gearwright.sizing import size
+    from gearwright.spec import at_level, edited
+
+    design = design_of(name)
+    with placed_in(name):
+        design = design if level is None else at_level(design, level)
+        lives = {} if life_h is None else dict.fromkeys(("service.life_h", "service.bearing_life_h"), life_h)
+        return size(edited(design, lives) if lives else design)
+
+
+def reviewed(sizing: Sizing, name: str, speeds: Sequence[SpeedCase] | None = None) -> Review:
+    """Return the review of a sizing; a waiver of no check is placed at its line in the design's file.
+
+    Args:
+        sizing: Of the design.
+        name: Path or name of the design.
+        speeds: Its critical speeds, where they are known already.
+
+    Raises:
+        DesignError: If a waiver names no check.
+    """
+    from gearwright.reviews import review_of
+
+    with placed_in(name):
+        return review_of(sizing, speeds=speeds)
+
+
+def stamped(name: str, date: str = "") -> Stamp:
+    """Return what a page says of where it comes from.
+
+    Args:
+        name: Path or name of the design whose lines it shows.
+        date: As the user writes it.
+    """
+    from gearwright.render.pages.page import Stamp
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text
+    from gearwright.spec.read import key_lines
+
+    return Stamp(date, key_lines(file_text(find_design(name))))
+
+
+@contextmanager
+def placed_in(name: str) -> Iterator[None]:
+    """Place what is found wrong at its line in the design's file.
+
+    Args:
+        name: Path or name of the design.
+
+    Raises:
+        DesignError: What was raised inside, with lines.
+    """
+    from gearwright.errors import DesignError
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text, placed
+
+    try:
+        yield
+    except DesignError as error:
+        raise DesignError(placed(error.problems, file_text(find_design(name))), name) from None

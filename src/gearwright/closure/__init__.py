@@ -3,16 +3,22 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
-from gearwright.closure.against import Contradiction, contradictions
-from gearwright.closure.as_sized import as_sized
-from gearwright.closure.close import close
-from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
-from gearwright.closure.flown import OnMission
-from gearwright.closure.freedoms import FREEDOMS
+from gearwright.closure.close import OnMission, as_sized, close
 from gearwright.closure.proportion import teeth_of
-from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
-from gearwright.closure.variants import Tried, Variant, Variants, nearest_variant
-from gearwright.closure.wishes import Wishes
+from gearwright.closure.requirements import (
+    FREEDOMS,
+    REQUIREMENTS,
+    Closed,
+    Outcome,
+    Requirement,
+    Round,
+    StageLife,
+    Step,
+    Unmet,
+    Wishes,
+    requirement_of,
+)
+from gearwright.closure.variants import Contradiction, Tried, Variant, Variants, contradictions, nearest_variant
 
 __all__ = [
     "FREEDOMS",

@@ -1,27 +1,289 @@
-"""The verb: a design becomes a gearbox that meets everything, written out, or says what no freedom meets."""
+"""Design closure of a design, with its mission, at written sizes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import NamedTuple
 
+from gearwright.catalogue import bearing, bore_around
 from gearwright.checks import Check, Status, accepted
-from gearwright.closure.closed import Closed, Round, Step, Unmet
-from gearwright.closure.flown import OnMission, lived, named
-from gearwright.closure.life import stage_lives
-from gearwright.closure.loop import CONFIRMS, Settled, Task, settled
+from gearwright.closure.loop import CONFIRMS, MOST_ROUNDS, Settled, Task, settled, start_of
 from gearwright.closure.moves import borne, lightened, separated
-from gearwright.closure.proportion import written_out
-from gearwright.closure.requirements import REQUIREMENTS, requirement_of, wanted
-from gearwright.closure.start import start_of
-from gearwright.closure.wishes import Wishes
+from gearwright.closure.proportion import Proportioned, searched, teeth_of, written_out
+from gearwright.closure.requirements import (
+    HOUR,
+    REQUIREMENTS,
+    Closed,
+    Round,
+    Step,
+    Unmet,
+    Wishes,
+    requirement_of,
+    stage_lives,
+    wanted,
+)
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
+from gearwright.errors import DesignError, Problem, refuse
+from gearwright.identity import GEARBOX
+from gearwright.mission import Flight, durability, flight_checks, fly
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.bearing_seats import ENDS, planet_bodies
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.rating import remembering
-from gearwright.spec import Design
-from gearwright.spec.design import given_values
+from gearwright.spec import Design, Mission, edited
+from gearwright.spec.design import NOTHING_GIVEN, Pair, given_values, module_owners
+from gearwright.spec.edit import Value
+from gearwright.units import CELSIUS
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A design as it was sized: every size written, so that other loads meet the same gearbox.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_MM = 1e-3
+
+
+def as_sized(design: Design) -> Design:
+    """Return a design with teeth, modules, widths, shafts and pins written as they are sized.
+
+    Planets on rolling bearings still choose them, and with them their bores, for the loads that they meet.
+
+    Args:
+        design: With freedoms, of a level below ``built``.
+
+    Raises:
+        DesignError: If it cannot be sized, or has parts that are chosen anew for other loads: built shafts, bevels and
+            compound sets whose modules are left open.
+    """
+    sizing = size(design)
+    refuse(list(_open(design, sizing)))
+    own = edited(design, dict(teeth_of(design, sizing)))
+    whole = edited(own, dict(_sizes(own, sizing)))
+    return written_out(Proportioned(whole, size(whole), {})).design
+
+
+def _open(design: Design, sizing: Sizing) -> Iterator[Problem]:
+    """Yield what cannot be written as it is sized."""
+    if sizing.level == "built":
+        message = "a built gearbox chooses its shafts and bearings for its loads; give a level below it"
+        yield Problem("level", message)
+    for stage in dict.fromkeys(gear.stage for gear in sizing.gears):
+        own = design.simple_stages.get(stage)
+        if own is None or (isinstance(own, Pair) and own.kind == "bevel"):
+            key = "module" if own is None else "outer_module"
+            if f"{stage}.{key}" not in sizing.given:
+                message = f"its module follows from the loads; give {key}_mm and face_width_mm to keep its size"
+                yield Problem(f"{design.table(stage)}.{key}_mm", message)
+
+
+def _sizes(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield modules and widths that the design leaves open."""
+    owners = module_owners(design)
+    gears = {gear.stage: gear for gear in sizing.gears}
+    for name, stage in design.simple_stages.items():
+        if isinstance(stage, Pair) and stage.kind == "bevel":
+            continue
+        if f"{name}.module" not in sizing.given and owners[name] == name:
+            yield f"{design.table(name)}.module_mm", gears[name].module / _MM
+        if f"{name}.face_width" not in sizing.given:
+            yield f"{design.table(name)}.face_width_mm", gears[name].face_width / _MM
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A closed design on a mission: what does not live through its flights is proportioned or chosen anew, and its oil.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+IN_FLIGHT = "life in flight"
+"""Requirement for which stages are proportioned anew."""
+OF_OIL = ("scuffing", "flank")
+"""Requirements that warmer oil moves: scuffing and micropitting."""
+ABOVE_FLIGHT = 1.001
+"""Factor on the margin that a flight asks for, as the next size is loaded a little otherwise [-]."""
+
+BORE_PER_LOAD = 0.5
+"""Power of what a bearing must bear more with which its bore grows [-]: C goes with about the square of the bore."""
+TOOTH_SPACE = 2.5
+"""Pitch diameter less that of the roots, over the module [-] (ISO 53), without profile shift."""
+LONGER = 1.02
+"""Factor on the life that a flight asks of a bearing, for the same reason [-]."""
+
+
+@dataclass(frozen=True)
+class OnMission:
+    """What is flown."""
+
+    mission: Mission
+    folder: Path | None = None
+    """Where a propeller map is looked for that is a file."""
+
+
+class Wanted(NamedTuple):
+    """What a flight asks for beside the cases of a design."""
+
+    gears: Mapping[str, float]
+    """Stage -> factor by which its gears would have to bear more [-]."""
+    planets: Mapping[str, float]
+    """Set -> life that what its planets turn on must have in the cases [h]."""
+    seats: Mapping[str, float]
+    """Bearing of a shaft -> the same [h]."""
+    shafts: Mapping[str, float]
+    """Shaft of one diameter -> how thick it must be for bearings that live around it [m]."""
+    oil: float | None
+    """Temperature of the oil to rate with [°C]; None: as it is."""
+
+    @property
+    def words(self) -> str:
+        """What is asked for; empty where a flight asks for no more than the cases."""
+        words = [f"{stage} bears {factor:.3f} times its cases" for stage, factor in self.gears.items()]
+        words += [f"planets of {stage} turn {hours:.6g} h in the cases" for stage, hours in self.planets.items()]
+        words += [f"bearing {name} {hours:.6g} h in the cases" for name, hours in self.seats.items()]
+        words += [f"{name} is {1e3 * bore:g} mm thick for its bearings" for name, bore in self.shafts.items()]
+        return "; ".join(words + ([] if self.oil is None else [f"oil of {self.oil:g} °C"]))
+
+
+def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tuple[Settled, list[Check]]:
+    """Return a design whose gears and bearings live through their flights, rated with the oil as warm as it gets.
+
+    At most eight flights; if what the closure may change does not live then, a check of the convergence fails.
+
+    Args:
+        state: From the loop.
+        asked: What is flown.
+        tell: Called with what is being done.
+
+    Raises:
+        DesignError: If the mission cannot be flown.
+    """
+    for number in range(1, MOST_ROUNDS + 1):
+        tell(f"flying {asked.mission.name}")
+        flight = fly(state.sizing, asked.mission, folder=asked.folder)
+        checks = wanted(flight_checks(flight, durability(flight)), state.task.wishes.left_out)
+        more = _wanted(state, flight, [check for check in checks if check.status is Status.FAILS])
+        if not more.words:
+            return state, checks
+        if number == MOST_ROUNDS:
+            break
+        state = _again(state, more, tell)
+    short = [*more.gears, *more.planets, *more.seats, *more.shafts]
+    clause = f"{MOST_ROUNDS} flights: {', '.join(short)} live through them"
+    least = min([1.0 / factor for factor in more.gears.values()], default=1.0 / ABOVE_FLIGHT)
+    return state, [*checks, Check(GEARBOX, "convergence of the closure in flight", clause, least, 1.0, exponent=None)]
+
+
+def _again(state: Settled, more: Wanted, tell: Callable[[str], None]) -> Settled:
+    """Return the design proportioned anew with what a flight asked for; planets may turn on something else."""
+    task, design = state.task, state.task.design
+    least = min([1.0 / factor for factor in more.gears.values()], default=1.0)
+    round_ = Round(Step.FLY, state.sizing.mass, least, 0.0, more.words)
+    anew = tuple(f"{design.table(stage)}.planet_bearing." for stage in more.planets)
+    chosen = {path: value for path, value in task.chosen.items() if not path.startswith(anew)}
+    chosen |= {f"bearings.{name}.life_h": hours for name, hours in more.seats.items()}
+    chosen |= {f"layout.{name}.diameter_mm": 1e3 * bore for name, bore in more.shafts.items()}
+    chosen |= {} if more.oil is None else {"oil.temperature": more.oil}
+    targets = {stage: task.targets.get(stage, 1.0) * ABOVE_FLIGHT * factor for stage, factor in more.gears.items()}
+    task = replace(task, chosen=chosen, targets={**task.targets, **targets}, planets={**task.planets, **more.planets})
+    again = borne(settled(replace(task, start=None)), tell)
+    return replace(again, rounds=(*state.rounds, round_, *again.rounds))
+
+
+def _wanted(state: Settled, flight: Flight, failing: Sequence[Check]) -> Wanted:
+    """Return what fails in a flight and the closure may change."""
+    planets, seats = _bearings(state, failing)
+    oil = _oil(state, flight, failing)
+    asked = (IN_FLIGHT,) if oil is not None else (IN_FLIGHT, *OF_OIL)
+    gears = _gears(state, [check for check in failing if requirement_of(check) in asked])
+    return Wanted(gears, planets, seats, _shafts(state, failing), oil)
+
+
+def _gears(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
+    """Return stage -> factor by which its gears would have to bear more, where the search may change it [-]."""
+    open_, factors = set(searched(state.task.design)), dict[str, float]()
+    for check in failing:
+        if check.reserve and check.part.name in open_:
+            factors[check.part.name] = max(factors.get(check.part.name, 1.0), 1.0 / check.reserve)
+    return factors
+
+
+def _bearings(state: Settled, failing: Iterable[Check]) -> tuple[dict[str, float], dict[str, float]]:
+    """Return the lives that open bearings of sets and of shafts must have: as much longer as flights shorten them.
+
+    A set in which none with room lived as long as was asked last is asked for no more.
+    """
+    task, planets, seats = state.task, dict[str, float](), dict[str, float]()
+    asked = task.design.service.bearing_life / HOUR
+    bodies = {str(body.part): body.stage for body in planet_bodies(state.sizing.design, state.sizing.gears)}
+    worn = {check.part.name for check in state.sizing.checks if check.mode == "life" and check.fails}
+    for check in failing:
+        hours = (check.value or 0.0) / HOUR
+        if check.mode != "bearing life" or not 0.0 < hours < asked:
+            continue
+        name, longer = check.part.name, LONGER * asked / hours
+        stage, seat = task.design.planetaries.get(bodies.get(name, "")), task.design.bearings.get(name)
+        if bodies.get(name) in worn:
+            continue
+        if stage is not None and "planet_bearing" not in stage.model_fields_set:
+            planets[bodies[name]] = longer * task.planets.get(bodies[name], asked)
+        elif seat is not None and seat.designation is None and seat.life is None:
+            now = task.chosen.get(f"bearings.{name}.life_h")
+            seats[name] = longer * (float(now) if isinstance(now, float) else asked)
+    return planets, seats
+
+
+def _shafts(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
+    """Return how thick open shafts of one diameter must be for bearings that live, below the roots of gears [m]."""
+    sizing, layout, thicker = state.sizing, state.task.design.layout, dict[str, float]()
+    built = {shaft.name for shaft in sizing.built_shafts}
+    usual = {f"{shaft.name}.{end}": shaft.name for shaft in sizing.shafts if shaft.name not in built for end in ENDS}
+    for check in failing:
+        shaft = usual.get(check.part.name)
+        if shaft is None or not check.reserve or layout.get(shaft, NOTHING_GIVEN).diameter is not None:
+            continue
+        fitted = bearing(check.place)
+        try:
+            bore = bore_around(fitted.kind, fitted.bore * max(check.reserve**-BORE_PER_LOAD, ABOVE_FLIGHT))
+        except DesignError:
+            continue  # no bearing is as large
+        roots = [gear.pitch_diameter - TOOTH_SPACE * gear.module for gear in sizing.gears if shaft in gear.shafts]
+        if bore < min(roots, default=math.inf):
+            thicker[shaft] = max(thicker.get(shaft, 0.0), bore)
+    return thicker
+
+
+def _oil(state: Settled, flight: Flight, failing: Iterable[Check]) -> float | None:
+    """Return the temperature that teeth and bearings are rated with anew [°C]; None where it does, or is given."""
+    warmer = flight.hottest_supply > state.sizing.design.oil.temperature + CELSIUS
+    short = any(check.mode == "oil temperature" or requirement_of(check) in OF_OIL for check in failing)
+    if not (short and warmer) or "temperature" in state.task.design.oil.model_fields_set:
+        return None
+    return math.ceil(10.0 * (flight.hottest_supply - CELSIUS)) / 10.0
+
+
+def named(state: Settled) -> Settled:
+    """Return a design in which bearings of shafts that a flight asked for are named, as a review takes them.
+
+    Args:
+        state: That lives through its flights.
+    """
+    seats = [seat for seat in state.sizing.bearings if f"bearings.{seat.name}.life_h" in state.task.chosen]
+    if not seats:
+        return state
+    lives = {f"bearings.{seat.name}.life_h" for seat in seats}
+    names = {f"bearings.{seat.name}.designation": seat.bearing.designation for seat in seats}
+    chosen = {path: value for path, value in state.task.chosen.items() if path not in lives}
+    again = settled(replace(state.task, chosen={**chosen, **names}, start=state.sizing))
+    return replace(again, rounds=(*state.rounds, *again.rounds))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb: a design becomes a gearbox that meets everything, written out, or says what no freedom meets.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 MOST_RUNS = 4
 """Simulations after each of which stages whose peaks exceed their rating are proportioned anew [-]."""

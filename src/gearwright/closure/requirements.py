@@ -1,15 +1,49 @@
-"""What a gearbox must meet: every mode that a review can fail, by the requirement that it belongs to."""
+"""Requirements of design closure, its design variables and options, the closed design and gear life."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+from operator import itemgetter
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
-from gearwright.checks import Check
+from gearwright.arrays import smallest_first
+from gearwright.checks import Check, worst
+from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind
+from gearwright.showing import Shown
+from gearwright.sizing import Sizing
+from gearwright.sizing.insight import trial_of
+from gearwright.sizing.mass import CompleteMass, complete_mass
 from gearwright.spec import Design, edited
+from gearwright.spec.design import RATINGS
 from gearwright.spec.edit import Value
+from gearwright.units import Life, Mass, Origin, Quantity, Ratio
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a closure may change beside modules, widths and bearings, where it is asked to look for something lighter.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FREEDOMS: Mapping[str, str] = MappingProxyType({
+    "teeth": "tooth numbers of pairs and sets",
+    "shifts": "profile shift of pinions and suns",
+    "planets": "number of planets, their load factor as the design states it",
+    "helix": "helix angle of pairs",
+    "material": "steel of the gears, and its grade",
+    "rims": "rims of wheels, planets and rings",
+    "webs": "webs of pairs",
+})  # fmt: skip
+"""Name -> what may then be changed, also where the design gives it."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a gearbox must meet: every mode that a review can fail, by the requirement that it belongs to.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Requirement(NamedTuple):
@@ -138,3 +172,212 @@ def without(design: Design, left_out: Iterable[str]) -> Design:
     """
     changes = {path: value for name in left_out for path, value in REQUIREMENTS[name].unasked.items()}
     return edited(design, changes) if changes else design
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What is asked of a closed gearbox beside what its design says: a life, how sizes are rounded, which way to go.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+HOUR = 3600.0
+"""[s]"""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What a closure is asked for; what is left out is as the design says."""
+
+    life: float | None = None
+    """Life of gears and bearings alike [s]; None: service.life and service.bearing_life of the design."""
+    rounded: bool = True
+    """Modules of ISO 54 and face widths in whole millimetres, as the rules of the design ask; False: continuous."""
+    separate: bool = True
+    """Look for teeth and modules that keep critical speeds away from operating ones; False: crossings are listed."""
+    lighten: bool = True
+    """Look for other teeth, and for what else is free, with which everything is lighter; False: teeth as sized."""
+    free: tuple[str, ...] = ()
+    """Names of `FREEDOMS`: what is changed, too, while all becomes lighter, also where the design gives it."""
+    left_out: frozenset[str] = field(default_factory=frozenset)
+    """Requirements that the closure does not look at: to see which of them bind."""
+
+    def __post_init__(self) -> None:
+        refuse(self._problems())
+
+    def _problems(self) -> Iterator[Problem]:
+        """Yield what cannot be asked for."""
+        if self.life is not None and not 0.0 < self.life < math.inf:
+            yield Problem("life", f"{self.life / HOUR:g} h is asked; it must be above 0 and finite")
+        for name in self.free:
+            if name not in FREEDOMS:
+                yield Problem("free", f"{name!r} is no freedom; {near(name, FREEDOMS)}")
+        for name in sorted(self.left_out - REQUIREMENTS.keys()):
+            yield Problem("left_out", f"{name!r} is no requirement; {near(name, REQUIREMENTS)}")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a closure yields: the written design, its sizing and checks, the rounds to it, and what could not be met.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Outcome(StrEnum):
+    """What a closure says."""
+
+    CLOSED = "meets everything that is assessed"
+    OPEN = "does not meet everything"
+
+
+class Step(StrEnum):
+    """What is done in a round."""
+
+    PROPORTION = "proportioned"
+    CONFIRM = "confirmed"
+    BEAR = "bearings of planets"
+    SEPARATE = "other teeth or modules"
+    LIGHTEN = "made lighter"
+    SIMULATE = "simulated"
+    FLY = "flown"
+
+
+@dataclass(frozen=True)
+class Round:
+    """One step of the loop."""
+
+    step: Step
+    mass: Mass
+    """Of gears, shafts and carriers after it [kg]."""
+    margin: Ratio
+    """Of the worst check that it looked at [-]."""
+    change: Ratio
+    """Largest relative change of a dynamic factor since the round before [-]."""
+    what: str
+    """In words."""
+
+
+@dataclass(frozen=True)
+class Unmet:
+    """A requirement that no freedom of the closure meets."""
+
+    requirement: str
+    """Its name."""
+    check: Check
+    """The best that was found."""
+    kept: str
+    """What the design gives and the closure therefore does not change; empty where nothing."""
+    helps: str
+    """What would help."""
+
+
+@dataclass(frozen=True)
+class StageLife:
+    """How long the gears of a stage live at the safeties that are asked."""
+
+    stage: str
+    life: Annotated[
+        Life,
+        Origin(
+            "largest life at which the safeties against fatigue are met", "the rating of the stage, Miner, ISO 6336-6"
+        ),
+    ]
+    """[s]"""
+    governs: str
+    """Check that ends it."""
+
+
+@dataclass(frozen=True, repr=False)
+class Closed(Shown):
+    """A gearbox that meets everything, or says what it does not meet."""
+
+    design: Design
+    """With every freedom written: what `gearwright review` judges."""
+    sizing: Sizing
+    """Of it."""
+    checks: tuple[Check, ...]
+    """Everything that was looked at, worst first."""
+    rounds: tuple[Round, ...]
+    unmet: tuple[Unmet, ...]
+    lives: tuple[StageLife, ...]
+    """Of the stages whose method knows one, the shortest first."""
+    kept: tuple[str, ...]
+    """Paths of what the design gives and the closure does not change."""
+    wishes: Wishes
+
+    @property
+    def outcome(self) -> Outcome:
+        """One word for all of it."""
+        return Outcome.OPEN if self.unmet else Outcome.CLOSED
+
+    @property
+    def life(self) -> Annotated[float | None, Quantity("life")]:
+        """Life of the gears that fail first, at the asked safeties [s]; None where no method knows one."""
+        return self.lives[0].life if self.lives else None
+
+    @property
+    def worst(self) -> Check | None:
+        """The check that every page shows."""
+        return worst(self.checks)
+
+    @property
+    def mass(self) -> Mass:
+        """Of gears, shafts and carriers [kg]."""
+        return self.sizing.mass
+
+    @cached_property
+    def whole(self) -> CompleteMass:
+        """Everything in the gearbox, housing, bearings and oil included, with its band."""
+        return complete_mass(self.sizing)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How long the gears of a closed design live at the safeties that are asked.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LONGEST = 1e6 * HOUR
+"""Above it a life is told as this one [s]."""
+SHORTEST = 0.1 * HOUR
+"""Below it a life is told as this one [s]."""
+FATIGUE = ("pitting", "tooth root")
+"""Modes that a life ends: cycles wear out flanks and roots, while scuffing, films and limit loads know no hours."""
+CLOSE = 1e-3
+"""Relative width of the bracket in which a life is found [-]."""
+
+
+def stage_lives(sizing: Sizing, left_out: frozenset[str] = frozenset()) -> tuple[StageLife, ...]:
+    """Return the largest life of every stage at which its safeties against fatigue are met, the shortest first.
+
+    Args:
+        sizing: As sized.
+        left_out: Requirements that do not count.
+    """
+    stages = [name for name in sizing.design.simple_stages if RATINGS[sizing.design.rating(name)].fatigue]
+    lives = [_life(sizing, stage, left_out) for stage in stages]
+    return tuple(smallest_first(lives, lambda row: row.life))
+
+
+def _life(sizing: Sizing, stage: str, left_out: frozenset[str]) -> StageLife:
+    """Return the life of one stage: a bracket around it, then by halving its logarithm."""
+    low = high = sizing.design.service.life
+    margin, governs = _margin(sizing, stage, high, left_out)
+    while margin >= 1.0 and high < LONGEST:
+        low, high = high, 2.0 * high
+        margin, governs = _margin(sizing, stage, high, left_out)
+    while low == high and margin < 1.0 and low > SHORTEST:
+        low = 0.5 * low
+        margin, name = _margin(sizing, stage, low, left_out)
+        low, high, governs = (low, 2.0 * low, governs) if margin >= 1.0 else (low, low, name)
+    while high / low - 1.0 > CLOSE:
+        middle = math.sqrt(low * high)
+        margin, name = _margin(sizing, stage, middle, left_out)
+        low, high, governs = (middle, high, governs) if margin >= 1.0 else (low, middle, name)
+    return StageLife(stage, max(low, SHORTEST), governs)
+
+
+def _margin(sizing: Sizing, stage: str, life: float, left_out: frozenset[str]) -> tuple[float, str]:
+    """Return the least margin against fatigue of a stage that lives so long [-], and the name of its check."""
+    design = edited(sizing.design, {"service.life_h": life / HOUR})
+    mesh = next(mesh for mesh in sizing.meshes if mesh.stage == stage)
+    gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
+    checks = trial_of(design, sizing).checks(stage, gear.module, gear.face_width)
+    fatigue = [check for check in checks if check.mode in FATIGUE and requirement_of(check) not in left_out]
+    reserves = [(check.reserve, check.name) for check in fatigue if check.reserve is not None]
+    return min(reserves, default=(math.inf, ""), key=itemgetter(0))

@@ -19,8 +19,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 from gearwright.errors import GearwrightError
+from gearwright.files import make_folder, write_bytes
 from gearwright.version import __version__, digest
-from gearwright.writing import make_folder, write_bytes
 
 VARIABLE = "GEARWRIGHT_CACHE_DIR"
 """Environment variable that names another folder for the cache."""

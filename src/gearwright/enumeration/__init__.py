@@ -3,11 +3,9 @@
 How one given design is sized, closed or judged is for the layers below; pages and commands are above.
 """
 
-from gearwright.enumeration.kinds import KINDS, Kind
-from gearwright.enumeration.ranked import CLOSED, STAGES, Ranking, architectures, lighter
-from gearwright.enumeration.ranking import Candidate
-from gearwright.enumeration.requirement import Requirement, requirement_of
-from gearwright.enumeration.trains import Architecture, Place, Seat, trains
+from gearwright.enumeration.building import Requirement, requirement_of
+from gearwright.enumeration.kinds import KINDS, Architecture, Kind, Place, Seat, trains
+from gearwright.enumeration.ranking import CLOSED, STAGES, Candidate, Ranking, architectures, lighter
 
 __all__ = [
     "CLOSED",

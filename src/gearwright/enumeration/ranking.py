@@ -1,23 +1,40 @@
-"""Every architecture with its best numbers: as a first sizing, against fatigue, then by what it weighs and lacks."""
+"""Ranking of architectures by mass and unmet requirements, from first sizing to design closure."""
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+from typing import TypeVar
 
+from gearwright.arrays import smallest, smallest_first
 from gearwright.checks import Check
-from gearwright.enumeration.building import Built, built, freedoms
-from gearwright.enumeration.requirement import Requirement
-from gearwright.enumeration.stepped import borne
-from gearwright.enumeration.trains import Architecture
-from gearwright.errors import DesignError, GearwrightError, Problem
+from gearwright.closure import Wishes
+from gearwright.enumeration.building import Built, Requirement, borne, built, freedoms, requirement_of
+from gearwright.enumeration.kinds import Architecture, trains
+from gearwright.errors import DesignError, GearwrightError, Problem, refuse
 from gearwright.identity import Role, gear_part
-from gearwright.ranking import smallest
+from gearwright.processes import computed
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import remembering
-from gearwright.spec import Design, at_level, edited
+from gearwright.spec import Design, at_level, edited, parse
+from gearwright.store import load, save
+from gearwright.study import EqualLife, equal_life
+from gearwright.units import Ratio
+from gearwright.verbs import verb
+from gearwright.version import __version__
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Every architecture with its best numbers: as a first sizing, against fatigue, then by what it weighs and lacks.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _STEPS = (0.25, 0.12)
 """Of every number within its range, up and down [-]."""
@@ -235,3 +252,302 @@ def _lacks(checks: Sequence[Check]) -> Iterator[tuple[str, float]]:
 def _words(error: GearwrightError) -> str:
     problems = error.problems if isinstance(error, DesignError) else ()
     return "; ".join(f"{problem.path}: {problem.message}" for problem in problems) or str(error)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb: every architecture that can serve a requirement, ranked, the most promising closed for one life.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+T = TypeVar("T")
+STAGES = (2, 3)
+"""How many stages a train may have, where nothing else is asked."""
+CLOSED = 12
+"""Architectures that are closed, where nothing else is asked [-]."""
+_KEEP = 25
+"""Finished architectures after which what is known is written."""
+_FAR = 1.75
+"""First sizing, complete and with its motor, over the lightest one, up to which it is sized against fatigue [-]."""
+_HOPELESS = 2.5
+"""The same of the middle of its ranges, over the lightest of the fewest stages, above which it is left at that [-]."""
+_ANEW = 3
+"""Times as many as are closed get numbers anew, by what they weigh and lack against fatigue [-]."""
+
+
+@dataclass(frozen=True, repr=False)
+class Ranking(Shown):
+    """Every architecture that can serve a requirement, and what the best weigh once they meet everything."""
+
+    requirement: str
+    """Name of the design that asks."""
+    life: float
+    """Of gears and bearings alike [s]."""
+    candidates: tuple[Candidate, ...]
+    """Every architecture with its best numbers, the most promising first; those that are refused come last."""
+    closed: tuple[EqualLife, ...]
+    """The most promising and what they are compared with, closed: those that pass first, the lightest of them first."""
+
+    @property
+    def refused(self) -> int:
+        """How many architectures cannot be sized at all [-]."""
+        return sum(bool(row.refused) for row in self.candidates)
+
+    @property
+    def passing(self) -> tuple[EqualLife, ...]:
+        """Those that pass the review of their written design, the lightest first."""
+        return tuple(row for row in self.closed if not row.fails and row.with_machines is not None)
+
+    @property
+    def beside(self) -> tuple[EqualLife, ...]:
+        """Those that pass of what the architectures are compared with, the lightest first."""
+        own = {row.architecture.slug for row in self.candidates}
+        return tuple(row for row in self.passing if row.design not in own)
+
+    def called(self, row: EqualLife) -> str:
+        """Return a closed design in words: its architecture, or the name of one that is compared with them.
+
+        Args:
+            row: Of those that were closed.
+        """
+        names = {one.architecture.slug: one.architecture.name for one in self.candidates}
+        variant = " (variant)" if row.variant else ""
+        return f"{names[row.design]}{variant}" if row.design in names else row.title
+
+    @property
+    def unborne(self) -> int:
+        """How many of those sized against fatigue have planets in which no bearing lives as long as asked [-]."""
+        return sum(row.unborne for row in self.candidates)
+
+    @property
+    def confidence(self) -> Ratio | None:
+        """Probability that the lightest is lighter than the next [-]; None where fewer than two pass."""
+        return None if len(self.passing) < 2 else lighter(*self.passing[:2])
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What a journal holds."""
+
+    asked: str
+    """Digest of everything that moves a result."""
+    candidates: Mapping[str, Candidate]
+    closed: Mapping[str, tuple[EqualLife, ...]]
+
+
+@verb
+def architectures(
+    design: Design,
+    *,
+    life: float,
+    stages: Sequence[int] = STAGES,
+    closed: int = CLOSED,
+    beside: Mapping[str, Design] | None = None,
+    fastest: float | None = None,
+    workers: int = 0,
+    journal: Path | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> Ranking:
+    """Return every train of a few stages that can take the place of a design's own, ranked at equal life.
+
+    Each architecture gets the ratios and the motor's speed with which it weighs least as a first sizing. Those that are
+    not far from the lightest are sized against fatigue, with everything in their mass, by which the lightest of them
+    get other numbers. The most promising are closed: every free size is chosen so that an
+    independent review of the written design passes. The answer does not depend on how many workers there are.
+
+    Args:
+        design: Whose turbine, motor, propeller, cases and rules count; its stages do not.
+        life: Of gears and bearings alike [s].
+        stages: How many stages a train may have.
+        closed: How many architectures are closed [-].
+        beside: Name -> design, closed for the same life to compare with.
+        fastest: Speed that the motor may have [rad/s]; left out: that of the faster of motor and turbine.
+        workers: Processes that compute; 0: this one.
+        journal: File that keeps what is finished; one that is there is gone on with.
+        tell: Called with what is being done.
+
+    Raises:
+        DesignError: If the design asks for other machines, or a number cannot be; if the journal is of something else.
+    """
+    refuse(_problems(life, stages, closed, workers))
+    asked = requirement_of(design, fastest=fastest)
+    counts, motor = tuple(sorted(set(stages))), asked.motor is not None
+    every = list(trains(asked.ratio, stages=counts, motor=motor, added=asked.added))
+    if not every:
+        message = (
+            f"no train of {' or '.join(map(str, stages))} stages gives a ratio of {asked.ratio:.4g}; ask for others"
+        )
+        refuse([Problem("stages", message)], design.name)
+    kept = _begun(journal, _digest(asked, life, beside or {}))
+    say = tell or _quiet
+    with _keeping(journal, kept) as book:
+        say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}")
+        rows = _ranked(_Task(asked, life, workers, say, book), every, closed * _ANEW)
+        best = [row for row in rows if row.design is not None][:closed]
+        wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | dict(beside or {})
+        open_ones = [named for named in wanted.items() if named[0] not in book.closed]
+        open_ones.sort(key=lambda named: -len(named[1].stages))  # the longest first: no process waits
+        for name, lives in computed(partial(_closed, life=life), open_ones, workers):
+            book.lived(name[0], lives)
+            say(f"{name[0]}: {_said(lives)}")
+    ended = [row for name in wanted for row in book.closed[name]]
+    return Ranking(design.name, life, tuple(rows), tuple(sorted(ended, key=_weight)))
+
+
+def _problems(life: float, stages: Sequence[int], closed: int, workers: int) -> Iterator[Problem]:
+    """Yield what cannot be asked for."""
+    if not 0.0 < life < math.inf:
+        yield Problem("life", f"{life / 3600.0:g} h is asked; it must be above 0 and finite")
+    if not stages or any(count not in range(1, 5) for count in stages):
+        yield Problem("stages", f"{list(stages)} are asked; 1 to 4 are enumerated, such as 2 and 3")
+    if closed < 0:
+        yield Problem("closed", f"{closed} are asked; give 0 or more")
+    if workers < 0:
+        yield Problem("workers", f"{workers} are asked; 0 computes in this process")
+
+
+def _quiet(_: str) -> None:
+    """Say nothing."""
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What architectures are sized for, and by what."""
+
+    asked: Requirement
+    life: float
+    workers: int
+    say: Callable[[str], None]
+    book: _Book
+
+    def run(self, function: Callable[[T], Candidate], things: Sequence[T], how: str) -> None:
+        """Take in what a function makes of architectures, as they come."""
+        for number, (_, row) in enumerate(computed(function, things, self.workers), start=1):
+            self.book.sized(row)
+            if number % _KEEP == 0 or number == len(things):
+                self.say(f"{number} of {len(things)} sized {how}")
+
+
+def _ranked(task: _Task, every: Sequence[Architecture], anew: int) -> list[Candidate]:
+    """Return all architectures, the most promising first: sketched, those near the lightest rated, the best anew."""
+    known = task.book.candidates
+    fewest = min(one.stages for one in every)
+    simple = [one for one in every if one.stages == fewest]
+    how = "as first sizings"
+    task.run(partial(sketched, task.asked), [one for one in simple if one.slug not in known], how)
+    most = _HOPELESS * min((known[one.slug].first_complete or math.inf for one in simple), default=math.inf)
+    longer = [one for one in every if one.stages > fewest and one.slug not in known]
+    task.run(partial(sketched, task.asked, most=most), longer, how)
+    near = [row for row in _near([known[one.slug] for one in every]) if row.design is None]
+    task.run(partial(rated, task.asked, life=task.life), near, "against fatigue")
+    light = [row for row in _light([known[one.slug] for one in every], anew) if not row.proportioned]
+    task.run(partial(proportioned, task.asked, life=task.life), light, "anew by what they weigh and lack there")
+    return sorted((known[one.slug] for one in every), key=lambda row: row.order)
+
+
+def _near(rows: Sequence[Candidate]) -> list[Candidate]:
+    """Return the architectures whose first sizing is not far heavier than the lightest."""
+    masses = {row.architecture.slug: row.first_complete for row in rows if row.first_complete and not row.refused}
+    most = _FAR * min(masses.values(), default=0.0)
+    return [row for row in rows if masses.get(row.architecture.slug, math.inf) <= most]
+
+
+def _light(rows: Sequence[Candidate], count: int) -> list[Candidate]:
+    """Return the lightest of the architectures that were sized against fatigue."""
+    known = [row for row in rows if row.rated_mass is not None]
+    by_name = sorted(known, key=lambda row: row.architecture.slug)
+    return smallest_first(by_name, lambda row: row.rated_mass or 0.0)[:count]
+
+
+def _weight(row: EqualLife) -> tuple[bool, float]:
+    return bool(row.fails), row.with_machines or math.inf
+
+
+def _closed(named: tuple[str, Design], *, life: float) -> tuple[EqualLife, ...]:
+    """Return a design closed for a life, and its nearest variant where it does not close itself."""
+    return equal_life(dict([named]), wishes=Wishes(life))
+
+
+def _said(rows: Sequence[EqualLife]) -> str:
+    best = rows[0]
+    mass = "no gearbox" if best.with_machines is None else f"{best.with_machines:.0f} kg with machines"
+    return f"{mass}, {best.verdict}{f' ({best.variant})' if best.variant else ''}"
+
+
+def lighter(first: EqualLife, second: EqualLife, *, apart: bool = False) -> float:
+    """Return the probability that one closed gearbox is lighter than another [-].
+
+    What rules of mass do not know they do not know of both alike: a group of parts (gears, carriers, housing …) errs by
+    one factor, groups apart, so that only the difference of two groups is uncertain. Machines weigh as their law says.
+
+    Args:
+        first: Expected to be the lighter.
+        second: The other.
+        apart: Whether the rules err of both independently instead, the least that can be said.
+    """
+    masses = [complete_mass(size(parse(row.file))) for row in (first, second)]
+    errors = [{group.group: group.deviation for group in mass.groups} for mass in masses]
+    if apart:
+        deviations = [deviation for error in errors for deviation in error.values()]
+    else:
+        deviations = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
+    variance = sum(deviation * deviation for deviation in deviations)
+    ahead = (second.with_machines or math.inf) - (first.with_machines or math.inf)
+    if variance == 0.0:
+        return 0.5 if ahead == 0.0 else float(ahead > 0.0)
+    return 0.5 * (1.0 + math.erf(ahead / math.sqrt(2.0 * variance)))
+
+
+def _digest(asked: Requirement, life: float, beside: Mapping[str, Design]) -> str:
+    """Return the digest of everything that moves a result, but for how many are looked at."""
+    stated = [one.model_dump_json(by_alias=True, exclude_unset=True) for one in (asked.design, *beside.values())]
+    return sha256(json.dumps([__version__, life, asked.fastest, list(beside), stated]).encode()).hexdigest()
+
+
+def _begun(journal: Path | None, asked: str) -> Kept:
+    """Return what a journal holds already, or refuse one of something else."""
+    if journal is None or not journal.exists():
+        return Kept(asked, {}, {})
+    kept = load(journal)
+    if not isinstance(kept, Kept) or kept.asked != asked:
+        fix = "name another file, or take this one away"
+        refuse([Problem("journal", f"{journal} was begun with another design, life, version or comparison; {fix}")])
+    assert isinstance(kept, Kept)
+    return kept
+
+
+class _Book:
+    """What is finished, and where it is kept."""
+
+    def __init__(self, journal: Path | None, kept: Kept) -> None:
+        self.journal, self.asked = journal, kept.asked
+        self.candidates, self.closed = dict(kept.candidates), dict(kept.closed)
+        self.unwritten = 0
+
+    def sized(self, row: Candidate) -> None:
+        """Take in an architecture."""
+        self.candidates[row.architecture.slug] = row
+        self.unwritten += 1
+        if self.unwritten >= _KEEP:
+            self.write()
+
+    def lived(self, name: str, rows: tuple[EqualLife, ...]) -> None:
+        """Take in a closed design."""
+        self.closed[name] = tuple(replace(row, design=name) for row in rows)
+        self.unwritten += 1
+        self.write()
+
+    def write(self) -> None:
+        """Write what is not written yet."""
+        if self.journal is not None and self.unwritten:
+            save(Kept(self.asked, self.candidates, self.closed), self.journal)
+            self.unwritten = 0
+
+
+@contextmanager
+def _keeping(journal: Path | None, kept: Kept) -> Iterator[_Book]:
+    """Keep what is finished when all is done, and when it is broken off."""
+    book = _Book(journal, kept)
+    try:
+        yield book
+    finally:
+        book.write()

@@ -4,9 +4,8 @@ Here stands how; which modules have twins, and what is asked of them, is for `si
 """
 
 from gearwright.lanes.builtin import chosen
-from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.lanes import Diverged, Lanes, Unsupported, each, lanes_of
 from gearwright.lanes.rebound import rebound
 from gearwright.lanes.twins import change_twins, twin
-from gearwright.lanes.work import Diverged, Unsupported, each
 
 __all__ = ["Diverged", "Lanes", "Unsupported", "change_twins", "chosen", "each", "lanes_of", "rebound", "twin"]

@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes.lanes import Lanes, lanes_of
-from gearwright.lanes.work import each
+from gearwright.lanes.lanes import Lanes, each, lanes_of
 
 COMPENSATED = sys.version_info >= (3, 12)
 """Whether Python's own sum of floats carries what it rounds off."""

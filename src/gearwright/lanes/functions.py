@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes.lanes import Lanes, lanes_of
-from gearwright.lanes.work import Diverged, Unsupported, each
+from gearwright.lanes.lanes import Diverged, Lanes, Unsupported, each, lanes_of
 
 __all__ = ["e", "inf", "nan", "pi", "tau"]
 

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.lanes import SEQUENTIAL, Lanes, lanes_of, per_lane, summed
 from gearwright.lanes.made import asarray, has_lanes
-from gearwright.lanes.work import SEQUENTIAL, per_lane, summed
 
 
 def _norm(values: Any, axis: int | None = None, *, keepdims: bool = False) -> Any:

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.lanes.lanes import Lanes, lanes_of
-from gearwright.lanes.work import aligned
+from gearwright.lanes.lanes import Lanes, aligned, lanes_of
 
 
 def has_lanes(values: Any) -> bool:

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from gearwright.lanes import made
-from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.lanes import Lanes, Unsupported, aligned, axes_of, lanes_of, one_of, per_lane, summed
 from gearwright.lanes.linear import linalg
 from gearwright.lanes.made import asarray, has_lanes
-from gearwright.lanes.work import Unsupported, aligned, axes_of, one_of, per_lane, summed
 
 _EXACT = {
     "add", "subtract", "multiply", "divide", "true_divide", "negative", "absolute", "abs", "fabs", "sign", "sqrt",

@@ -1,37 +1,16 @@
 """Turbine, motor and propeller as the gearbox sees them: mass and inertia by closed laws."""
 
-from gearwright.machines.battery import (
+from gearwright.machines.electric import (
     EMPTY,
     FULL,
+    LENGTH_RATIO,
     Battery,
     BatteryStep,
+    MotorLosses,
+    Winding,
     battery_step,
     current_of,
     highest_current,
-    stored_energy,
-)
-from gearwright.machines.chart_reading import SMALL_THRUST, Blades, Charts, ideal_power
-from gearwright.machines.engine_deck import Day, DeckLine, EngineDeck, deck_fuel, deck_limit
-from gearwright.machines.gas_turbine import (
-    HEATING_VALUE,
-    Engine,
-    PowerLimits,
-    fuel_flow,
-    power_limits,
-)
-from gearwright.machines.governor import (
-    Governor,
-    GovernorState,
-    LimitCycle,
-    Rotor,
-    governor_rates,
-    limit_cycle,
-    marched,
-)
-from gearwright.machines.hamilton_standard import compressibility, performance
-from gearwright.machines.motor import (
-    LENGTH_RATIO,
-    MotorLosses,
     motor_diameter,
     motor_loss,
     motor_mass_ndarc,
@@ -39,22 +18,50 @@ from gearwright.machines.motor import (
     rated_losses,
     rotor_inertia,
     shared_losses,
+    short_circuit_torque,
+    stored_energy,
+)
+from gearwright.machines.gas_turbine import (
+    HEATING_VALUE,
+    Day,
+    DeckLine,
+    Engine,
+    EngineDeck,
+    PowerLimits,
+    deck_fuel,
+    deck_limit,
+    fuel_flow,
+    power_limits,
+)
+from gearwright.machines.hamilton_standard import (
+    SMALL_THRUST,
+    Blades,
+    Charts,
+    compressibility,
+    ideal_power,
+    performance,
 )
 from gearwright.machines.propeller_map import (
     INSIDE,
+    Governor,
+    GovernorState,
+    LimitCycle,
     MachMap,
     PropellerMap,
+    Rotor,
     angle_for_power,
     angle_for_thrust,
     angle_near,
     blade_angles,
     coefficients,
+    governor_rates,
     governs,
+    limit_cycle,
     look_up,
     map_at,
+    marched,
 )
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
-from gearwright.machines.short_circuit import Winding, short_circuit_torque
 
 __all__ = [
     "EMPTY",

@@ -1,20 +1,47 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
 from gearwright.mission.aircraft import PhaseForces, phase_forces
-from gearwright.mission.flight import Balance, Flight, PackWear, PhaseSummary, flight_series, phase_summaries
+from gearwright.mission.flight import (
+    Balance,
+    Flight,
+    History,
+    MachineHistory,
+    MeshHistory,
+    NodeHistory,
+    PackWear,
+    PhaseSummary,
+    Series,
+    flight_series,
+    phase_summaries,
+)
 from gearwright.mission.fly import fly, fly_each
-from gearwright.mission.gearbox import Oil, gearbox_of
-from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
+from gearwright.mission.gearbox import gearbox_of
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
-from gearwright.mission.lives.checks import flight_checks
-from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
-from gearwright.mission.lives.flown_mix import FlownMix, fly_mix
-from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.damage import (
+    DutyBin,
+    GearDamage,
+    bearing_spectra,
+    gear_damage,
+    gear_damages,
+    mesh_spectrum,
+    shaft_spectrum,
+    unrated_stages,
+)
+from gearwright.mission.lives.life import (
+    Durability,
+    FlownMix,
+    LifeSizing,
+    MixedLife,
+    PartLife,
+    durability,
+    flight_checks,
+    fly_mix,
+    mixed_life,
+    size_for_life,
+)
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
-from gearwright.mission.lives.mix import MixedLife, mixed_life
-from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
-from gearwright.mission.lives.verdict import Durability, PartLife, durability
-from gearwright.mission.windows.governed import Window, governed_window, rotor_at, trim_at
+from gearwright.mission.windows.window import Window, governed_window, rotor_at, trim_at
+from gearwright.sizing.losses import Oil
 
 __all__ = [
     "Balance",

@@ -12,19 +12,24 @@ from gearwright.catalogue import propeller_map, read_engine_deck, read_propeller
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import EngineDeck, MachMap, PropellerMap
 from gearwright.mission.aircraft import paths_of
-from gearwright.mission.collect import Flown, Interval, Log, Lost, collect, logged, recorded
-from gearwright.mission.consumers import flown_airscrew
-from gearwright.mission.endurance import Clocks, bounds_of, endured
 from gearwright.mission.flight import Flight
-from gearwright.mission.gearbox import Gearbox, Point, gearbox_of
-from gearwright.mission.loading import Asked, loaded
-from gearwright.mission.moments import Blades, Moment, moments, performed, wanted_of, windmilling
-from gearwright.mission.oil import flown_oil, refuse_stiff
-from gearwright.mission.plant import GearHeat, PackState, Warm, Warmths, oil_start, oil_step, started
+from gearwright.mission.gearbox import Gearbox, Point, flown_airscrew, gearbox_of
+from gearwright.mission.intervals import Asked, Flown, Interval, Log, Lost, collect, loaded, logged, recorded, with_tail
+from gearwright.mission.plant import (
+    GearHeat,
+    PackState,
+    Warm,
+    Warmths,
+    flown_oil,
+    oil_start,
+    oil_step,
+    refuse_stiff,
+    started,
+)
+from gearwright.mission.profile import Moment, moments
 from gearwright.mission.strategies import Then, planned_shares, shared
-from gearwright.mission.supplied import supply_of
-from gearwright.mission.supply import Given, Terms, machine_speeds
-from gearwright.mission.tail import with_tail
+from gearwright.mission.supply import Clocks, Given, Terms, bounds_of, endured, machine_speeds, supply_of
+from gearwright.mission.thrust import Blades, performed, wanted_of, windmilling
 from gearwright.mission.together import Reached, flights_together, log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems

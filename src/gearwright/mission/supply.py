@@ -1,15 +1,15 @@
-"""What drives the gearbox in flight: turbines with their fuel, motors with their battery, and the limits of all."""
+"""Turbines, motors and battery in flight: ratings, fuel and limits of duration."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from gearwright.air import air_at, stagnation_ratios
-from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
-from gearwright.errors import DesignError, Problem, near
+from gearwright.air import SEA_LEVEL_TEMPERATURE, air_at, stagnation_ratios
+from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.machines import (
     Battery,
     BatteryStep,
@@ -23,10 +23,11 @@ from gearwright.machines import (
     fuel_flow,
     motor_loss,
     power_limits,
+    rated_losses,
+    shared_losses,
 )
-from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
+from gearwright.machines.turboshaft import Breathing, Exhaust, air_flow, exhaust_of, mixed
 from gearwright.mission.gearbox import Gearbox, Point
-from gearwright.mission.moments import Moment
 from gearwright.mission.plant import (
     Pack,
     PackState,
@@ -34,12 +35,21 @@ from gearwright.mission.plant import (
     Warmths,
     faulty,
     less,
+    pack_of,
     refuse_hot,
     warm_motor,
     warmed_motor,
 )
-from gearwright.spec import Phase, WindingRules
-from gearwright.units import apart
+from gearwright.mission.profile import Moment
+from gearwright.sizing import Sizing
+from gearwright.spec import EngineRules, Machine, Mission, Motor, MotorRules, Phase, WindingRules
+from gearwright.spec.design import allowed_for
+from gearwright.units import KWH, apart
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What drives the gearbox in flight: turbines with their fuel, motors with their battery, and the limits of all.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
@@ -369,3 +379,159 @@ def _divided(share: float, weights: Mapping[str, float]) -> dict[str, float]:
     """Divide a share in proportion to weights; without a share nothing is in it."""
     total = sum(weights.values())
     return {name: share * weight / total for name, weight in weights.items()} if share else {}
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The machines of a design as the rules of a mission make them fly.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SPECIFIC_POWER = 250e3
+"""Power over air flow where a mission does not say it [J/kg]; an assumption."""
+
+
+def supply_of(sizing: Sizing, mission: Mission, deck: EngineDeck | None) -> Supply:
+    """Return the machines of a design as the mission's rules make them fly.
+
+    Args:
+        sizing: With its design.
+        mission: With the rules of engine, motor and battery.
+        deck: Of the turbines, as its file has it; None: a Willans line.
+    """
+    rules, motor, deck = mission.engine, mission.motor, _scaled(deck, mission.engine)
+    core, burnt = (None, rules.fuel_kg_kwh / KWH) if deck is None else _of_deck(deck)
+    engines = {
+        name: Engine(
+            (most := allowed_for(turbine, None)).power or turbine.power,
+            core or rules.thermal_power or most.power or turbine.power,
+            max(most.torque or 0.0, (most.power or turbine.power) / turbine.speed * (1.0 + _TOLERANCE)),
+            burnt,
+            rules.idle_fuel,
+            rules.temperature_exponent,
+            rules.hot_exponent,
+        )
+        for name, turbine in sizing.design.turbines.items()
+    }
+    motors = {name: _losses(machine, motor) for name, machine in sizing.design.motors.items()}
+    ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
+    ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
+    breathing = {
+        name: Breathing(rules.air_flow_kg_s or engine.thermal_power / SPECIFIC_POWER, rules.idle_air, rules.casing_loss)
+        for name, engine in engines.items()
+    }
+    pack = pack_of(mission.battery) if mission.battery and motors else None
+    return Supply(engines, motors, pack, ratings, breathing, mission.motor.heat, deck)
+
+
+def _scaled(deck: EngineDeck | None, rules: EngineRules) -> EngineDeck | None:
+    """Return a deck of the thermal power that a mission asks for."""
+    if deck is None or rules.thermal_power is None:
+        return deck
+    return deck.scaled(rules.thermal_power / deck.reference[0])
+
+
+def _of_deck(deck: EngineDeck) -> tuple[float, float]:
+    """Return the thermal power of a deck [W], and the specific fuel consumption there [kg/J]."""
+    power, fuel = deck.reference
+    return power, fuel / power
+
+
+def _losses(machine: Motor, rules: MotorRules) -> MotorLosses:
+    overload = _overload(machine, rules.overload)
+    if rules.loss_shares is None:
+        return rated_losses(machine.power, machine.speed, efficiency=rules.efficiency, overload=overload)
+    lost = machine.power * (1.0 / rules.efficiency - 1.0)
+    return shared_losses(machine.power, machine.speed, lost=lost, shares=rules.loss_shares, overload=overload)
+
+
+def _overload(machine: Machine, said: float) -> float:
+    """Return the largest power or torque of a motor over the rated one, by the mission or for a time by its limits."""
+    most, rated = allowed_for(machine, None), machine.rating or 1.0
+    torque = (most.torque or 0.0) * (machine.asked_speed or 0.0)
+    return max(said, (most.power or 0.0) / rated, torque / rated)
+
+
+_TOLERANCE = 0.05
+"""Part by which a torque may exceed power over rated speed, as teeth let a speed yield by so much [-]."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How long machines may give more than their ratings: limits for a time, held against flights without a break.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_BOUND_SLACK = 1e-6
+"""Part by which a bound may be passed: drag is that of the loads one round before."""
+
+
+class Bound(NamedTuple):
+    """A power or torque of a machine, and for how long without a break it may be reached."""
+
+    machine: str
+    name: str
+    """``power`` or ``torque``."""
+    value: float
+    """[W] or [N m]"""
+    duration: float
+    """[s]; infinite for any time."""
+
+
+Clocks = Mapping[Bound, float]
+"""Bound -> time without a break for which it has been passed [s]."""
+
+
+def bounds_of(machines: Mapping[str, Machine], ratings: Mapping[str, float]) -> tuple[Bound, ...]:
+    """Return the bounds of machines that have limits; the others' are their ratings, which hold for any time.
+
+    Args:
+        machines: By name.
+        ratings: Machine -> power that the mission lets it give for any time [W].
+    """
+    bounds = list[Bound]()
+    for name, machine in machines.items():
+        if machine.limits and name in ratings:
+            bounds.append(Bound(name, "power", ratings[name], math.inf))
+        for limit in machine.limits.values():
+            for what, value in (("power", limit.power), ("torque", limit.torque)):
+                if value is not None:
+                    bounds.append(Bound(name, what, value, limit.duration or math.inf))
+    return tuple(bounds)
+
+
+def endured(
+    bounds: tuple[Bound, ...], clocks: Clocks, duration: float, points: Mapping[str, tuple[float, float]]
+) -> Clocks:
+    """Return for how long each bound has been passed after an interval.
+
+    Args:
+        bounds: From `bounds_of`.
+        clocks: Before the interval.
+        duration: Of the interval [s].
+        points: Machine -> power [W] and speed [rad/s].
+
+    Raises:
+        DesignError: If one is passed for longer than a higher one allows.
+    """
+    after, problems = dict[Bound, float](), dict[str, Problem]()
+    for bound in bounds:
+        power, speed = points[bound.machine]
+        value = abs(power) if bound.name == "power" else abs(power) / speed if speed else 0.0
+        if value <= bound.value * (1.0 + _BOUND_SLACK):
+            continue
+        after[bound] = clocks.get(bound, 0.0) + duration
+        higher = [other for other in bounds if other[:2] == bound[:2] and other.value > bound.value]
+        allowed = max((other.duration for other in higher), default=0.0)
+        if after[bound] > allowed * (1.0 + _BOUND_SLACK):
+            problems.setdefault(bound.machine, _worn(bound, value, after[bound], allowed))
+    refuse(problems.values())
+    return after
+
+
+def _worn(bound: Bound, value: float, held: float, allowed: float) -> Problem:
+    """Return what is wrong with a machine that gives or takes too much, or for too long."""
+    amount = "{}; more than {}".format(*apart(value, bound.value, bound.name))
+    if not allowed:
+        return Problem(bound.machine, f"{amount} is beyond every limit that it has; ask for less, or add a limit")
+    lasts, may = apart(held, allowed, "flight_time")
+    message = f"{amount} lasts {lasts} without a break, and its limits allow {may}"
+    return Problem(bound.machine, f"{message}; shorten the phase, or ask for less")

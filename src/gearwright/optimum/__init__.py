@@ -5,9 +5,8 @@ How designs are evaluated, and the journal that keeps them, is in `study`.
 
 from gearwright.optimum.asking import Search, search
 from gearwright.optimum.freedoms import DESIGN, is_continuous
-from gearwright.optimum.hypervolume import hypervolume
 from gearwright.optimum.optimise import optimise
-from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Influence, Optimum, Price, Regret
+from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Influence, Optimum, Price, Regret, hypervolume
 
 __all__ = [
     "DESIGN",

@@ -14,10 +14,9 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.optimum.bench import Bench
-from gearwright.optimum.freedoms import DESIGN, freedoms_of
-from gearwright.optimum.guided import parents_of
-from gearwright.optimum.judging import Judged, judged_rows
+from gearwright.optimum.course import Bench
+from gearwright.optimum.freedoms import DESIGN, Judged, freedoms_of, judged_rows
+from gearwright.optimum.generations import parents_of
 from gearwright.optimum.optimum import Fit
 from gearwright.shipped import find_design
 from gearwright.showing import Shown
@@ -25,8 +24,8 @@ from gearwright.sizing import Named
 from gearwright.spec import Design, Study, read
 from gearwright.spec.studies import Search as Rules
 from gearwright.spec.studies import Value, study_problems
-from gearwright.study.answers import Row
 from gearwright.study.cases import unit_sample
+from gearwright.study.tables import Row
 from gearwright.verbs import verb
 
 Asked = Mapping[str, Value]

@@ -1,8 +1,8 @@
-"""The verb: the best designs along the freedoms of a study, why they are, and how sure that is."""
+"""Optimisation of a study or of one design with given design variables, objectives and constraints."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
 
@@ -10,22 +10,76 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, SolveError, refuse
-from gearwright.optimum.bench import Bench
-from gearwright.optimum.binding import best_of
-from gearwright.optimum.course import Course, Tell, followed, polishable
-from gearwright.optimum.doubt import influences_of, regrets_of
-from gearwright.optimum.judging import Judged, judged_rows
-from gearwright.optimum.keeping import Fixed, with_teeth
+from gearwright.optimum.course import Bench, Compass, Course, Tell, followed, polishable, rounds
+from gearwright.optimum.freedoms import Fixed, Judged, judged_rows, with_teeth
 from gearwright.optimum.optimum import Counts, Optimum
-from gearwright.optimum.polishing import Compass, rounds
-from gearwright.optimum.prices import prices_of
-from gearwright.optimum.shortfall import shortfall
+from gearwright.optimum.reasons import best_of, influences_of, prices_of, regrets_of, shortfall
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, read
-from gearwright.spec.studies import Search, study_problems
-from gearwright.study.answers import Row
+from gearwright.spec.edit import standing_at
+from gearwright.spec.studies import Axis, Bound, Search, study_problems
 from gearwright.study.cases import Case
+from gearwright.study.tables import Row
 from gearwright.verbs import verb
+
+__all__ = ["Judged", "Optimum", "SolveError"]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A study that looks for the best of one design, for who has no study file: freedoms, objectives, bounds in short.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+OBJECTIVES = {"total_mass": "minimum", "loss": "minimum"}
+"""What is wanted where nothing is said."""
+CONSTRAINTS = {"worst_margin": {"minimum": 1.0}}
+"""What every design keeps: the worst margin of its sizing."""
+PLANETS = (3, 4, 5, 6)
+SPEEDS = (0.8, 1.25)
+"""Of a motor's speed, from and to [-]."""
+WIDTHS = (6.0, 16.0)
+"""Face width over module, from and to [-]."""
+
+
+def study_for(
+    name: str, design: Design, *, axes: Mapping[str, Axis] | None = None, objectives: Mapping[str, str] | None = None,
+    constraints: Mapping[str, Bound] | None = None, search: Search | None = None,
+) -> Study:  # fmt: skip
+    """Return the study that looks for the best of a design.
+
+    Args:
+        name: Of the design, as it is found.
+        design: What may be changed.
+        axes: Path -> range or list; left out: speeds of motors, numbers of planets, face width over module.
+        objectives: Result -> ``minimum`` or ``maximum``; left out: mass with motors, and lost power.
+        constraints: Result -> bounds, beside the margin of the sizing.
+        search: How far it goes.
+    """
+    free = dict(axes) if axes else {path: Axis.model_validate(axis) for path, axis in _freedoms(design)}
+    kept = {key: Bound.model_validate(bound) for key, bound in CONSTRAINTS.items()}
+    return Study.model_validate({
+        "name": f"The best of {design.name}", "designs": [name], "axes": free,
+        "results": list(objectives or OBJECTIVES), "objectives": dict(objectives or OBJECTIVES),
+        "constraints": {**kept, **(constraints or {})}, "search": search or Search(),
+    })  # fmt: skip
+
+
+def _freedoms(design: Design) -> Iterable[tuple[str, dict[str, object]]]:
+    """Yield what most designs leave free."""
+    for name in design.motors:
+        speed = standing_at(design, path := f"motors.{name}.speed_rpm").value
+        if isinstance(speed, float):
+            yield path, {"from": round(SPEEDS[0] * speed), "to": round(SPEEDS[1] * speed)}
+    for name, stage in design.planetaries.items():
+        if stage.sun_teeth is None and stage.planet_teeth is None:
+            yield f"planetaries.{name}.planets", {"values": list(PLANETS)}
+    if design.planetaries or design.pairs:
+        yield "gears.face_width_ratio", {"from": WIDTHS[0], "to": WIDTHS[1]}
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb: the best designs along the freedoms of a study, why they are, and how sure that is.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 @verb
@@ -167,6 +221,3 @@ def _spread(values: Floats, count: int) -> list[int]:
         away = np.min([np.linalg.norm(scaled - scaled[k], axis=1) for k in taken], axis=0)
         taken.append(int(np.argmax(away)))
     return taken
-
-
-__all__ = ["Judged", "Optimum", "SolveError", "nearest", "optimise"]

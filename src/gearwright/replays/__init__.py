@@ -6,8 +6,7 @@ Clients of the public verbs; no layer below knows them. Every folder is one repl
 from importlib import import_module
 from pkgutil import iter_modules
 
-from gearwright.replays.replay import REPLAYS, Replay, paper_on, register
-from gearwright.replays.verdict import Verdict
+from gearwright.replays.replay import REPLAYS, Replay, Verdict, paper_on, register
 
 __all__ = ["REPLAYS", "Replay", "Verdict", "paper_on", "register"]
 

@@ -1,15 +1,35 @@
-"""A replay: published work held against what gearwright computes; each folder here registers its own."""
+"""Replications of published work: their register, and the verdict on each claim."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from gearwright.render.pages.sharing import Paper
     from gearwright.sizing import Sizing
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What becomes of a published claim.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Verdict(StrEnum):
+    """What becomes of a claim."""
+
+    HOLDS = "holds"
+    CONDITION = "holds with condition"
+    FAILS = "does not hold"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A replay: published work held against what gearwright computes; each folder here registers its own.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _REGISTERED: dict[str, Replay] = {}
 REPLAYS: Mapping[str, Replay] = MappingProxyType(_REGISTERED)

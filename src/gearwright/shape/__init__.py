@@ -3,27 +3,25 @@
 Envelopes and places are `sizing`'s; pages and drawings that show solids are `render`'s.
 """
 
-from gearwright.shape.casings.flanges import FLANGES, screw_places
-from gearwright.shape.casings.mounts import MOUNT
-from gearwright.shape.casings.ribs import RIB
-from gearwright.shape.casings.screws import SCREW
-from gearwright.shape.contacts import Contact, contacts_of
-from gearwright.shape.glb import COLOURS, glb
+from gearwright.shape.casings import FLANGES, MOUNT, RIB, SCREW, screw_places
 from gearwright.shape.housing import CHAMBER, COLLAR, WEB
-from gearwright.shape.masses import SolidMass, casing_masses, short_of, solid_masses
-from gearwright.shape.record import Node, Scene
-from gearwright.shape.scene import DETAILS, scene
-from gearwright.shape.solids import Edges, Surface, edges_of
-from gearwright.shape.stands import Stand, stands_of
-from gearwright.shape.teeth import (
-    bevel_pair,
+from gearwright.shape.scene import COLOURS, DETAILS, SolidMass, casing_masses, glb, scene, short_of, solid_masses
+from gearwright.shape.stands import (
+    Contact,
+    Node,
+    Scene,
+    Stand,
+    contacts_of,
     cylindrical_gear,
     halves_of,
     hand_of,
     is_internal,
     kind_of,
     sized_mesh,
+    stands_of,
 )
+from gearwright.shape.surfaces import Edges, Surface, edges_of
+from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 
 __all__ = [
     "CHAMBER",

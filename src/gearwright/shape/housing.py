@@ -11,44 +11,33 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import HOUSING
-from gearwright.shape.casings.flanges import FLANGES, flange_halves
-from gearwright.shape.casings.mounts import MOUNT, lugs_on
-from gearwright.shape.casings.outside import Joint, Taken, rods_of
-from gearwright.shape.casings.ribs import RIB, ribs_on
-from gearwright.shape.casings.screws import SCREW, flange_screw, placed_screws
-from gearwright.shape.record import Node
-from gearwright.shape.shafts import bearing_bodies
-from gearwright.shape.solids import (
-    Chamber,
-    End,
-    Fastener,
-    Opening,
-    Solid,
-    block,
-    chamber_volume,
-    has_room,
-    round_hole,
-    tube,
+from gearwright.shape.bodies import bearing_bodies
+from gearwright.shape.casings import (
+    FLANGES,
+    MOUNT,
+    RIB,
+    SCREW,
+    Joint,
+    Taken,
+    flange_halves,
+    flange_screw,
+    lugs_on,
+    placed_screws,
+    ribs_on,
+    rods_of,
 )
-from gearwright.shape.stands import Axes, axes_at, middle_of
+from gearwright.shape.chambers import Chamber, End, Opening, chamber_volume, has_room, round_hole
+from gearwright.shape.solids import Fastener, Solid, block, tube
+from gearwright.shape.stands import Axes, Node, axes_at, middle_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.arranged import Body, Direction, Point, Station
-from gearwright.sizing.casing import (
-    Leaving,
-    Stretch,
-    bosses_of,
-    cover_at,
-    housed,
-    lands_of,
-    leaving_of,
-    rooms_around,
-    shell_of,
-)
-from gearwright.sizing.casing.loops import NEAR, SAME, fits, inside_of, loop_around
-from gearwright.sizing.casing.rooms import LEAST
+from gearwright.sizing.casing import bosses_of, cover_at, housed, lands_of, shell_of
+from gearwright.sizing.housing_shell import LEAST, SAME, Stretch, fits, inside_of, loop_around, rooms_around
+from gearwright.sizing.housing_shell import SAME_CORNER as NEAR
 from gearwright.sizing.mass import MOUNTS, RIBS, carried_in_walls, weighed_flanges, weighed_wall
 from gearwright.sizing.places import Run
+from gearwright.sizing.result import Body, Direction, Point, Station
 from gearwright.sizing.shafts import holders_of
+from gearwright.sizing.shafts.ends import Leaving, leaving_of
 
 BEFORE = 1e-3
 """Between a wall and the end of what turns before it [m], an assumption."""

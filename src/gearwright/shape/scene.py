@@ -1,41 +1,327 @@
-"""The verb: a sized gearbox as solids, each where it stands, turned so that teeth mesh, with its speeds."""
+"""A sized gearbox as solids, turned so that teeth mesh, with its speeds; what it weighs; its file (GLB)."""
 
 from __future__ import annotations
 
+import json
+import math
+import struct
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
+from gearwright.catalogue import STEEL_DENSITY, housing_materials
 from gearwright.errors import Problem, near, refuse
-from gearwright.identity import Kind, PartId, Role, carrier_part
+from gearwright.identity import HOUSING, Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
-from gearwright.shape.carriers import (
+from gearwright.shape.bodies import (
+    Leaning,
+    bearing_bodies,
+    bearing_solid,
+    bell_solid,
     bridge_axes,
     bridge_solid,
+    gear_solid,
     held_at,
+    holder_solid,
+    leanings,
     pin_solid,
     planet_bearing,
     plate_outline,
     plate_solid,
+    seat_solids,
+    shaft_solid,
 )
-from gearwright.shape.contacts import contacts_of
-from gearwright.shape.gears import Leaning, gear_solid, leanings
-from gearwright.shape.housing import housing_nodes
-from gearwright.shape.phases import Phases, phases_of
-from gearwright.shape.record import Node, Scene
-from gearwright.shape.shafts import bearing_bodies, bearing_solid, bell_solid, holder_solid, seat_solids, shaft_solid
-from gearwright.shape.solids import Chamber, Fastener, Fineness, Solid
-from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
-from gearwright.shape.teeth import halves_of, kind_of
-from gearwright.shape.words import approximations
+from gearwright.shape.casings import FLANGES, MOUNT, RIB, SCREW
+from gearwright.shape.chambers import Chamber
+from gearwright.shape.housing import CHAMBER, housing_nodes
+from gearwright.shape.solids import Fastener, Fineness, Solid
+from gearwright.shape.stands import (
+    Axes,
+    Contact,
+    Node,
+    Scene,
+    Stand,
+    axes_at,
+    contacts_of,
+    halves_of,
+    kind_of,
+    middle_of,
+    set_frame,
+    stands_of,
+    triangles_of,
+)
+from gearwright.shape.surfaces import Surface
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import ring_frame, ring_seats
-from gearwright.sizing.mass import Cage, bell_name, cage_of, gear_blanks, seat_names
-from gearwright.sizing.places import Run, bells, runs
+from gearwright.sizing.mass import Cage, bell_name, cage_of, complete_mass, gear_blanks, seat_names
+from gearwright.sizing.places import Run, bells, plates_of, runs
 from gearwright.sizing.shafts import holders_of
+from gearwright.sizing.summaries import tips_in_fillets
+from gearwright.units import Mass
 from gearwright.verbs import verb
+from gearwright.version import __version__
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How every gear is turned so that teeth stand in gaps, and which way every shaft turns in space.
+#
+# Two gears mesh where z_1 (φ_1 − θ_1) − s z_2 (φ_2 − θ_2) is an odd number of half turns: φ says where a tooth of
+# each stands, θ where they touch and s which way teeth go there (`contacts`); a helix adds what it turns by along the
+# axis from one gear's middle to the other's. A gear on a shaft is turned freely against its neighbours there, planets
+# of equal sets alike: the steps of all stepped planets stand to each other as those of the first.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+CLOSES = 1e-6
+"""Of a pitch by which a mesh may miss the middle of its gap and is still met [-]."""
+
+
+class Phases(NamedTuple):
+    """How all gears stand."""
+
+    turned: Mapping[str, float]
+    """Gear -> angle of the middle of one of its teeth [rad]."""
+    missed: Mapping[str, float]
+    """Mesh, as its two gears -> how far its teeth stand beside the middle of their gaps, in pitches [-]; those that
+    are met left out."""
+    senses: Mapping[str, float]
+    """Shaft or planets' node -> +1 where it turns about its own axis as the speeds of the train count, −1 where
+    against it [-]."""
+    against: tuple[str, ...]
+    """Meshes whose shafts cannot turn in space as the train's speeds say."""
+
+
+def helix_rate(stand: Stand, hand: float) -> float:
+    """Return by how much the teeth of a cylindrical gear turn along its axis [rad/m].
+
+    Args:
+        stand: The gear.
+        hand: +1 right, −1 left.
+    """
+    return hand * math.tan(stand.gear.helix_angle) / (stand.gear.pitch_diameter / 2.0)
+
+
+def phases_of(
+    sizing: Sizing, stands: Sequence[Stand], contacts: Sequence[Contact], hands: Mapping[str, float]
+) -> Phases:
+    """Return how every gear stands.
+
+    Args:
+        sizing: As sized.
+        stands: Its gears.
+        contacts: Their meshes.
+        hands: Gear -> +1 for a right-hand helix, −1 for a left-hand one, 0 for straight or double-helical teeth.
+    """
+    turned: dict[str, float] = {}
+    steps: dict[tuple[str, str], float] = {}
+    for start in _ordered(stands):
+        if start.name not in turned:
+            turned[start.name] = 0.0
+            _spread(contacts, stands, turned, steps, hands)
+    missed = {}
+    for contact in contacts:
+        off = residual(contact, turned, hands)
+        if abs(off) > CLOSES:
+            missed[f"{contact.first.name} and {contact.second.name}"] = off
+    senses, against = _senses(sizing, contacts)
+    return Phases(turned, missed, senses, against)
+
+
+def residual(contact: Contact, turned: Mapping[str, float], hands: Mapping[str, float]) -> float:
+    """Return how far a mesh is from teeth in the middle of gaps, in pitches, within ±½.
+
+    Args:
+        contact: The mesh.
+        turned: Gear -> where its teeth stand [rad].
+        hands: Of their helices.
+    """
+    one, other = contact.first, contact.second
+    lean = helix_rate(other, hands[other.name]) * contact.offset
+    first = one.gear.teeth * (turned[one.name] - contact.angles[0])
+    second = other.gear.teeth * (turned[other.name] - lean - contact.angles[1])
+    off = (first - contact.sense * second) / (2.0 * math.pi) - 0.5
+    return off - round(off)
+
+
+def _ordered(stands: Sequence[Stand]) -> Iterator[Stand]:
+    """Yield the gears in the order in which their turns are free: suns and pinions first."""
+    order = (Role.SUN, Role.PINION, Role.WHEEL, Role.PLANET, Role.RING)
+    yield from sorted(stands, key=lambda stand: (order.index(stand.gear.role), stand.place))
+
+
+def _spread(
+    contacts: Sequence[Contact],
+    stands: Sequence[Stand],
+    turned: dict[str, float],
+    steps: dict[tuple[str, str], float],
+    hands: Mapping[str, float],
+) -> None:
+    """Turn every gear that meshes with a turned one, or is one piece with it, until none is left."""
+    moved = True
+    while moved:
+        moved = False
+        for contact in sorted(contacts, key=lambda contact: max(contact.first.place, contact.second.place)):
+            known = [stand.name in turned for stand in (contact.first, contact.second)]
+            if sum(known) != 1:
+                continue
+            new = contact.second if known[0] else contact.first
+            turned[new.name] = 0.0
+            turned[new.name] = _closing(contact, new, turned, hands)
+            if new.carrier:
+                _one_piece(new, contacts, stands, turned=turned, steps=steps, hands=hands)
+            moved = True
+            break
+
+
+def _closing(contact: Contact, new: Stand, turned: Mapping[str, float], hands: Mapping[str, float]) -> float:
+    """Return the angle at which a gear that stands at 0 meshes."""
+    off = residual(contact, turned, hands) * 2.0 * math.pi / new.gear.teeth
+    return -off if new is contact.first else contact.sense * off
+
+
+def _one_piece(
+    new: Stand, contacts: Sequence[Contact], stands: Sequence[Stand],
+    *, turned: dict[str, float], steps: dict[tuple[str, str], float], hands: Mapping[str, float],
+) -> None:  # fmt: skip
+    """Turn the other steps of a planet as the first planet has them, by the whole teeth that let all of them mesh."""
+    others = [stand for stand in stands if stand.node == new.node and stand.place == new.place and stand is not new]
+    others = [stand for stand in others if (new.gear.name, stand.gear.name) in steps or new.place == 0]
+    if not others:
+        return
+    for other in others:
+        if new.place == 0 and (new.gear.name, other.gear.name) not in steps:
+            meshes = [c for c in contacts if other in (c.first, c.second)
+                      and (c.second if c.first is other else c.first).name in turned]  # fmt: skip
+            turned[other.name] = 0.0
+            if meshes:
+                turned[other.name] = _closing(meshes[0], other, turned, hands)
+            steps[new.gear.name, other.gear.name] = turned[other.name] - turned[new.name]
+            steps[other.gear.name, new.gear.name] = turned[new.name] - turned[other.name]
+    base, best = turned[new.name], (math.inf, 0.0)
+    for k in range(new.gear.teeth):
+        trial = base + 2.0 * math.pi * k / new.gear.teeth
+        placed = {**turned, new.name: trial}
+        placed |= {other.name: trial + steps[new.gear.name, other.gear.name] for other in others}
+        ends = {new.name, *(other.name for other in others)}
+        offs = [abs(residual(c, placed, hands)) for c in contacts
+                if {c.first.name, c.second.name} & ends and {c.first.name, c.second.name} <= placed.keys()]  # fmt: skip
+        best = min(best, (round(max(offs, default=0.0), 9), trial))
+    turned[new.name] = best[1]
+    turned |= {other.name: best[1] + steps[new.gear.name, other.gear.name] for other in others}
+
+
+def _senses(sizing: Sizing, contacts: Sequence[Contact]) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Return which way shafts turn in space; what is in line turns as the train counts."""
+    ties: list[tuple[str, str, float, str]] = []
+    for contact in contacts:
+        if contact.mesh.stage in sizing.design.pairs:
+            ends = contact.mesh.nodes[:2]
+            ties.append((ends[0], ends[1], contact.sense * contact.mesh.sign, contact.mesh.name))
+    for stage in sizing.design.sets.values():
+        ties += [(stage.members[0], shaft, 1.0, "") for shaft in stage.members[1:]]
+    ties += [(link.driving, link.driven, 1.0, "") for link in sizing.train.links]
+    senses: dict[str, float] = {"ground": 1.0}
+    ties = [tie for tie in ties if "ground" not in tie[:2]] + _past_ground(sizing)
+    for start in sizing.design.shafts:
+        if start in senses:
+            continue
+        senses[start] = 1.0
+        moved = True
+        while moved:
+            moved = False
+            for first, second, sign, _ in ties:
+                for here, there in ((first, second), (second, first)):
+                    if here in senses and there not in senses:
+                        senses[there] = senses[here] * sign
+                        moved = True
+    for gear in sizing.train.gears:
+        if gear.role is Role.PLANET:
+            members = [shaft for shaft in sizing.design.sets[gear.stage].members if shaft != "ground"]
+            senses[gear.nodes[0]] = senses[members[0]]
+    against = tuple(dict.fromkeys(name for first, second, sign, name in ties
+                                  if senses[first] * sign != senses[second] and np.isfinite(sign)))  # fmt: skip
+    return senses, against
+
+
+def _past_ground(sizing: Sizing) -> list[tuple[str, str, float, str]]:
+    """Return what joins the turning members of sets of which one stands still."""
+    found = []
+    for stage in sizing.design.sets.values():
+        moving = [shaft for shaft in stage.members if shaft != "ground"]
+        found += [(moving[0], shaft, 1.0, "") for shaft in moving[1:]]
+    return found
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What of a scene is not as it would be made, in sentences.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+BESIDE = 1e-3
+"""How far gears in mesh may stand from each other along their axes before it is said [m]."""
+
+
+def approximations(sizing: Sizing, phases: Phases) -> tuple[str, ...]:
+    """Return what is approximated, assumed or cannot be, as far as it concerns this gearbox.
+
+    Args:
+        sizing: As sized.
+        phases: How its gears stand.
+    """
+    told = [one.sentence for one in tips_in_fillets(sizing)]
+    return (*_teeth(sizing), *_bodies(sizing), *told, *_meets(sizing, phases))
+
+
+def _teeth(sizing: Sizing) -> Iterator[str]:
+    kinds = {kind_of(sizing, gear.stage) for gear in sizing.gears}
+    if "bevel" in kinds:
+        yield "bevel teeth are those of Tredgold's virtual gears, spirals cross the cone at a constant angle"
+    if "face" in kinds:
+        yield "teeth of face gears are racks in every cylinder about the axis; their wheels' bodies are assumed"
+    if any(gear.rim for gear in sizing.gears):
+        yield "roots of rings are those of a shaper with as many teeth as their smallest mate"
+    if any(halves_of(gear) > 1 for gear in sizing.gears):
+        yield "double helices have no gap between their halves"
+    yield "teeth have no backlash, crowning or tip relief"
+
+
+def _bodies(sizing: Sizing) -> Iterator[str]:
+    for carrier in sizing.carriers:
+        if len(plates_of(sizing, carrier.stage)) == 1:
+            yield f"{carrier.part} has one plate: beyond its planets another body stands where a second one would"
+    if any(gear.rim and gear.shafts[0] in sizing.arrangement.frames for gear in sizing.gears):
+        yield "bells that tie turning rings to their shafts are assumed"
+    if sizing.bearings:
+        yield "bearings are envelopes with the rings and the row of rolling elements assumed"
+    if sizing.design.housing.own:
+        yield (
+            "the housing is the shell of the complete mass, a statistical one, as thick as it is weighed, with its "
+            "flanges and their screws, ribs and mounts, bosses around sized bearings and what carries these; openings "
+            "for shafts of a first sizing that leave it across the first one are left out"
+        )
+    if any(holder.lip for holder in holders_of(sizing)):
+        yield "radial seals are rings of their sizes, without the lip's form"
+    yield "labyrinths and other seals, other screws, machines and what holds rings that stand still are not drawn"
+
+
+def _meets(sizing: Sizing, phases: Phases) -> Iterator[str]:
+    for mesh, off in phases.missed.items():
+        yield f"the teeth of {mesh} miss each other's gaps by {abs(off):.2f} of a pitch: the loop does not close"
+    for mesh in phases.against:
+        yield f"the shafts of {mesh} cannot turn in space as the speeds of the train have them"
+    for mesh, off in sizing.arrangement.apart.items():
+        if abs(off) > BESIDE:
+            yield f"the gears of {mesh} stand {1e3 * abs(off):.3g} mm beside each other along their axes"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb: a sized gearbox as solids, each where it stands, turned so that teeth mesh, with its speeds.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 DETAILS: Mapping[str, Fineness] = {
     "fine": Fineness(3, 4, 48, 0.06, 6),
@@ -43,7 +329,7 @@ DETAILS: Mapping[str, Fineness] = {
     "smooth": Fineness(8, 10, 90, 0.03, 6),
 }
 """Level of detail -> how finely surfaces are cut."""
-PLACES = 12
+PLATE_PLACES = 12
 """Decimals to which plates of a carrier are equal that share a solid [m]."""
 
 
@@ -116,7 +402,7 @@ def _carriers(task: _Task) -> Iterator[Node]:
         cut: dict[tuple[float, ...], str] = {}
         for k, plate in enumerate(cage.plates):
             label = str(carrier.part) if k == 0 else f"{carrier.part}, plate {k + 1}"
-            alike = tuple(round(size, PLACES) for size in (*plate_outline(plate), plate.body.length))
+            alike = tuple(round(size, PLATE_PLACES) for size in (*plate_outline(plate), plate.body.length))
             surface = cut.setdefault(alike, label)
             if surface == label:
                 task.solids[label] = plate_solid(cage, plate, held, task.fine.circle)
@@ -247,3 +533,302 @@ def _housing(task: _Task, nodes: Sequence[Node]) -> Iterator[Node]:
     for node, solid in housing_nodes(task.sizing, task.runs, inside):
         task.solids.setdefault(node.surface, solid)
         yield node
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the solids of a scene weigh, beside what sizing has for the same parts.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PARTS = {"housing flanges": FLANGES, "housing bolts": SCREW, "housing ribs": RIB, "housing mounts": MOUNT}
+"""What of a housing is drawn as it is weighed -> word in the names of its bodies."""
+NEAR = 5e-3
+"""By how much what is drawn may differ from what is weighed [-]."""
+CORNERS = 720
+"""Of circles whose volumes are taken: their chords lose 1.3e-5 [-]."""
+
+
+@dataclass(frozen=True)
+class SolidMass:
+    """One kind of equal bodies, or all pieces of a carrier."""
+
+    part: PartId
+    bodies: int
+    """Equal ones in the scene [-]."""
+    solid: Mass
+    """Of one as drawn: the volume of its solid, circles round, times the density of its material [kg]."""
+    sized: Mass | None
+    """Of one in the sizing's mass, by which designs are chosen; None of a housing, which is not in it [kg]."""
+    weighed: Mass | None
+    """Of one in the complete mass; None where that counts it within something else [kg]."""
+
+
+def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
+    """Return what gears, shafts, carriers and a housing's shell weigh as drawn, as sized and in the complete mass.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    weighed = {(item.group, item.part): item.each for item in complete_mass(sizing).parts}
+    exact = {name: triangles_of(solid, CORNERS).volume for name, solid in scene.solids.items()}
+    found = []
+    for gear in sizing.gears:
+        nodes = [node for node in scene.nodes if node.part.kind is Kind.GEAR and _of(node, gear.stage, gear.part)]
+        density = sizing.design.gear_material(gear.stage).density
+        volume = sum(exact[node.surface] for node in nodes) / gear.bodies
+        found.append(SolidMass(gear.part, gear.bodies, volume * density, gear.mass, weighed.get(("gears", gear.name))))
+    density = sizing.design.shaft_material.density
+    volumes: defaultdict[str, float] = defaultdict(float)
+    for node in scene.nodes:
+        if node.part.kind in (Kind.SHAFT, Kind.CARRIER):
+            volumes[str(node.part)] += exact[node.surface]
+    for shaft in sizing.shafts:
+        part = PartId(Kind.SHAFT, shaft.name)
+        solid = volumes[shaft.name] * density
+        found.append(SolidMass(part, 1, solid, shaft.mass, weighed.get(("shafts", shaft.name))))
+    for carrier in sizing.carriers:
+        solid = volumes[str(carrier.part)] * density
+        found.append(SolidMass(carrier.part, 1, solid, carrier.mass, weighed.get(("carriers", str(carrier.part)))))
+    chambers = [node for node in scene.nodes if node.part == HOUSING and CHAMBER in node.name]
+    if chambers:
+        density = housing_materials()[sizing.design.housing.material].density
+        solid = sum(exact[node.surface] for node in chambers) * density
+        found.append(SolidMass(HOUSING, 1, solid, None, weighed.get(("housing", "housing shell"))))
+    return tuple(found)
+
+
+def casing_masses(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]]:
+    """Return what is drawn of a housing but its shell -> what its solids weigh, and what the complete mass has [kg].
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    weighed = {item.part: item.count * item.each for item in complete_mass(sizing).parts if item.group == "housing"}
+    material = housing_materials()[sizing.design.housing.material]
+    exact = {name: triangles_of(scene.solids[name], CORNERS).volume
+             for name in {node.surface for node in scene.nodes if node.part == HOUSING}}  # fmt: skip
+    volumes: dict[str, float] = dict.fromkeys(set(PARTS) & weighed.keys(), 0.0)
+    for node in scene.nodes:
+        part = next((part for part, word in PARTS.items() if f"housing, {word} " in node.name), "")
+        if part in weighed:
+            volumes[part] += exact[node.surface]
+    density = {part: STEEL_DENSITY if word == SCREW else material.density for part, word in PARTS.items()}
+    return {part: (volume * density[part], weighed[part]) for part, volume in volumes.items()}
+
+
+def short_of(sizing: Sizing, scene: Scene) -> dict[str, tuple[float, float]]:
+    """Return what of a housing is drawn otherwise than it is weighed, as `casing_masses`: walls leave no more room.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    drawn = casing_masses(sizing, scene)
+    return {part: masses for part, masses in drawn.items() if abs(masses[0] - masses[1]) > NEAR * masses[1]}
+
+
+def _of(node: Node, stage: str, part: PartId) -> bool:
+    same = (node.part.name, node.part.role, node.part.own) == (stage, part.role, part.own)
+    return same and node.look not in ("bell", "seat")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A scene as a binary glTF 2.0 file, which browsers, slides and modellers open: one mesh a surface, one node a body.
+#
+# It asks readers for no extension of glTF; arrays that are equal to the bit, as those of tubes with equal corners are,
+# are written once.
+#
+# Every node says in its extras whose body it is, as what it is painted, and how fast it turns about its own z in every
+# load case; planets are children of their carrier and turn against it.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+COLOURS: Mapping[str, tuple[float, float, float]] = {
+    "sun": (0.80, 0.33, 0.18),
+    "pinion": (0.80, 0.33, 0.18),
+    "planet": (0.20, 0.46, 0.72),
+    "wheel": (0.20, 0.46, 0.72),
+    "ring": (0.50, 0.54, 0.58),
+    "bell": (0.50, 0.54, 0.58),
+    "seat": (0.50, 0.54, 0.58),
+    "shaft": (0.70, 0.71, 0.70),
+    "pin": (0.70, 0.71, 0.70),
+    "carrier": (0.85, 0.63, 0.13),
+    "bearing": (0.33, 0.60, 0.53),
+    "holder": (0.36, 0.39, 0.44),
+    "screw": (0.36, 0.39, 0.44),
+    "housing": (0.62, 0.68, 0.74),
+}
+"""What a body is -> its colour, red, green and blue, told apart by those who do not tell red from green [-]."""
+SEEN_THROUGH = 0.25
+"""How much of a housing is seen of what is seen through it [-]."""
+PLACES = 12
+"""Decimals of places [m] and of quaternions [-]: beyond what readers of single precision see."""
+_FLOAT, _SHORT, _LONG = 5126, 5123, 5125
+_VERTICES, _INDICES = 34962, 34963
+
+
+def glb(scene: Scene) -> bytes:
+    """Return a scene as a binary glTF 2.0 file, lengths in metres.
+
+    Args:
+        scene: The scene.
+
+    Source: glTF 2.0 specification, Khronos Group (ISO/IEC 12113:2022): header, a JSON chunk, a binary chunk.
+
+    >>> import gearwright as gw
+    >>> glb(gw.scene(gw.size(gw.read("off-set")), detail="coarse"))[:4]
+    b'glTF'
+    """
+    buffer = _Buffer()
+    looks = list(dict.fromkeys(node.look for node in scene.nodes))
+    meshes: dict[tuple[str, str], int] = {}
+    listed: list[dict[str, Any]] = []
+    attributes = {key: _attributes(buffer, surface) for key, surface in scene.surfaces.items()}
+    for node in scene.nodes:
+        key = (node.surface, node.look)
+        if node.surface and key not in meshes:
+            meshes[key] = len(listed)
+            primitive = {**attributes[node.surface], "material": looks.index(node.look)}
+            listed.append({"name": node.surface, "primitives": [primitive]})
+    document = {
+        "asset": {"version": "2.0", "generator": f"gearwright {__version__}"},
+        "scene": 0,
+        "scenes": [
+            {
+                "name": scene.name,
+                "nodes": [k for k, node in enumerate(scene.nodes) if not node.on],
+                "extras": {"cases": list(scene.cases), "approximations": list(scene.approximations)},
+            }
+        ],
+        "nodes": _nodes(scene, meshes),
+        "meshes": listed,
+        "materials": [_material(look) for look in looks],
+        "accessors": buffer.accessors,
+        "bufferViews": buffer.views,
+        "buffers": [{"byteLength": buffer.length}],
+    }
+    return _packed(document, buffer)
+
+
+class _Buffer:
+    """The binary chunk as it grows, with what stands where."""
+
+    def __init__(self) -> None:
+        self.known: dict[tuple[bytes, str, int], int] = {}
+        self.parts: list[bytes] = []
+        self.length = 0
+        self.views: list[dict[str, int]] = []
+        self.accessors: list[dict[str, Any]] = []
+
+    def add(self, values: NDArray[Any], kind: str, component: int, target: int, *, bounds: bool) -> int:
+        """Add an array, where none is equal to the bit; return the number of its accessor."""
+        data = values.tobytes()
+        key = (data, kind, component)
+        if key in self.known:
+            return self.known[key]
+        self.views.append({"buffer": 0, "byteOffset": self.length, "byteLength": len(data), "target": target})
+        entry: dict[str, Any] = {"bufferView": len(self.views) - 1, "componentType": component, "type": kind,
+                                 "count": len(values)}  # fmt: skip
+        if bounds:
+            entry |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
+        self.known[key] = len(self.accessors)
+        self.accessors.append(entry)
+        data += b"\0" * (-len(data) % 4)
+        self.parts.append(data)
+        self.length += len(data)
+        return len(self.accessors) - 1
+
+
+def _attributes(buffer: _Buffer, surface: Surface) -> dict[str, Any]:
+    points, normals = (np.ascontiguousarray(rows, dtype="<f4") for rows in (surface.points, surface.normals))
+    short = len(points) < 65535
+    numbers = surface.triangles.astype("<u2" if short else "<u4").ravel()
+    return {
+        "attributes": {
+            "POSITION": buffer.add(points, "VEC3", _FLOAT, _VERTICES, bounds=True),
+            "NORMAL": buffer.add(normals, "VEC3", _FLOAT, _VERTICES, bounds=False),
+        },
+        "indices": buffer.add(numbers, "SCALAR", _SHORT if short else _LONG, _INDICES, bounds=False),
+    }
+
+
+def _material(look: str) -> dict[str, Any]:
+    surface = {"baseColorFactor": [*COLOURS[look], 1.0], "metallicFactor": 0.4, "roughnessFactor": 0.45}
+    if look != "housing":
+        return {"name": look, "pbrMetallicRoughness": surface}
+    surface["baseColorFactor"] = [*COLOURS[look], SEEN_THROUGH]
+    return {"name": look, "pbrMetallicRoughness": surface, "alphaMode": "BLEND"}
+
+
+def _nodes(scene: Scene, meshes: Mapping[tuple[str, str], int]) -> list[dict[str, Any]]:
+    """Return all nodes, carriers with the numbers of what is on them."""
+    carried: dict[str, list[int]] = {}
+    for k, node in enumerate(scene.nodes):
+        if node.on:
+            carried.setdefault(node.on, []).append(k)
+    turns: dict[bytes, list[float]] = {}
+    found = [_node(scene, node, meshes, turns) for node in scene.nodes]
+    for node, entry in zip(scene.nodes, found, strict=True):
+        if node.name in carried:
+            entry["children"] = carried[node.name]
+    return found
+
+
+def _node(
+    scene: Scene, node: Node, meshes: Mapping[tuple[str, str], int], turns: dict[bytes, list[float]]
+) -> dict[str, Any]:
+    """Return a node with its place beside its carrier, which stands unturned; turns that are known are kept."""
+    turned, place = node.axes.turned, node.axes.origin
+    if node.phase:
+        turned = turned @ _about(node.phase)
+    if node.on:
+        above = scene.by_name[node.on].axes
+        turned, place = above.turned.T @ turned, above.turned.T @ (place - above.origin)
+    extras = {"part": str(node.part), "kind": str(node.part.kind), "look": node.look,
+              "spin_rad_s": dict(node.spins)}  # fmt: skip
+    key = turned.tobytes()
+    if key not in turns:
+        turns[key] = [round(x, PLACES) for x in quaternion(turned)]
+    found: dict[str, Any] = {"name": node.name, "translation": [round(x, PLACES) for x in place.tolist()],
+                             "rotation": turns[key], "extras": extras}  # fmt: skip
+    if node.surface:
+        found["mesh"] = meshes[node.surface, node.look]
+    return found
+
+
+def _about(angle: float) -> Floats:
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+
+
+def quaternion(turned: Floats) -> list[float]:
+    """Return a rotation as a unit quaternion x, y, z, w [-].
+
+    Args:
+        turned: Its matrix, shape (3, 3).
+
+    Source: the largest of the four squares first, so that no root of a small number divides.
+    """
+    m = turned
+    squares = [1.0 + m[0, 0] - m[1, 1] - m[2, 2], 1.0 - m[0, 0] + m[1, 1] - m[2, 2],
+               1.0 - m[0, 0] - m[1, 1] + m[2, 2], 1.0 + m[0, 0] + m[1, 1] + m[2, 2]]  # fmt: skip
+    k = int(np.argmax(squares))
+    rows = [
+        [squares[0], m[0, 1] + m[1, 0], m[0, 2] + m[2, 0], m[2, 1] - m[1, 2]],
+        [m[0, 1] + m[1, 0], squares[1], m[1, 2] + m[2, 1], m[0, 2] - m[2, 0]],
+        [m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], squares[2], m[1, 0] - m[0, 1]],
+        [m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], squares[3]],
+    ]
+    found = np.array(rows[k])
+    return [float(x) for x in found / np.linalg.norm(found)]
+
+
+def _packed(document: Mapping[str, Any], buffer: _Buffer) -> bytes:
+    words = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode()
+    words += b" " * (-len(words) % 4)
+    length = 12 + 8 + len(words) + 8 + buffer.length
+    head = struct.pack("<4sIIII", b"glTF", 2, length, len(words), 0x4E4F534A)
+    return b"".join([head, words, struct.pack("<II", buffer.length, 0x004E4942), *buffer.parts])

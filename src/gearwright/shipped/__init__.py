@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 from gearwright.errors import DesignError, Problem, excerpt, near
-from gearwright.reading import beside
+from gearwright.files import beside
 from gearwright.verbs import verb
 
 _DESIGNS = Path(__file__).parent / "designs"

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import overload
 
 from gearwright.errors import DesignError, Problem
+from gearwright.files import write_bytes
 from gearwright.shipped import shipped_notebook, shipped_notebooks
 from gearwright.verbs import verb
-from gearwright.writing import write_bytes
 
 
 @overload

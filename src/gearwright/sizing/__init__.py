@@ -15,20 +15,49 @@ from gearwright.sizing.answers import (
     named_results,
     passing,
     pick,
-    refuse_no_numbers,
     remarks,
     telling_cases,
     total_results,
 )
-from gearwright.sizing.arranged import Arrangement, Body, Direction, Frame, Point, ShaftPlan, Station, Turn
-from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
-from gearwright.sizing.chosen import TeethSearch
-from gearwright.sizing.compound import pins_of, towards
+from gearwright.sizing.gear_geometry import (
+    Backlash,
+    backlash_of,
+    cylindrical_gear,
+    fit_of,
+    pins_of,
+    planet_positions,
+    play_in_motion,
+    stated_pitch,
+    thickness_of,
+    towards,
+)
 from gearwright.sizing.insight import Beside, Influence, MeshBeside, MeshInfluences, influences, methods_beside
 from gearwright.sizing.many import Sizings, Structure, in_lanes, size_many, structure_of
-from gearwright.sizing.meshed import MeshSizing
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
-from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
+from gearwright.sizing.result import (
+    Arrangement,
+    Body,
+    Direction,
+    Frame,
+    GearSizing,
+    MachineSizing,
+    MeshSizing,
+    Point,
+    ShaftPlan,
+    Sizing,
+    Station,
+    TeethSearch,
+    Turn,
+    refuse_no_numbers,
+)
+from gearwright.sizing.shaft_results import (
+    BearingSizing,
+    BuiltShaft,
+    CarrierSizing,
+    JointSizing,
+    ShaftDiagram,
+    ShaftSizing,
+    ShaftStep,
+)
 from gearwright.sizing.size import size, size_unturned
 from gearwright.sizing.summaries import (
     BevelPairData,
@@ -37,8 +66,6 @@ from gearwright.sizing.summaries import (
     pair_data,
     stage_summaries,
 )
-from gearwright.sizing.tooth_play import Backlash, backlash_of, fit_of, play_in_motion, thickness_of
-from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions, stated_pitch
 
 __all__ = [
     "TEXT",

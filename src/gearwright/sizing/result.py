@@ -1,35 +1,326 @@
-"""What sizing yields: every value with its unit and the equation and source that made it."""
+"""Results of a sizing: values with unit, equation and source, tooth selection, meshes and arrangement."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Annotated
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from functools import cache, cached_property
+from types import NoneType
+from typing import Annotated, Any, NamedTuple
 
 from gearwright.checks import Check, worst
-from gearwright.identity import PartId, Role, gear_part
+from gearwright.errors import DesignError, Problem
+from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.showing import Shown
-from gearwright.sizing.arranged import Arrangement
-from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
-from gearwright.sizing.chosen import TeethSearch
-from gearwright.sizing.meshed import MeshSizing
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
-from gearwright.sizing.pinned import PlanetBearingSizing
-from gearwright.spec import Design
-from gearwright.spec.design import Given
-from gearwright.train import PowerFlow, Train
-from gearwright.units import (
-    Inertia,
-    Mass,
-    Number,
-    Origin,
-    Power,
-    Quantity,
-    Torque,
+from gearwright.sizing.rating import MeshRating
+from gearwright.sizing.shaft_results import (
+    BearingSizing,
+    BuiltShaft,
+    CarrierSizing,
+    JointSizing,
+    PlanetBearingSizing,
+    ShaftSizing,
 )
+from gearwright.spec import Design, Record
+from gearwright.spec.design import BearingSeat, Given
+from gearwright.train import PowerFlow, Train
+from gearwright.units import Angle, Inertia, Length, Mass, Number, Origin, OriginOf, Power, Quantity, Ratio, Torque
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How the teeth of a sizing were chosen: how many combinations there were, and how far the next one is.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class TeethSearch:
+    """What the search for teeth looked at."""
+
+    combinations: Annotated[float, Quantity("number"), Origin("Π of candidates within the rules of [teeth]", "search")]
+    """Combinations of tooth numbers and planets that were told apart; what cannot win before all stages have teeth
+    counts once [-]."""
+    weighed: int
+    """Candidates of single stages that were weighed for it [-]."""
+    gear_mass: Mass
+    """What the gears weigh by the search's own estimate [kg]."""
+    next_mass: Mass
+    """What the gears of the next-lightest combination weigh by it; infinite where there is none [kg]."""
+    proven: bool
+    """True where none of the combinations can be lighter by that estimate; False where there were too many to hold."""
+    sized: int = 1
+    """Combinations, those of the lightest gears first, that were sized in full and came out; at a preliminary level
+    those whose gears were sized [-]."""
+    failing: int = 0
+    """How many of these fail a check; where all do, the lightest of them is taken, else of the others; at a preliminary
+    level a check of their gears, and then the nearest is taken [-]."""
+    refused: int = 0
+    """Combinations that were sized and are refused [-]."""
+    next_sized_mass: Mass = math.inf
+    """What the next-lightest transmission of those weighs from which one is taken; infinite where there is none [kg].
+    """
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What sizing yields of a row of meshes: its forces, and what the method of its stage makes of them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_PULVIRENTI = "Pulvirenti 2023"
+
+
+@dataclass(frozen=True)
+class MeshSizing:
+    """One row of equal meshes at its worst case."""
+
+    stage: str
+    """Pair or planetary set that it belongs to."""
+    row: Row
+    """Which meshes of the stage it holds."""
+    gears: tuple[str, str]
+    """Names of the two gears."""
+    count: int
+    """Number of equal meshes."""
+    case: str
+    """Load case that governs."""
+    load_factor: Ratio
+    """Mesh load factor K_γ [-]."""
+    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d_w)", f"{_PULVIRENTI}, eq. 2.9")]
+    """Tangential force of one mesh at its working pitch circles [N]."""
+    radial_force: Annotated[
+        float,
+        Quantity("force"),
+        Origin(
+            "F_r = F_t tan α_wt; bevel: F_t (tan α_n cos δ ∓ sin β_m sin δ) / cos β_m",
+            "ISO 21771:2007; ISO 23509:2016",
+        ),
+    ]
+    """Radial force of one mesh [N]; of a bevel mesh on its pinion."""
+    axial_force: Annotated[
+        float,
+        Quantity("force"),
+        Origin(
+            "F_a = F_t (d_w/d) tan β; bevel: F_t (tan α_n sin δ ± sin β_m cos δ) / cos β_m",
+            "ISO 21771:2007; ISO 23509:2016",
+        ),
+    ]
+    """Axial force of one mesh [N]; balanced inside a double-helical gear; of a bevel mesh on its pinion."""
+    pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d_w/2", "kinematics")]
+    """Pitch-line velocity relative to the carrier [m/s]."""
+    centre_distance: Annotated[
+        float,
+        Quantity("length"),
+        Origin("a_w: given, or where x_1 + x_2 leave no backlash; bevel: r_1 + r_2", "ISO 21771:2007"),
+    ]
+    """Working centre distance a_w [m]; of a bevel mesh what the drawn shafts stand apart."""
+    working_pressure_angle: Annotated[
+        float,
+        Quantity("angle"),
+        Origin("cos α_wt = a cos α_t/a_w", "ISO 21771:2007"),
+    ]
+    """Transverse pressure angle at the working pitch circles α_wt [rad]."""
+    working_diameter: Annotated[
+        float, Quantity("length"), Origin("d_w1 = 2 a_w z_1/(z_1 + z_2)", "ISO 21771:2007, z_2 < 0 in a ring")
+    ]
+    """Working pitch diameter of the first gear d_w1 [m]; of bevel and face gears d."""
+    rating: MeshRating
+    """What the method of its stage makes of it, with that method's equations and sources."""
+
+    @property
+    def module_bending(self) -> Annotated[float, Quantity("length"), OriginOf("rating")]:
+        """Module that bending asks for [m]."""
+        return self.rating.module_bending
+
+    @property
+    def module_contact(self) -> Annotated[float, Quantity("length"), OriginOf("rating")]:
+        """Module that contact asks for [m]."""
+        return self.rating.module_contact
+
+    @property
+    def bending_stress(self) -> Annotated[float, Quantity("stress"), OriginOf("rating")]:
+        """Of the higher stressed root [Pa]."""
+        return self.rating.bending_stress
+
+    @property
+    def bending_margin(self) -> Annotated[float, Quantity("ratio"), OriginOf("rating")]:
+        """Allowable over actual bending stress, or safety over the asked one [-]; 1 is just enough."""
+        return self.rating.bending_margin
+
+    @property
+    def contact_stress(self) -> Annotated[float, Quantity("stress"), OriginOf("rating")]:
+        """Of the higher stressed flank [Pa]."""
+        return self.rating.contact_stress
+
+    @property
+    def contact_margin(self) -> Annotated[float, Quantity("ratio"), OriginOf("rating")]:
+        """Allowable over actual contact stress, or safety over the asked one [-]; 1 is just enough."""
+        return self.rating.contact_margin
+
+    branch: str = ""
+    """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
+    own: str = ""
+    """What the design calls its two gears, in a compound set."""
+
+    @cached_property
+    def part(self) -> PartId:
+        """Who it is."""
+        return mesh_part(self.stage, self.row, self.branch, own=self.own)
+
+    @cached_property
+    def name(self) -> str:
+        """Its label, such as ``first.sun-planet``."""
+        return str(self.part)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Where everything in a sized transmission stands, as records: axes, places along every shaft, bodies in space.
+#
+# Axes and plans are found once, by `arrangement`, before shafts are sized; frames and bodies once, by `places`, when
+# all is sized. Loads, checks, drawings, flights and reports read them. The origin is the first end of the design's
+# first shaft, x runs along it, y and z are those of its cross-section.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Point(NamedTuple):
+    """A place in space."""
+
+    x: Length
+    """[m]"""
+    y: Length
+    """[m]"""
+    z: Length
+    """[m]"""
+
+
+class Direction(NamedTuple):
+    """A unit vector."""
+
+    x: Number
+    """[-]"""
+    y: Number
+    """[-]"""
+    z: Number
+    """[-]"""
+
+
+class Station(NamedTuple):
+    """A circle square to a body's axis."""
+
+    place: Length
+    """From the body's origin on along its axis [m]."""
+    radius: Length
+    """[m]"""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The axes of one shaft in space."""
+
+    origin: Point
+    """Its first end."""
+    along: Direction
+    """From its first end to its second one: its x."""
+    across: Direction
+    """The y of its cross-section."""
+    up: Direction
+    """The z of its cross-section."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """The envelope of one part: the hull of circles about an axis, less a bore; cylinders and cones are two circles."""
+
+    part: PartId
+    """Who it is; planets of a set are one body, the ring that they sweep."""
+    shaft: str
+    """Shaft that it turns with or stands on, or ``ground``."""
+    what: str
+    """What of the part it is, where it is one of several: ``40 to 46 mm`` of a shaft, ``teeth`` of a bevel gear."""
+    origin: Point
+    """On its axis, at its first end."""
+    direction: Direction
+    """Of its axis."""
+    stations: tuple[Station, ...]
+    """Circles whose hull it is, in order along the axis, the first at the origin."""
+    bore: Length = 0.0
+    """Radius about the axis within which there is nothing of it [m]."""
+
+    @property
+    def length(self) -> Length:
+        """Along the axis [m]."""
+        return self.stations[-1].place
+
+    @property
+    def radius(self) -> Length:
+        """The largest [m]."""
+        return max(station.radius for station in self.stations)
+
+    @property
+    def name(self) -> str:
+        """Its part, and what of it."""
+        return f"{self.part} ({self.what})" if self.what else str(self.part)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """An axis that the design leaves open and that was turned about its mate to make room."""
+
+    shaft: str
+    """Of that axis."""
+    before: Angle
+    """Direction from its mate where nothing is in the way [rad]."""
+    after: Angle
+    """Direction from its mate with room around it [rad]."""
+    why: str
+    """What was in the way."""
+
+
+@dataclass(frozen=True)
+class ShaftPlan:
+    """A shaft from its first end on."""
+
+    length: Length
+    """[m]"""
+    bearings: tuple[Length, Length]
+    """Middles of its two radial bearings, from the first end [m]."""
+    places: Mapping[str, Length]
+    """Gear, carrier, machine or clutch -> middle of its width, from the first end [m], in order."""
+    seats: Mapping[str, BearingSeat] = field(default_factory=dict)
+    """Bearings that the design gives the shaft, by name, in order along it; none where it leaves them open."""
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """Axes and shafts of a transmission."""
+
+    axes: Mapping[str, complex]
+    """Shaft -> where its axis stands in the cross-section, y + i z [m], seen along x. The shafts of a bevel pair stand
+    beside each other, as if the wheel's were turned into the pinion's; `frames` has them as they cross."""
+    plans: Mapping[str, ShaftPlan]
+    """Shaft -> where everything sits along it."""
+    frames: Mapping[str, Frame] = field(default_factory=dict)
+    """Shaft -> its axes in space."""
+    bodies: tuple[Body, ...] = ()
+    """Gears, free stretches of shafts, bearings, carriers."""
+    apart: Mapping[str, Length] = field(default_factory=dict)
+    """Mesh row -> how far its gears stand from where they mesh, along their axes [m]; those beside each other left
+    out."""
+    turns: tuple[Turn, ...] = ()
+    """Axes that were turned to make room."""
+    within: tuple[tuple[str, str], ...] = ()
+    """Inner and outer shaft, where one goes through the other."""
+    turned: tuple[str, ...] = ()
+    """Planetary sets whose planes lie the other way round along the axis."""
+    two_sided: tuple[str, ...] = ()
+    """Planetary sets whose carrier's shaft leaves them on both sides."""
+    unordered: tuple[tuple[str, ...], ...] = ()
+    """Shafts of every axis on which no order was found in which all have room."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What sizing yields: every value with its unit and the equation and source that made it.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _THESIS = "Pulvirenti 2023"
 PRELIMINARY = "preliminary"
@@ -260,3 +551,147 @@ class Sizing(Shown):
         """Margin of the worst check [-]: its reserve, or its ratio to the limit where it fails and no load moves it."""
         first = worst(self.checks)
         return math.inf if first is None or first.margin is None else first.margin
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The gate through which a sizing leaves: every number is one, and what physics wants above nothing is above nothing.
+#
+# A margin, a safety or a life may be infinite where nothing loads the part; hardly another number may, and none is NaN.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_POSITIVE = {
+    GearSizing: ("module", "face_width", "pitch_diameter", "mass", "inertia"),
+    ShaftSizing: ("length", "diameter", "mass", "stiffness"),
+    CarrierSizing: ("radius", "pin_diameter", "plate_thickness", "mass", "inertia"),
+    MachineSizing: ("inertia",),
+}
+"""Record -> fields that are above zero in every part that there can be."""
+_UNSTATED = ("accessory", "load")
+"""Kinds of machines that have no inertia where none is stated."""
+_ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure")
+"""How the names of fields end that are infinite where nothing loads the part, limits it, or bears (a key too short)."""
+
+_PLAIN = frozenset({int, str, bool, NoneType, Role, Row, PartId})
+"""Kinds of values that hold no number which could be none."""
+_WORDS = {"str", "bool", "int", "PartId", "Role", "Row", "tuple[str, str]"}
+"""Annotations of fields that hold no number which could be none."""
+
+
+def refuse_no_numbers(sizing: Sizing) -> Sizing:
+    """Return a sizing whose every result is a number that a part can have.
+
+    Args:
+        sizing: As computed.
+
+    Raises:
+        DesignError: With part, field and value of what is none, and the number of the design that is likely to blame.
+    """
+    wrong = [] if _all_numbers(sizing) else [*_parts(sizing)]
+    if not wrong and not 0.0 < sizing.mass < math.inf:
+        wrong = [("gearbox", "mass", sizing.mass)]
+    if not wrong:
+        return sizing
+    part, field, value = wrong[0]
+    key, size = _blamed(sizing.design)
+    message = (
+        f"{part}: the {field.replace('_', ' ')} comes out as {value:g}, which no part has; the number of this design"
+    )
+    raise DesignError([Problem(key, f"{message} that is farthest from any real one is {key} = {size:g} (in SI)")])
+
+
+def _all_numbers(sizing: Sizing) -> bool:
+    """Tell quickly whether every result is a number that a part can have; which is none is for `_parts`."""
+    groups = (*_groups(sizing), tuple(sizing.flows.values()))
+    return all(_is_number(part) for group in groups for part in group) and all(
+        getattr(part, field) > 0.0 for group in _groups(sizing) for part in group for field in _positive(part)
+    )
+
+
+def _is_number(value: Any, *, endless: bool = False) -> bool:
+    """Tell whether every number inside a value is one; infinite only where it may be."""
+    kind: Any = type(value)
+    if kind is float:
+        return math.isfinite(value) or (endless and not math.isnan(value))
+    if kind in _PLAIN:
+        return True
+    if kind is tuple or kind is dict:
+        items, may_be = (value, endless) if kind is tuple else (value.values(), False)
+        for item in items:
+            if not (type(item) is float and item - item == 0.0) and not _is_number(item, endless=may_be):
+                return False
+        return True
+    if not (names := _numbers_of(kind)):
+        return not any(True for _ in _wrong(value, "life" if endless else ""))
+    for name, may_be in names:
+        item = getattr(value, name)
+        if type(item) is float and item - item == 0.0:  # which only finite numbers are
+            continue
+        if type(item) not in _PLAIN and not _is_number(item, endless=may_be):
+            return False
+    return True
+
+
+@cache
+def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
+    """Return the fields of a kind of record that hold numbers, each with whether it may be infinite."""
+    names = [entry.name for entry in fields(kind) if entry.type not in _WORDS] if is_dataclass(kind) else []
+    return tuple((name, name.endswith(_ENDLESS)) for name in names)
+
+
+def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:
+    return (sizing.gears, sizing.meshes, sizing.shafts, sizing.carriers, sizing.machines, sizing.built_shafts,
+            sizing.bearings, sizing.joints, sizing.checks)  # fmt: skip
+
+
+def _positive(part: Any) -> tuple[str, ...]:
+    """Return the fields of a part that are above zero."""
+    unstated = isinstance(part, MachineSizing) and part.kind in _UNSTATED
+    return () if unstated else _POSITIVE.get(type(part), ())
+
+
+def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
+    """Yield part, field and value of every result that is no number, or not above zero where it should be."""
+    for group in _groups(sizing):
+        for part in group:
+            name = str(getattr(part, "name", getattr(part, "part", getattr(part, "stage", ""))))
+            yield from ((name, field, value) for field, value in _wrong(part, ""))
+            for field in _positive(part):
+                if not getattr(part, field) > 0.0:
+                    yield name, field, getattr(part, field)
+    for case, flow in sizing.flows.items():
+        yield from ((f"case {case}", field, value) for field, value in _wrong(flow, ""))
+
+
+def _wrong(value: Any, field: str) -> Iterator[tuple[str, float]]:
+    """Yield every number inside a value that is none, with the name of its field."""
+    if isinstance(value, float):
+        if math.isnan(value) or (math.isinf(value) and not field.endswith(_ENDLESS)):
+            yield field, value
+    elif is_dataclass(value):
+        for entry in fields(value):
+            yield from _wrong(getattr(value, entry.name), entry.name)
+    elif isinstance(value, Mapping):
+        for key, item in value.items():
+            yield from _wrong(item, f"{field} of {key}")
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _wrong(item, field)
+
+
+def _blamed(design: Design) -> tuple[str, float]:
+    """Return path and value of the number of a design that is farthest from 1, in powers of ten."""
+    written = [(path, value) for path, value in _given(design, "") if value and math.isfinite(value)]
+    return max(written, key=lambda item: abs(math.log10(abs(item[1]))))
+
+
+def _given(value: Any, path: str) -> Iterator[tuple[str, float]]:
+    """Yield every number that the user wrote, with its path."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        yield path, float(value)
+    elif isinstance(value, Record):
+        for name in value.model_fields_set:
+            yield from _given(getattr(value, name), f"{path}.{name}".strip("."))
+    elif isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _given(item, f"{path}.{name}".strip("."))

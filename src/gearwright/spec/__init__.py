@@ -27,30 +27,43 @@ from gearwright.spec.design import (
     levels_of,
     shares_of,
 )
-from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems, standing_at
+from gearwright.spec.edit import (
+    LEVELS,
+    against_fatigue,
+    as_concept,
+    at_level,
+    design_text,
+    edited,
+    edited_mission,
+    implied,
+    path_problem,
+    path_problems,
+    standing_at,
+)
 from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
-from gearwright.spec.keys import keys_of
-from gearwright.spec.levels import LEVELS, against_fatigue, as_concept, at_level, implied
-from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.missions import (
     NO_MAP,
     Aircraft,
     BatteryRules,
     BearingLifeRules,
+    CellRules,
     EngineRules,
     Flaps,
     GovernorRules,
     Mission,
     MotorRules,
+    OilNetworkRules,
     Phase,
     PhaseKind,
     Rotorcraft,
+    SpoolRules,
+    StrategyRules,
+    WindingRules,
     WindowRules,
     engine_out,
 )
-from gearwright.spec.power import CellRules, OilNetworkRules, SpoolRules, StrategyRules, WindingRules
-from gearwright.spec.read import file_text, parse, placed, read
-from gearwright.spec.record import Record, brief, build
+from gearwright.spec.read import file_text, key_lines, line_of, parse, placed, read
+from gearwright.spec.record import Record, brief, build, keys_of
 from gearwright.spec.schema import records, schema
 from gearwright.spec.studies import (
     MISSION_PATH,
@@ -70,7 +83,6 @@ from gearwright.spec.studies import (
     read_study,
     value_at,
 )
-from gearwright.spec.text import design_text
 
 __all__ = [
     "GROUND",

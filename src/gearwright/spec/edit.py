@@ -1,24 +1,30 @@
-"""Change a design or mission by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200."""
+"""Edits of designs and missions by key path, change of level, and the design as TOML text."""
 
 from __future__ import annotations
 
+import json
+import math
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import UnionType
 from typing import Any, NamedTuple, TypeVar, Union, get_args, get_origin
 
 from pydantic import ValidationError
 
 from gearwright.errors import DesignError, Problem, near, refuse
-from gearwright.spec.bounds import Range, allowed_in
+from gearwright.spec.bounds import Range, allowed_in, is_path, quantity_of
 from gearwright.spec.checks import reference_problems
-from gearwright.spec.design import Design
+from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
 from gearwright.spec.flying import mission_problems
-from gearwright.spec.keys import Key, keys_of, longer_keys
 from gearwright.spec.missions import Mission
-from gearwright.spec.record import Location, Record, Written, brief, message_of
-from gearwright.units import suffix_unit
+from gearwright.spec.record import Key, Location, Record, Written, brief, keys_of, longer_keys, message_of
+from gearwright.units import shown, suffix_unit
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Change a design or mission by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 Value = float | int | str | bool | list[Any] | dict[str, Any] | None
 """What an entry may be changed to; None leaves it out, a table stands for the whole one."""
@@ -304,3 +310,197 @@ def _record(annotation: Any) -> type[Record] | None:
 
 def _holds_tables(annotation: Any) -> bool:
     return _record(annotation) is not None or get_origin(annotation) is dict
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A design at another level, and what a design takes by default that states none.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LEVELS = (CONCEPT, PRELIMINARY)
+"""That a design without bearings of shafts can be sized at."""
+
+
+@verb
+def at_level(design: Design, level: str) -> Design:
+    """Return a design at a level: preliminary rates by ISO 6336 what knows no fatigue, and gives planets bearings.
+
+    What the design gives stays, but for the rules of the method that is left; with a life, or rules of ISO 6336, a
+    concept is rated by it, too.
+
+    Args:
+        design: As read.
+        level: ``concept`` or ``preliminary``.
+
+    Raises:
+        DesignError: If the level is none of these, or the design has bearings on its shafts.
+    """
+    if level not in LEVELS:
+        raise DesignError([Problem("level", f"{level!r} is not known; {near(level, LEVELS)}")])
+    return edited(design, as_concept(design)) if level == CONCEPT else against_fatigue(design, {"level": level})
+
+
+def as_concept(design: Design) -> dict[str, Value]:
+    """Return the changes with which a design is a first sizing: path -> value.
+
+    Args:
+        design: As read.
+    """
+    rules = (design.gears, *_own_rules(design).values())
+    fatigue = set(RATINGS[FATIGUE].reads) - set(RATINGS[STATIC].reads)
+    implied_rating = design.level == PRELIMINARY and "rating" not in design.gears.model_fields_set
+    asks = "service" in design.model_fields_set or any(fatigue & one.model_fields_set for one in rules)
+    return {"level": CONCEPT, **({"gears.rating": FATIGUE} if implied_rating and asks else {})}
+
+
+def implied(design: Design) -> dict[str, str]:
+    """Return what a design leaves open and its level gives: path -> value, as its file would have them.
+
+    Args:
+        design: As read; nothing is said of one whose bearings build its shafts.
+    """
+    if design.level == BUILT:
+        return {}
+    entries: dict[str, str] = {} if "level" in design.model_fields_set else {"level": design.level}
+    if design.level == PRELIMINARY:
+        if "rating" not in design.gears.model_fields_set:
+            entries["gears.rating"] = design.gears.rating
+        for name, stage in design.planetaries.items():
+            if stage.planet_bearing is not None and "planet_bearing" not in stage.model_fields_set:
+                entries[f"planetaries.{name}.planet_bearing.kind"] = stage.planet_bearing.kind
+    return entries
+
+
+def against_fatigue(design: Design, changes: Mapping[str, Value] | None = None) -> Design:
+    """Return a design whose stages are rated against fatigue, by ISO 6336 where their own method knows none.
+
+    Args:
+        design: As read; the rules that only the method reads which is left go with it.
+        changes: What else is changed: path -> value.
+
+    Raises:
+        DesignError: Values that the keys of the design do not allow.
+    """
+    return edited(_freed(design), {**dict(_rated(design)), **(changes or {})})
+
+
+def _rated(design: Design) -> Iterator[tuple[str, Value]]:
+    """Yield the changes of rules with which every stage is rated against fatigue."""
+    tables = {"gears": design.gears} | {f"{design.table(name)}.gears": own for name, own in _own_rules(design).items()}
+    for path, rules in tables.items():
+        if (path == "gears" or "rating" in rules.model_fields_set) and not RATINGS[rules.rating].fatigue:
+            yield f"{path}.rating", FATIGUE
+
+
+def _own_rules(design: Design) -> dict[str, GearRules]:
+    """Return stage -> its own rules, of those that have some."""
+    return {name: stage.gears for name, stage in design.stages.items() if stage.gears is not None}
+
+
+def _freed(design: Design) -> Design:
+    """Return a design without the rules that only the method reads which the closure does not rate by."""
+    if not RATINGS[design.gears.rating].fatigue:
+        design = design.model_copy(update={"gears": _without(design.gears)})
+    for name, rules in _own_rules(design).items():
+        if not RATINGS[design.rules(name).rating].fatigue:
+            kind = design.kind(name)
+            stage = design.stages[name].model_copy(update={"gears": _without(rules)})
+            design = design.model_copy(update={kind: {**getattr(design, kind), name: stage}})
+    return design
+
+
+def _without(rules: GearRules) -> GearRules:
+    """Return rules without those that the former method alone reads."""
+    former = set(RATINGS[STATIC].reads) - set(RATINGS[FATIGUE].reads)
+    return GearRules.model_validate({key: getattr(rules, key) for key in rules.model_fields_set - former})
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A design as the text of a file: what it gives, in the usual units, table by table.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+DIGITS = 15
+"""Digits of a quantity in its unit, so that 0.0035 m is written as 3.5 mm."""
+
+
+@verb
+def design_text(design: Design) -> str:
+    """Return a design as TOML, which `gearwright.read` reads as the same design.
+
+    Only what the design gives is written; defaults stay defaults. Comments of a file that it was read from are lost.
+
+    Args:
+        design: As read, edited or closed.
+    """
+    return "\n".join(_table(design, "")).strip() + "\n"
+
+
+def _table(record: Record, path: str) -> Iterator[str]:
+    """Yield the lines of a table: its own values, then the tables in it."""
+    values, tables = list[str](), list[tuple[str, Record | Mapping[str, Any]]]()
+    for key, value in _entries(record):
+        at = f"{path}.{_name(key)}" if path else _name(key)
+        if isinstance(value, Record | dict):
+            tables.append((at, value))
+        else:
+            values.append(f"{_name(key)} = {_written(value)}")
+    if path and (values or not tables):
+        yield from ("", f"[{path}]")
+    yield from values
+    for at, inner in tables:
+        yield from _inner(inner, at)
+
+
+def _inner(inner: Record | Mapping[str, Any], at: str) -> Iterator[str]:
+    """Yield a table, or every table of a table of them."""
+    if isinstance(inner, Record):
+        yield from _table(inner, at)
+        return
+    plain = [
+        f"{_name(key)} = {_written(value)}" for key, value in inner.items() if not isinstance(value, Record | dict)
+    ]
+    if plain:
+        yield from ("", f"[{at}]", *plain)
+    for key, value in inner.items():
+        if isinstance(value, Record | dict):
+            yield from _inner(value, f"{at}.{_name(key)}")
+
+
+def _entries(record: Record) -> Iterator[tuple[str, Any]]:
+    """Yield what a record gives, each by one of the keys that a file may have for it."""
+    fields = type(record).model_fields
+    for name, info in fields.items():
+        value = getattr(record, name)
+        if name not in record.model_fields_set or value is None:
+            continue
+        key, meant = _key(type(record), info.alias or name)
+        yield key, _rounded(meant.written(value)) if meant.suffix else value
+    yield from (record.model_extra or {}).items()
+
+
+def _key(kind: type[Record], field: str) -> tuple[str, Key]:
+    """Return the key of a field in the unit in which people read its quantity, or the first that it has."""
+    keys = [(key, meant) for key, meant in keys_of(kind).items() if meant.field == field and not meant.inverse]
+    quantity = quantity_of(kind.model_fields[field]) if field in kind.model_fields else None
+    if quantity is None:
+        return keys[0]
+    return next((pair for pair in keys if math.isclose(pair[1].factor * shown(1.0, quantity.dimension), 1.0)), keys[0])
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.{DIGITS}g}")
+
+
+def _name(key: str) -> str:
+    """Return a key, in quotes where it has dots or other marks."""
+    return key if is_path(key) and "." not in key and key.isascii() and " " not in key else json.dumps(key)
+
+
+def _written(value: Any) -> str:
+    """Return a value in TOML."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(_written(entry) for entry in value)}]"
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)

@@ -1,23 +1,216 @@
-"""Read a design file: TOML to `Design`, with every problem of the file at once."""
+"""Reader of design files in TOML: syntax errors with line numbers, mesh stiffness curves from CSV files."""
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, cast
 
-from gearwright.errors import DesignError, Problem, excerpt
-from gearwright.reading import text_of
+import numpy as np
+
+from gearwright.errors import DesignError, Problem, excerpt, near
+from gearwright.files import beside, numbers_of, text_of
+from gearwright.parts.stiffness import sampled_curve
 from gearwright.shipped import find_design
 from gearwright.spec.checks import bearing_problems, reference_problems
-from gearwright.spec.curves import with_curves
-from gearwright.spec.design import Design
-from gearwright.spec.lines import key_lines, line_of
+from gearwright.spec.design import Design, MeshCurve
 from gearwright.spec.record import STAND_INS, Location, build
-from gearwright.spec.slips import slip
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Line numbers of the keys of a TOML text, which TOML readers do not give.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+HEADER = re.compile(r"^\s*\[{1,2}([^\[\]]+)\]{1,2}\s*(?:#.*)?$")
+KEY = re.compile(r"""^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=""")
+_PART = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^.\s"']+))\s*(?:\.|$)""")
+_MULTILINE = ('"""', "'''")
+
+
+def key_lines(text: str) -> dict[str, int]:
+    """Return the line, counted from 1, of every table and key by its dotted path.
+
+    Args:
+        text: A TOML document. Keys of inline tables are not listed; their table is.
+    """
+    lines: dict[str, int] = {}
+    table, closing = "", ""
+    for number, line in enumerate(text.split("\n"), start=1):
+        if closing:
+            closing = "" if closing in line else closing
+            continue
+        header, key = HEADER.match(line), KEY.match(line)
+        if header and not key:
+            table = dotted(header[1])
+            lines.setdefault(table, number)
+        elif key:
+            path = dotted(key[1])
+            lines.setdefault(f"{table}.{path}" if table else path, number)
+            closing = next((mark for mark in _MULTILINE if line.count(mark) == 1), "")
+    return lines
+
+
+def line_of(path: str, lines: Mapping[str, int]) -> int | None:
+    """Return the line of a path, or of the nearest table above it.
+
+    Args:
+        path: Dotted path.
+        lines: As `key_lines` gives them.
+    """
+    while path:
+        if path in lines:
+            return lines[path]
+        path = path.rpartition(".")[0]
+    return None
+
+
+def line_in(path: str, lines: Mapping[str, int]) -> int | None:
+    """Return the line of a path whose key has its unit behind it, or of the nearest table above it.
+
+    Args:
+        path: Dotted path without the unit of its key.
+        lines: As `key_lines` gives them.
+
+    >>> line_in("motors.electric.power", {"motors.electric": 3, "motors.electric.power_kw": 4})
+    4
+    """
+    head = f"{path}_"
+    exact = next((line for key, line in lines.items() if key == path or key.startswith(head)), None)
+    return line_of(path, lines) if exact is None else exact
+
+
+def dotted(key: str) -> str:
+    """Return a key of TOML, whose parts may stand in quotes, as a dotted path.
+
+    Args:
+        key: As written.
+    """
+    return ".".join("".join(match) for match in _PART.findall(key))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What TOML's reader calls a wrong character, as people say it: commas in numbers, things given twice.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_PLACE_OF_SLIP = re.compile(r"at line (\d+)")
+_COMMA = re.compile(r"=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$")
+
+
+def slip(text: str, reason: str) -> Problem | None:
+    """Return the slip behind an error of TOML's reader, with its line; None if it is none of those that are known.
+
+    Args:
+        text: Of the file.
+        reason: What the reader says, which ends in the place.
+
+    >>> slip("ratio = 2,67", "Expected newline (at line 1, column 10)").message
+    'numbers have a decimal point, not a comma; write 2.67'
+    """
+    place = _PLACE_OF_SLIP.search(reason)
+    lines = text.split("\n")
+    if place is None or int(place[1]) > len(lines):
+        return None
+    number = int(place[1])
+    line, paths = lines[number - 1].rstrip("\r"), _paths(lines[:number])
+    path, comma = paths[-1], _COMMA.search(line)
+    if comma:
+        return Problem(path, f"numbers have a decimal point, not a comma; write {comma[1]}.{comma[2]}", number)
+    if not path or path not in paths[:-1]:
+        return None
+    first = paths.index(path) + 1
+    if HEADER.match(line):
+        said = f"the table [{excerpt(path)}] stands in line {first} already; put all its keys below one heading"
+    else:
+        said = f"is given in line {first} already; keep one of them"
+    return Problem(path, said, number)
+
+
+def _paths(lines: list[str]) -> list[str]:
+    """Return the dotted path that each line gives a table or a value; empty where it gives none."""
+    table, paths = "", []
+    for line in lines:
+        header, key = HEADER.match(line), KEY.match(line)
+        if header and not key:
+            table = dotted(header[1])
+            paths.append(table)
+        else:
+            path = dotted(key[1]) if key else ""
+            paths.append(f"{table}.{path}" if table and path else path)
+    return paths
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A user's own mesh stiffness: CSV files beside the design file become part of the design, which then needs no file.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+COLUMNS = ("phase_cycles", "stiffness_n_m")
+"""Of the file, in its first row; others are left alone."""
+
+
+def with_curves(design: Design, folder: Path) -> tuple[Design, list[Problem]]:
+    """Return a design whose own stiffness curves hold their points, and what is wrong with them.
+
+    Args:
+        design: As written.
+        folder: Where the files are looked for.
+    """
+    curves, problems = dict(design.dynamics.curves), []
+    for mesh, curve in design.dynamics.curves.items():
+        path = f"dynamics.curves.{mesh}"
+        problems += list(_unknown(path, mesh, design))
+        try:
+            curves[mesh] = _filled(path, curve, folder)
+        except DesignError as error:
+            problems += error.problems
+    if not curves or problems:
+        return design, problems
+    dynamics = design.dynamics.model_copy(update={"curves": curves})
+    return design.model_copy(update={"dynamics": dynamics}), []
+
+
+def _unknown(path: str, mesh: str, design: Design) -> Iterator[Problem]:
+    sets = [f"{name}.{end}" for name in design.planetaries for end in ("sun-planet", "planet-ring")]
+    sets += [
+        f"{name}.{first}-{second}"
+        for name, epicyclic in design.epicyclics.items()
+        for first, second in epicyclic.mesh_pairs
+    ]
+    if mesh not in (*sets, *design.pairs):
+        yield Problem(path, f"there is no mesh {mesh!r}; {near(mesh, [*sets, *design.pairs])}")
+
+
+def _filled(path: str, curve: MeshCurve, folder: Path) -> MeshCurve:
+    has_points = bool(curve.phase_cycles or curve.stiffness_n_m)
+    if curve.file is None and not has_points:
+        raise DesignError([Problem(path, "has no points; give file, or phase_cycles and stiffness_n_m")])
+    if curve.file is not None and not has_points:
+        phase, stiffness = _columns(f"{path}.file", beside(curve.file, folder, f"{path}.file"))
+        curve = curve.model_copy(update={"phase_cycles": phase, "stiffness_n_m": stiffness})
+    try:
+        sampled_curve(2.0 * math.pi * np.array(curve.phase_cycles), curve.stiffness_n_m, harmonics=1, source="")
+    except DesignError as error:
+        raise DesignError([Problem(path, f"{problem.path}: {problem.message}") for problem in error.problems]) from None
+    return curve
+
+
+def _columns(path: str, file: Path) -> tuple[list[float], list[float]]:
+    try:
+        points = numbers_of(text_of(file, path), COLUMNS)
+    except ValueError as error:
+        raise DesignError([Problem(path, f"{file} {error}")]) from None
+    return [phase for phase, _ in points], [stiffness for _, stiffness in points]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Read a design file: TOML to `Design`, with every problem of the file at once.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _MISSING = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
 _REASON = 160

@@ -1,27 +1,196 @@
-"""Frozen records whose physical fields are written with the unit in the key and kept in SI.
-
-`convert` turns a raw table (``{"power_kw": 1046}``) into what the record takes (``{"power": 1046000.0}``) and
-collects every problem on the way; the record's own types then check what is left. Both speak of the keys that the
-user wrote.
-"""
+"""Records with units in their keys and values in SI, unknown keys, and aliases of earlier versions."""
 
 from __future__ import annotations
 
 import math
 import reprlib
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, ClassVar, get_args, get_origin
+from types import MappingProxyType
+from typing import Any, ClassVar, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
 
-from gearwright.errors import Problem
-from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, range_of
-from gearwright.spec.former import FORMER, today
-from gearwright.spec.keys import Key, Keys, keys_of, unknown_key
-from gearwright.units import suffix_unit
+from gearwright.errors import Problem, near
+from gearwright.spec.bounds import (
+    NAME_RULE,
+    Range,
+    allowed_in,
+    checked,
+    is_path,
+    parts,
+    quantity_of,
+    range_of,
+    reciprocals_of,
+)
+from gearwright.units import SUFFIXES, suffix_unit
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Words of earlier versions, and what is written now: they are still read, each with a sentence that says so.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FORMER: Mapping[str, str] = MappingProxyType({
+    "least": "minimum", "most": "maximum", "least_charge": "minimum_charge",
+    "fly.least_charge": "fly.minimum_charge", "mission.battery.least_charge": "mission.battery.minimum_charge",
+})  # fmt: skip
+"""Key, value or dotted path of an earlier version -> what is written now."""
+
+
+class FormerWord(FutureWarning):
+    """A file says something in a word of an earlier version."""
+
+
+def today(word: str, place: str = "") -> str:
+    """Return what is written now for a word, and say it where that is another one.
+
+    Args:
+        word: Key, value or dotted path.
+        place: Where it stands, for the sentence.
+
+    >>> today("minimum")
+    'minimum'
+    """
+    now = FORMER.get(word, word)
+    if now != word:
+        at = f"{place}: " if place else ""
+        warnings.warn(f"{at}{word!r} is a word of an earlier version; write {now!r}", FormerWord, stacklevel=2)
+    return now
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Keys of a table, with the units in which a quantity may be written, and what to do about a key that is none.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Key(NamedTuple):
+    """What a key of a table stands for."""
+
+    field: str
+    """Name in the record."""
+    factor: float
+    """To SI [-]."""
+    suffix: str
+    """Of the unit; empty for what has none."""
+    inverse: bool = False
+    """True where the quantity is the factor over what is written, as a module over its diametral pitch."""
+
+    def si(self, value: float) -> float:
+        """Return what is written in SI; what no reciprocal has, 0 and below, as it is.
+
+        Args:
+            value: As written.
+        """
+        if self.inverse:
+            return self.factor / value if value > 0.0 else value
+        return value * self.factor
+
+    def written(self, value: float) -> float:
+        """Return a value as it would be written.
+
+        Args:
+            value: In SI.
+        """
+        return self.factor / value if self.inverse else value / self.factor
+
+    def words(self, allowed: Range) -> str:
+        """Return the numbers that a field takes, in the unit of this key.
+
+        Args:
+            allowed: In SI.
+        """
+        symbol = suffix_unit(self.suffix) if self.suffix else ""
+        return allowed.over(self.factor).words(1.0, symbol) if self.inverse else allowed.words(self.factor, symbol)
+
+
+Keys = Mapping[str, Key]
+
+
+@cache
+def keys_of(model: type[BaseModel]) -> Keys:
+    """Return the keys that a table of this record may have.
+
+    Args:
+        model: The record's type.
+
+    Returns:
+        As written -> what it stands for.
+    """
+    keys: dict[str, Key] = {}
+    for name, info in model.model_fields.items():
+        quantity = quantity_of(info)
+        if quantity is None:
+            keys[info.alias or name] = Key(info.alias or name, 1.0, "")
+            continue
+        for suffix, factor in SUFFIXES[quantity.dimension].items():
+            keys[f"{name}_{suffix}"] = Key(name, factor, suffix)
+        for mark in reciprocals_of(info):
+            keys[mark.key] = Key(name, mark.scale, mark.suffix, inverse=True)
+    return MappingProxyType(keys)
+
+
+def longer_keys(key: str, keys: Keys) -> str:
+    """Return which keys a word may mean that they end with; empty where none does.
+
+    Args:
+        key: As written.
+        keys: Of the table.
+    """
+    longer = [name for name in keys if name.endswith(f"_{key}")]
+    return f"write {' or '.join(longer)}" if longer else ""
+
+
+def unknown_key(key: str, model: type[BaseModel]) -> str:
+    """Return what to do about a key that a table does not have.
+
+    Args:
+        key: As written.
+        model: The record's type.
+    """
+    keys = keys_of(model)
+    if key in model.model_fields and quantity_of(model.model_fields[key]) is not None:
+        units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
+        return f"the unit is missing; write one of {units}"
+    lower = {name.lower(): name for name in keys}
+    if key.lower() in lower:
+        return f"no such field; did you mean {lower[key.lower()]}?"
+    foreign = _foreign(key, model, keys)
+    if foreign:
+        return foreign
+    if longer := longer_keys(key, keys):
+        return f"no such field; {longer}"
+    usual = {meant.field: name for name, meant in reversed(list(keys.items()))}
+    return f"no such field; {near(key, keys, usual.values())}"
+
+
+_FOREIGN: Mapping[str, str] = MappingProxyType({
+    "ps": "1 PS (metric horsepower) = 0.7355 kW", "cv": "1 CV (metric horsepower) = 0.7355 kW", "cm": "1 cm = 10 mm",
+    "bar": "1 bar = 0.1 MPa", "ksi": "1 ksi = 6.895 MPa", "kgf": "1 kgf = 9.807 N", "dan": "1 daN = 10 N",
+    "kgfm": "1 kgf m = 9.807 N m", "mph": "1 mph = 1.609 km/h", "rps": "1 rps = 60 rpm",
+})  # fmt: skip
+"""Suffix of a unit that no key has -> what it is in one that keys have."""
+
+
+def _foreign(key: str, model: type[BaseModel], keys: Keys) -> str:
+    """Return what to do about a unit that is known to people alone; empty where the key is no such quantity."""
+    name, _, suffix = key.rpartition("_")
+    info = model.model_fields.get(name)
+    if suffix.lower() not in _FOREIGN or info is None or quantity_of(info) is None:
+        return ""
+    units = ", ".join(written for written, meant in keys.items() if meant.field == name)
+    return f"this unit is not known: {_FOREIGN[suffix.lower()]}; write one of {units}"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Frozen records whose physical fields are written with the unit in the key and kept in SI.
+#
+# `convert` turns a raw table (``{"power_kw": 1046}``) into what the record takes (``{"power": 1046000.0}``) and
+# collects every problem on the way; the record's own types then check what is left. Both speak of the keys that the
+# user wrote.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Record(BaseModel):

@@ -14,9 +14,8 @@ from typing import Any
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
-from gearwright.spec.keys import Key, keys_of
 from gearwright.spec.missions import Mission
-from gearwright.spec.record import Record
+from gearwright.spec.record import Key, Record, keys_of
 from gearwright.spec.studies import MixFile, Study
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb

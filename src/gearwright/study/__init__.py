@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from gearwright.study.answers.table import Row, Table
-from gearwright.study.cases.engine import for_engine, for_requirement
-from gearwright.study.running.compare import compare
-from gearwright.study.running.fly_many import fly_many
-from gearwright.study.running.run import run
+from gearwright.study.engine import for_engine, for_requirement
+from gearwright.study.running import compare, fly_many, run
+from gearwright.study.tables import Row, Table
 from gearwright.verbs import callable_layer
 
 if TYPE_CHECKING:
-    from gearwright.study.running.equal_life import EqualLife, equal_life
+    from gearwright.study.architectures import EqualLife, equal_life
 
 __all__ = ["EqualLife", "Row", "Table", "compare", "equal_life", "fly_many", "for_engine", "for_requirement", "run"]
 
@@ -21,7 +19,7 @@ callable_layer(__name__, run)
 
 def __getattr__(name: str) -> object:
     """Load what closes and reviews designs on its first use: workers of studies start sooner without."""
-    from gearwright.study.running import equal_life
+    from gearwright.study import architectures as equal_life
 
     if name not in ("EqualLife", "equal_life"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

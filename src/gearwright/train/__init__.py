@@ -1,28 +1,22 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
 from gearwright.train.algebra import remembered
-from gearwright.train.flow import (
+from gearwright.train.balance import Turning, asked_speeds
+from gearwright.train.efficiency import Efficiency, efficiencies
+from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
+from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
+from gearwright.train.load_case import Loads, along, can_be_along, power_flow, power_flows
+from gearwright.train.power_flow import (
     Attachment,
     Branch,
-    Efficiency,
-    Loads,
     MeshFlow,
     PowerFlow,
-    Turning,
-    along,
-    asked_speeds,
     attachments,
     branches,
-    can_be_along,
-    efficiencies,
     passes,
-    power_flow,
-    power_flows,
     recirculation,
     shaft_powers,
 )
-from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
-from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
 from gearwright.train.ratios import Targets, speed_range, targets, tooth_ratio_range
 
 __all__ = [

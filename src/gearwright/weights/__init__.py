@@ -3,8 +3,18 @@
 The mass that follows from a design's own parts is `sizing`'s.
 """
 
-from gearwright.weights.asked import engines, mass
-from gearwright.weights.comparison import Comparison, StatedMass, compare
+from gearwright.weights.comparison import (
+    Comparison,
+    Score,
+    StatedMass,
+    compare,
+    corners,
+    engines,
+    left_out_scatter,
+    mass,
+    middle,
+    scores,
+)
 from gearwright.weights.engine_check import (
     COLUMNS,
     Check,
@@ -16,18 +26,23 @@ from gearwright.weights.engine_check import (
 )
 from gearwright.weights.laws import (
     EXISTING_GEARBOXES,
+    Coverage,
+    Estimate,
+    Range,
+    Requirement,
+    beta,
+    bracket_epicyclic,
+    bracket_planetary,
+    estimate,
+    from_beta,
+    lightest_planet,
     mass_afdd00,
     mass_afdd83,
     mass_brown,
     mass_tm215680,
     mass_wate2,
 )
-from gearwright.weights.method import Coverage, Estimate, Range, estimate
-from gearwright.weights.methods import methods
-from gearwright.weights.refit import LogLine, bands, log_line, mass_refit, refit
-from gearwright.weights.requirement import Requirement, beta, from_beta
-from gearwright.weights.scoreboard import Score, corners, left_out_scatter, middle, scores
-from gearwright.weights.willis import bracket_epicyclic, bracket_planetary, lightest_planet
+from gearwright.weights.methods import LogLine, bands, log_line, mass_refit, methods, refit
 
 __all__ = [
     "COLUMNS",

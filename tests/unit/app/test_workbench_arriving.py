@@ -22,7 +22,7 @@ def served():
     """Yield the port of a server on this machine."""
     import uvicorn
 
-    from gearwright.app.arriving import arriving
+    from gearwright.app.guard import arriving
     from gearwright.app.serving import MOST_CONNECTIONS
 
     bound = socket.create_server(("127.0.0.1", 0), backlog=256)
@@ -58,9 +58,9 @@ def test_very_many_who_send_half_a_request_keep_nobody_out(served, sent):
 
 @pytest.mark.parametrize("sent", [HALF, REFUSED_AND_ON], ids=["a header", "a body"])
 def test_a_request_that_trickles_in_is_given_up(served, sent, monkeypatch):
-    import gearwright.app.arriving
+    import gearwright.app.guard
 
-    monkeypatch.setattr(gearwright.app.arriving, "LATEST", 0.5)
+    monkeypatch.setattr(gearwright.app.guard, "LATEST", 0.5)
     with socket.create_connection(("127.0.0.1", served), timeout=30.0) as line:
         line.sendall(sent)
         with pytest.raises(OSError):  # whoever goes on is told so by the system

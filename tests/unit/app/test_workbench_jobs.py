@@ -105,7 +105,8 @@ def test_a_study_that_is_paused_is_finished_by_the_command_line_with_the_same_ro
     events, status = asked.runner.run(paused())
     assert "stopped" in events[-1] and status == 404
     journal = asked.folder / "paused.journal"
-    from gearwright.study.running import recorded, resume
+    from gearwright.study.journal import recorded
+    from gearwright.study.running import resume
 
     try:
         recorded(journal)

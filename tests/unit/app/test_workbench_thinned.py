@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.app.thinned import extremes, instants
+from gearwright.app.motions import extremes, instants
 
 RANDOM = np.random.default_rng(4)
 

@@ -10,7 +10,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.render.answers.design import size_answer
-from gearwright.render.answers.plain import plain
+from gearwright.render.answers.schema import plain
 
 pytestmark = pytest.mark.extra("starlette", "httpx", "tomlkit", "uvicorn")
 

@@ -12,7 +12,7 @@ from designs import HYBRID, PAIR
 from gearwright import __version__
 from gearwright.cli import app, main
 from gearwright.cli.answers import ANSWERS, answer_schema, schema_id
-from gearwright.render.answers.plain import plain
+from gearwright.render.answers.schema import plain
 from gearwright.shipped import shipped_designs, shipped_mission
 from json_schema import faults
 

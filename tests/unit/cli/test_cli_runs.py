@@ -12,12 +12,12 @@ import pytest
 from typer.testing import CliRunner
 
 from gearwright.cli import app
-from gearwright.cli.commands.studies.running import clock_time
+from gearwright.cli.commands.studies import clock_time
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import read, read_study
-from gearwright.study.journal.journal import Journal
-from gearwright.study.running import Progress, begin
+from gearwright.study.journal import Journal, begin
+from gearwright.study.running import Progress
 
 TEXT = """schema = 1
 name = "fill"
@@ -74,7 +74,7 @@ def test_a_stopped_study_says_what_to_do_next(folder: Path, monkeypatch: pytest.
     def stopped(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("gearwright.study.running.runner._missing", stopped)
+    monkeypatch.setattr("gearwright.study.running._missing", stopped)
     said = call("study", folder / "study.toml", "--journal", folder / "j", "--workers", 0, code=130)
     assert "what is finished is kept; next: gearwright resume" in said
     assert "stopped; next: gearwright resume" in call("status", folder / "j")
@@ -123,7 +123,7 @@ def test_files_of_certificates_must_be_there_and_belong_to_the_address(folder: P
 
 
 def test_a_cluster_that_is_not_there_is_said(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gearwright.study.running.cluster.PATIENCE", 0.5)
+    monkeypatch.setattr("gearwright.study.workers.PATIENCE", 0.5)
     installed = importlib.util.find_spec("distributed") is not None
     found = CliRunner().invoke(app, ["study", str(folder / "study.toml"), "--cluster", "tcp://127.0.0.1:1"])
     assert isinstance(found.exception, DesignError)

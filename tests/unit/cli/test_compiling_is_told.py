@@ -6,13 +6,14 @@ import pytest
 
 from designs import PAIR
 from gearwright.app.asked import Question
-from gearwright.app.worker import _safely
+from gearwright.app.workers import _safely
 from gearwright.cli import main
 from gearwright.dynamics.code_cache import CodeCache
-from gearwright.dynamics.codegen import assembler, native
-from gearwright.dynamics.model import plan
-from gearwright.notices import notice, noticed
+from gearwright.dynamics.codegen import assembler
+from gearwright.dynamics.codegen import generate as native
+from gearwright.dynamics.model import system as plan
 from gearwright.shipped import shipped_mission
+from gearwright.signals import notice, noticed
 
 THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
 TOLD = "compiling the steps"

@@ -9,7 +9,7 @@ import typer
 from typer.testing import CliRunner
 
 import gearwright as gw
-from gearwright.cli.commands.flights.lives import duty
+from gearwright.cli.commands.flights import duty
 from gearwright.errors import DesignError
 
 APP = typer.Typer()

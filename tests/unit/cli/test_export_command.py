@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 import gearwright as gw
 from designs import PAIR
 from gearwright.cli import app
-from gearwright.cli.commands.designs.export import export as export_command
+from gearwright.cli.commands.exchange import export as export_command
 from gearwright.errors import DesignError
 from gearwright.formats import FORMATS
 
@@ -60,7 +60,7 @@ def test_tables_and_the_general_arrangement_are_written(folder, format_, begins)
 
 
 def test_without_xlsxwriter_the_workbook_is_refused_with_what_to_install(folder, monkeypatch):
-    monkeypatch.setattr("gearwright.exchange.tables.xlsx.find_spec", lambda name: None)
+    monkeypatch.setattr("gearwright.exchange.tables.find_spec", lambda name: None)
     with pytest.raises(DesignError, match=r"XlsxWriter.*pip install.*\[xlsx\].*or use csv"):
         export("pair.toml", "--to", "xlsx")
 

@@ -6,7 +6,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.commands.flights.mission import fly
+from gearwright.cli.commands.flights import fly
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_mission
 

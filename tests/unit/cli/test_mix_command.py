@@ -6,7 +6,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.commands.flights.lives import mix
+from gearwright.cli.commands.flights import mix
 from gearwright.errors import DesignError
 
 APP = typer.Typer()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwright.cli.terminal.printing import print_pdf
+from gearwright.cli.printing import print_pdf
 from gearwright.errors import DesignError
 
 

@@ -7,7 +7,7 @@ import typer
 from typer.testing import CliRunner
 
 from gearwright.catalogue import read_propeller_map
-from gearwright.cli.commands.flights.propeller import propeller
+from gearwright.cli.commands.flights import propeller
 from gearwright.errors import DesignError
 
 APP = typer.Typer()

@@ -6,7 +6,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.commands.flights.rotor import rotor
+from gearwright.cli.commands.flights import rotor
 from gearwright.errors import DesignError
 
 APP = typer.Typer()

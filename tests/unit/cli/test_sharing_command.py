@@ -8,7 +8,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.commands.sharing import asked_share, sharing
+from gearwright.cli.commands.dynamics import asked_share, sharing
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 

@@ -52,7 +52,7 @@ def test_a_command_loads_no_more_than_it_uses(command: str) -> None:
 
 
 def test_a_worker_of_studies_loads_nothing_of_flights_and_reviews() -> None:
-    tell = "import sys, gearwright.study.running.workers; print(*sys.modules)"
+    tell = "import sys, gearwright.study.workers; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", tell], capture_output=True, text=True, check=True)
     others = {f"gearwright.{layer}" for layer in ("dynamics", "mission", "closure", "reviews", "store", "render")}
     assert not set(done.stdout.split()) & (STATICS | others)

@@ -9,7 +9,7 @@ from rich.console import Console
 
 from designs import PAIR
 from gearwright.closure import Outcome, Step, Wishes, close, contradictions, requirement_of
-from gearwright.closure.life import stage_lives
+from gearwright.closure.requirements import stage_lives
 from gearwright.errors import DesignError
 from gearwright.render.words.review import closure_text
 from gearwright.reviews import Verdict, review

@@ -5,7 +5,7 @@ from functools import cache
 import pytest
 
 from gearwright.closure import OnMission, Step, Wishes, close, requirement_of
-from gearwright.closure import flown as flown_module
+from gearwright.closure import close as flown_module
 from gearwright.reviews import review
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission

@@ -6,7 +6,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.closure import FREEDOMS, Step, Wishes, close
-from gearwright.closure.confirm import Factors, changes_of, confirmed
+from gearwright.closure.loop import Factors, changes_of, confirmed
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.reviews import Verdict, review
 from gearwright.sizing import size

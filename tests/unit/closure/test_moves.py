@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-import gearwright.closure.moves.separate as separate
+import gearwright.closure.moves as separate
 from designs import PAIR, changed
 from gearwright.closure import Wishes, close
-from gearwright.closure.life import stage_lives
 from gearwright.closure.loop import Task, settled
-from gearwright.closure.moves.neighbours import Candidate, Change, judged, other_teeth, screened
+from gearwright.closure.moves import Candidate, Change, judged, other_teeth, screened
+from gearwright.closure.requirements import stage_lives
 from gearwright.sizing import size
 from gearwright.spec import edited, parse
 

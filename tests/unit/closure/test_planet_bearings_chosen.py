@@ -3,7 +3,7 @@
 from functools import cache
 
 from gearwright.closure import Outcome, Step, Wishes, close
-from gearwright.closure.moves.planet_bearings import FILM, ROLLING
+from gearwright.closure.moves import FILM, ROLLING
 from gearwright.reviews import review
 from gearwright.sizing import size
 from gearwright.spec import design_text, edited, parse

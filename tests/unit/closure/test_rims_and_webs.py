@@ -5,7 +5,7 @@ from math import log, pi
 
 import pytest
 
-import gearwright.closure.moves.bodies as bodies
+import gearwright.closure.moves as bodies
 from designs import PAIR
 from gearwright.closure import Outcome, Wishes, close, contradictions
 from gearwright.reviews import review

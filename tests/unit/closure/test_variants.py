@@ -9,7 +9,7 @@ from test_planet_bearings_chosen import QUICK, SET
 
 from designs import PAIR
 from gearwright.closure import Outcome, Wishes, close, nearest_variant
-from gearwright.render.answers.closure import close_answer
+from gearwright.render.answers.review import close_answer
 from gearwright.render.words.review import variants_text
 from gearwright.reviews import Verdict, review
 from gearwright.shipped import shipped_design

@@ -8,14 +8,12 @@ import pytest
 
 from designs import PAIR, changed
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.assemble import Driving
-from gearwright.dynamics.assembly.assumptions import assumptions
-from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
+from gearwright.dynamics.assembly.assemble import Driving, assumptions
+from gearwright.dynamics.assembly.meshes import bodies_of, contacts_of
 from gearwright.dynamics.model import ClutchDrive, Line, MachineDrive, Model, Periodic
-from gearwright.dynamics.model.drives import encoded
-from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked
-from gearwright.dynamics.model.flatten import profile_of
-from gearwright.dynamics.model.line import DampingRatio
+from gearwright.dynamics.model.elements import DampingRatio, encoded
+from gearwright.dynamics.model.model import profile_of
+from gearwright.dynamics.model.system import check_structure, envelope, own_groups, stacked
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

@@ -5,11 +5,10 @@ import pytest
 
 from driven_train import driven_train
 from gearwright.dynamics import simulate, simulate_many
+from gearwright.dynamics.codegen import generate as written_in_parts
 from gearwright.dynamics.codegen import parameters, topology
-from gearwright.dynamics.codegen import parts as written_in_parts
-from gearwright.dynamics.codegen.march import assembly
-from gearwright.dynamics.codegen.parts import SPLIT
-from gearwright.dynamics.codegen.writer import Writer
+from gearwright.dynamics.codegen.generate import SPLIT, assembly
+from gearwright.dynamics.codegen.topology import Writer
 from gearwright.dynamics.equations import reference
 from gearwright.dynamics.motion import blank_record, stepper
 from gearwright.dynamics.motion.simulate import LARGEST_COMPILED, LARGEST_GENERATED, WORTH_GENERATING
@@ -70,7 +69,8 @@ def test_drives_work_in_parts_too(monkeypatch):
 
 def written_as(system, monkeypatch, split):
     """Return the end of a run whose code is in parts above so many lines."""
-    from gearwright.dynamics.codegen import march, native
+    from gearwright.dynamics.codegen import generate as march
+    from gearwright.dynamics.codegen import generate as native
 
     monkeypatch.setattr(march, "SPLIT", split)
     monkeypatch.setattr(written_in_parts, "SPLIT", split)

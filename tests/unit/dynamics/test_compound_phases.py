@@ -4,8 +4,7 @@ import math
 
 import pytest
 
-from gearwright.dynamics.assembly.compound_sets import compound_phases
-from gearwright.dynamics.assembly.meshes import gear_pairs
+from gearwright.dynamics.assembly.meshes import compound_phases, gear_pairs
 from gearwright.parts.planetary import planet_phases
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

@@ -9,7 +9,7 @@ from gearwright.dynamics import DampingRatio, Model, Outputs, Periodic, simulate
 from gearwright.dynamics.codegen import topology
 from gearwright.dynamics.equations import unbalanced
 from gearwright.dynamics.motion import STABLE, fastest_rate
-from gearwright.dynamics.motion.side_by_side import Clock
+from gearwright.dynamics.motion.ensemble import Clock
 from gearwright.errors import DesignError, SolveError
 from random_systems import random_system
 

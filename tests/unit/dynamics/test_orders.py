@@ -12,7 +12,7 @@ from gearwright.reviews import review
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import parse
-from gearwright.store.owners import read_orders, written_orders
+from gearwright.store import read_orders, written_orders
 
 TEXT = shipped_design("in-line-h2").read_text(encoding="utf-8")
 

@@ -7,9 +7,9 @@ import functools
 import pytest
 
 from gearwright.dynamics.sharing import influences, planet_counts, sharing_problem, sharing_study
-from gearwright.render.figures.planets import planets_figure, planets_text
+from gearwright.render.figures.sharing import planets_figure, planets_text
 from gearwright.render.pages.sharing import sharing_page
-from gearwright.render.style.theme import to_svg
+from gearwright.render.style import to_svg
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

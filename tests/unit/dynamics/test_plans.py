@@ -8,7 +8,7 @@ import numpy as np
 from gearwright.dynamics import DampingRatio, Model, Periodic, simulate
 from gearwright.dynamics.codegen import topology
 from gearwright.dynamics.model import kept, plan_of
-from gearwright.dynamics.model.plan import PLANS
+from gearwright.dynamics.model.system import PLANS
 
 
 def pair(stiffness: float = 1e8):

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from test_planetary import model_of, planetary
 
-from gearwright.dynamics.assembly.compound_sets import planet_bodies, planet_body, set_directions
+from gearwright.dynamics.assembly.meshes import planet_bodies, planet_body, set_directions
 from gearwright.dynamics.model import Model
-from gearwright.dynamics.model.drives import ClutchDrive, MachineDrive, drive_columns
+from gearwright.dynamics.model.elements import ClutchDrive, MachineDrive, drive_columns
 from gearwright.identity import Kind
 from gearwright.train import EXTERNAL
 from shipped_work import sized

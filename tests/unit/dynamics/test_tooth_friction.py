@@ -3,7 +3,7 @@
 import pytest
 
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.contacts import base_circles
+from gearwright.dynamics.assembly.meshes import base_circles
 from gearwright.dynamics.equations import statics
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

@@ -10,7 +10,8 @@ import pytest
 
 from driven_train import driven_state, driven_train
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.codegen import address, laws
+from gearwright.dynamics.codegen import address
+from gearwright.dynamics.codegen import excitation as laws
 from gearwright.dynamics.codegen.loops import Room, at, library, packed
 
 HALF = 0.5

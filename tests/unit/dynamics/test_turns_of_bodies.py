@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.turns import turns_of
+from gearwright.dynamics.assembly.bodies import turns_of
 from gearwright.shape import scene
 from gearwright.sizing import governing_case
 from shipped_work import sized

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics.model import Contact
-from gearwright.dynamics.model.contact import Carried
-from gearwright.dynamics.sharing.error_sources import unit_source
+from gearwright.dynamics.model.elements import Carried
+from gearwright.dynamics.sharing.errors import unit_source
 
 SIDES = (
     Carried("pinion", "fast", 0.05, {"pinion": 1.0}, {"fast": 1.0}, {}),

@@ -7,7 +7,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.enumeration import Architecture, Place, Seat, lighter, requirement_of
-from gearwright.enumeration import ranked as module
+from gearwright.enumeration import ranking as module
 from gearwright.enumeration.building import built
 from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
 from gearwright.errors import DesignError

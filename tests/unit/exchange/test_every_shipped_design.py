@@ -18,15 +18,13 @@ import pytest
 
 import gearwright as gw
 from gearwright.exchange.step import to_step
-from gearwright.exchange.tables import all_tables, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
-from gearwright.exchange.tables.formulas import letters
-from gearwright.render.pages.designs.report import report
-from gearwright.render.pages.designs.review import review_page
-from gearwright.render.pages.designs.turning import turning
+from gearwright.exchange.tables import all_tables, letters, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
+from gearwright.render.pages.motion import turning
+from gearwright.render.pages.report import report, review_page
 from gearwright.reviews import review_of
 from gearwright.shape import COLOURS, scene
-from gearwright.shape.record import triangles_of
 from gearwright.shape.solids import Fastener, Solid
+from gearwright.shape.stands import triangles_of
 from gearwright.store import text_of_value
 from html_checks import stands_alone
 from shipped_work import sized

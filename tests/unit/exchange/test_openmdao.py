@@ -139,6 +139,6 @@ def test_the_example_of_the_documentation_ends_below_its_grid():
 
 
 def test_without_openmdao_the_component_is_refused_with_what_to_install(monkeypatch):
-    monkeypatch.setattr("gearwright.exchange.openmdao.making.find_spec", lambda name: None)
+    monkeypatch.setattr("gearwright.exchange.openmdao.find_spec", lambda name: None)
     with pytest.raises(DesignError, match=r"OpenMDAO.*pip install.*\[openmdao\]"):
         component(sized("in-line-h2").design, [SPEED], ["mass"])

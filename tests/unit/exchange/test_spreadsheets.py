@@ -9,8 +9,8 @@ from xml.etree import ElementTree
 import pytest
 
 import gearwright as gw
-from gearwright.exchange.tables import all_tables, columns, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
-from gearwright.exchange.tables.formulas import formulas_of
+from gearwright.exchange import tables as columns
+from gearwright.exchange.tables import all_tables, formulas_of, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
 from shipped_work import sized
 from workbooks import SHEET, book
 

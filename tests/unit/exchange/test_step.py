@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.exchange.step import to_step, write
+from gearwright.exchange import step as write
+from gearwright.exchange.step import to_step
 from gearwright.parts.gears import Blank, TransverseTooth, transverse_form
-from gearwright.shape.solids import Bores, Section, Solid, disc_gear, loop_of, surface_of
+from gearwright.shape.solids import Section, Solid, disc_gear, loop_of, surface_of
+from gearwright.shape.surfaces import Bores
 from shipped_work import sized
 from step_files import volume_of
 
@@ -44,7 +46,7 @@ except ModuleNotFoundError as error:
 @pytest.mark.extra("OCP")
 def test_bodies_of_which_no_solid_comes_are_refused_by_name_and_nothing_is_written():
     """A plate whose hole reaches beyond its outline, and one whose outline crosses itself: both are named at once."""
-    from gearwright.exchange.step.assembly import assembly
+    from gearwright.exchange.step import assembly
 
     def plate(angles, *middles):
         outlines = (Section(np.full(4, 0.05), np.radians(angles), np.full(4, place)) for place in (-0.01, 0.01))
@@ -64,7 +66,7 @@ def test_bodies_of_which_no_solid_comes_are_refused_by_name_and_nothing_is_writt
 @pytest.mark.extra("OCP")
 def test_the_plate_of_a_carrier_is_straight_between_its_corners_and_round_in_its_holes():
     """Area of its polygon by its corners, less pins and bore, times its thickness: no spline bulges beyond it."""
-    from gearwright.exchange.step.solids import made_of
+    from gearwright.exchange.step import made_of
 
     plate = gw.scene(sized("hybrid-turboprop"), detail="smooth").solids["second.carrier"]
     low, high = (section.points for section in plate.sections)
@@ -80,8 +82,7 @@ def test_wheels_of_face_gears_are_valid_solids_and_nothing_is_said(capfd):
     """`--json` and pipes own standard output: Open CASCADE says nothing there."""
     from OCP.BRepCheck import BRepCheck_Analyzer
 
-    from gearwright.exchange.step.assembly import assembly
-    from gearwright.exchange.step.solids import made_of
+    from gearwright.exchange.step import assembly, made_of
 
     built = gw.scene(sized("face-gear-split-torque"), detail="smooth")
     wheel = made_of(built.solids["first.wheel"])
@@ -99,7 +100,7 @@ def test_a_helical_wheel_has_the_volume_of_its_teeth():
     from OCP.BRepMesh import BRepMesh_IncrementalMesh
     from OCP.GProp import GProp_GProps
 
-    from gearwright.exchange.step.solids import made_of
+    from gearwright.exchange.step import made_of
 
     tooth = TransverseTooth(23, 3e-3, 0.3)
     blank = Blank(tooth.root_radius, 0.0, 0.01, 0.01, 0.02, 0.02)
@@ -118,7 +119,7 @@ def test_a_helical_wheel_has_the_volume_of_its_teeth():
 def test_holes_are_bored_through_a_web():
     from OCP.BRepCheck import BRepCheck_Analyzer
 
-    from gearwright.exchange.step.solids import made_of
+    from gearwright.exchange.step import made_of
 
     tooth = TransverseTooth(20, 3e-3)
     blank = Blank(tooth.root_radius, 0.02, 0.008, 0.006, 0.02, 0.006)

@@ -6,7 +6,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.exchange.rexs.words import words
+from gearwright.exchange.rexs.files import words
 from rexs_database import FOLDER, database, faults
 from shipped_work import sized
 

@@ -16,7 +16,7 @@ from gearwright.air import (
 )
 from gearwright.errors import DesignError
 from gearwright.lanes import rebound
-from gearwright.parts.losses import oil
+from gearwright.parts import losses as oil
 
 HEIGHTS = np.array([0.0, 500.0, 10_999.0, 11_000.0, 11_001.0, 20_000.0])
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.machines import Battery, battery_step, stored_energy
-from gearwright.machines.power import (
+from gearwright.machines.electric import (
     Cells,
     CellState,
     Network,

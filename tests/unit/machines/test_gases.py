@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from gearwright.machines.power import (
+from gearwright.machines.turboshaft import (
     AIR,
     GAS_CONSTANT,
     Breathing,

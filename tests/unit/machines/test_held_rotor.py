@@ -5,17 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.machines.power import (
-    FuelControl,
-    Inlet,
-    Rated,
-    RotorGovernor,
-    at_rest,
-    engine_of,
-    held_rotor,
-    state_for,
-    turbine_torque,
-)
+from gearwright.machines.gas_generator import FuelControl, RotorGovernor, at_rest, held_rotor, turbine_torque
+from gearwright.machines.turboshaft import Inlet, Rated, engine_of, state_for
 from gearwright.units import HORSEPOWER, POUND
 
 STANDARD = Inlet(288.15, 101325.0, 101325.0)

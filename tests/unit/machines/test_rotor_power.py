@@ -5,7 +5,7 @@ import math
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.machines.rotor_power import Disc, Stream, induced_velocity, rotor_power
+from gearwright.machines.rotors import Disc, Stream, induced_velocity, rotor_power
 
 DISC = Disc(diameter=10.0, solidity=0.05, profile_drag=0.01, induced_factor=1.15)
 HOVER = Stream(density=1.225, forward=0.0, climb=0.0, speed=42.5)

@@ -6,21 +6,17 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.machines.power import (
-    FuelControl,
+from gearwright.machines.gas_generator import FuelControl, at_rest, fuelled, spool, time_constant
+from gearwright.machines.turboshaft import (
     Gas,
     Inlet,
     Rated,
-    at_rest,
     engine_of,
     entering,
     enthalpy,
-    fuelled,
     leaving,
-    spool,
     state_for,
     steady_state,
-    time_constant,
 )
 from gearwright.units import HORSEPOWER, POUND
 
@@ -52,7 +48,7 @@ def imbalance(state, inlet):
 
 @pytest.mark.parametrize(("speed", "hot"), [(4500.0, 1400.0), (3600.0, 1000.0), (4000.0, 1500.0), (4300.0, 900.0)])
 def test_components_close_the_engine_also_when_it_spools(speed, hot):
-    from gearwright.machines.power import state_at
+    from gearwright.machines.turboshaft import state_at
 
     for inlet in (STANDARD, Inlet(193.0, 3e4, 2.6e4)):
         assert abs(imbalance(state_at(engine(), inlet, speed, hot), inlet)) < 1e-9

@@ -7,16 +7,8 @@ import pytest
 
 from gearwright.catalogue import DesignPoint, StartRules, engine_start
 from gearwright.errors import DesignError
-from gearwright.machines.power import (
-    Inlet,
-    Rated,
-    Starter,
-    cranked,
-    engine_of,
-    friction_torque,
-    started,
-    steady_state,
-)
+from gearwright.machines.gas_generator import Starter, cranked, friction_torque, started
+from gearwright.machines.turboshaft import Inlet, Rated, engine_of, steady_state
 from gearwright.units import HORSEPOWER, POUND
 
 STANDARD = Inlet(288.15, 101325.0, 101325.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.mission import fly, phase_forces
-from gearwright.render.words.flights.forces import forces_text
+from gearwright.render.words.flights import forces_text
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission
 from gearwright.units import NAUTICAL_MILE

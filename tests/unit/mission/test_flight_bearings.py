@@ -11,7 +11,7 @@ from gearwright.mission import bearing_lives, fly
 from gearwright.mission.lives import seat_duties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.bearings import bearing_seats, seat_forces
+from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
 from gearwright.spec import parse, parse_mission, read
 from shipped_work import flown, lives, sized
 

@@ -20,12 +20,10 @@ from gearwright.mission import (
     shaft_spectrum,
     unrated_stages,
 )
-from gearwright.mission.history import MESH_LOSS
-from gearwright.render.answers.described import described
-from gearwright.render.answers.flights.flight import Moment, fly_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.words.flights.flight import flight_text, verdict_text
-from gearwright.render.words.flights.flight_data import flight_csv
+from gearwright.mission.flight import MESH_LOSS
+from gearwright.render.answers.flights import Moment, fly_answer
+from gearwright.render.answers.schema import described, plain
+from gearwright.render.words.flights import flight_csv, flight_text, verdict_text
 from gearwright.reviews import review_of
 from gearwright.spec import parse_mission
 from gearwright.units import si_unit

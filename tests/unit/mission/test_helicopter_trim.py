@@ -5,7 +5,8 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import fly
-from gearwright.mission.moments import moments, trimmed
+from gearwright.mission.profile import moments
+from gearwright.mission.thrust import trimmed
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read

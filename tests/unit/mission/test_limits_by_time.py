@@ -9,7 +9,7 @@ import pytest
 from designs import HYBRID
 from gearwright.errors import DesignError
 from gearwright.mission import fly
-from gearwright.mission.endurance import Bound, endured
+from gearwright.mission.supply import Bound, endured
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission
 

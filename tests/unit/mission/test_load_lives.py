@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.mission import gear_damage
 from gearwright.mission.lives import load_lives
-from gearwright.render.figures.flights.load_lives import LONGEST, SHOWN, load_life_figure
+from gearwright.render.figures.flights import LONGEST, SHOWN, load_life_figure
 from shipped_work import flown
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import bearing_lives, fly
-from gearwright.mission.oil import flown_oil
+from gearwright.mission.plant import flown_oil
 from gearwright.parts.losses import MeshLaw
 from gearwright.sizing import size
 from gearwright.spec import edited, edited_mission, read, read_mission

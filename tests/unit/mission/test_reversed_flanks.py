@@ -8,7 +8,7 @@ import pytest
 from gearwright.mission import fly, gear_damage
 from gearwright.shipped import shipped_mission
 from gearwright.sizing.rating import reverse_parts
-from gearwright.sizing.rating.iso6336.inputs import mean_stress_factor
+from gearwright.sizing.rating.iso6336_inputs import mean_stress_factor
 from gearwright.spec import read_mission
 from rated_by_hand import Pair, cycles_of_root, planet_inside, root_by_hand
 from shipped_work import sized

@@ -8,7 +8,7 @@ from gearwright.mission import fly, gear_damage
 from gearwright.mission.lives.damage import alike, extremes
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.sizing.as_sized import made_of, rating_as_sized
+from gearwright.sizing.insight import made_of, rating_as_sized
 from gearwright.spec import edited, read, read_mission
 
 STAGES = ("first", "second")

@@ -7,7 +7,7 @@ from gearwright.mission import durability, fly
 from gearwright.mission.lives import seat_duties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.bearings import bearing_seats
+from gearwright.sizing.bearing_seats import bearing_seats
 from gearwright.spec import parse, parse_mission
 
 THRUST, DIAMETER = 20e3, "diameter_m = 3.93"

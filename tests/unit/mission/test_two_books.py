@@ -7,7 +7,7 @@ import pytest
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.errors import DesignError
-from gearwright.machines.power import Exhaust, exhaust_heat
+from gearwright.machines.turboshaft import Exhaust, exhaust_heat
 from gearwright.mission import fly
 from gearwright.shipped import shipped_missions
 from gearwright.sizing import size

@@ -6,14 +6,12 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.cli.freedoms import axis_of, bound_of
+from gearwright.cli.options import axis_of, bound_of
 from gearwright.errors import DesignError
 from gearwright.optimum import Optimum, hypervolume
-from gearwright.optimum.course import Archive
-from gearwright.optimum.judging import judged_rows
-from gearwright.optimum.optimise import nearest
-from gearwright.optimum.request import study_for
-from gearwright.optimum.screening import _places, parts_of, screened
+from gearwright.optimum.course import Archive, _places, parts_of, screened
+from gearwright.optimum.freedoms import judged_rows
+from gearwright.optimum.optimise import nearest, study_for
 from gearwright.spec import Study
 
 SPEED, WIDTH = "motors.electric.speed_rpm", "gears.face_width_ratio"

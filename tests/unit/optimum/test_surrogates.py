@@ -5,10 +5,10 @@ import pytest
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.optimum.process import conditioned, fitted
-from gearwright.render.answers.optimum import optimise_answer
-from gearwright.render.pages.studies.optimum import optimum_page
-from gearwright.render.tables.study.optimum import fit_table
+from gearwright.optimum.generations import conditioned, fitted
+from gearwright.render.answers.studies import optimise_answer
+from gearwright.render.pages.comparison import optimum_page
+from gearwright.render.tables.study import fit_table
 from gearwright.spec import Study
 from gearwright.spec.studies import study_problems
 

@@ -6,6 +6,15 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
+from gearwright.parts.agma908 import (
+    HobbedPair,
+    LoadPlace,
+    bending_geometry,
+    helical_overlap_factor,
+    load_sharing_ratio,
+    pitting_geometry_factor,
+    stress_correction,
+)
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     EXTRA_PRECISION,
@@ -16,21 +25,14 @@ from gearwright.parts.agma2001 import (
     AgmaMesh,
     AgmaSteel,
     AgmaStrength,
-    HobbedPair,
-    LoadPlace,
     agma_rating,
     agma_strength,
-    bending_geometry,
     dynamic_factor_agma,
     elastic_coefficient,
     hardness_ratio_factor,
-    helical_overlap_factor,
     load_distribution_factor,
-    load_sharing_ratio,
-    pitting_geometry_factor,
     reliability_factor,
     rim_factor_agma,
-    stress_correction,
 )
 from gearwright.parts.iso6336 import life_factor
 

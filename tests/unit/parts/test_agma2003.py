@@ -19,7 +19,6 @@ from gearwright.parts.agma2003 import (
     AgmaBevelMaking,
     BevelEdition,
     BevelSteel,
-    MeanSection,
     bevel_geometry,
     bevel_strength,
     lengthwise_curvature,
@@ -29,8 +28,8 @@ from gearwright.parts.agma2003 import (
     size_factor_contact,
     temperature_factor,
 )
-from gearwright.parts.agma2003.bending import effective_face, load_point, weakest_section
-from gearwright.parts.bevel import BevelPair, BevelTooth, mean_thickness
+from gearwright.parts.agma2003_geometry import MeanSection, effective_face, load_point, weakest_section
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, mean_thickness
 from gearwright.parts.iso6336 import life_factor
 
 PSI = 6894.757
@@ -107,7 +106,7 @@ def test_the_contact_ratios_of_straight_teeth_are_those_of_the_back_cone():
 
 
 def test_the_spiral_pitting_point_is_the_worst_near_the_middle():
-    from gearwright.parts.agma2003.pitting import _at
+    from gearwright.parts.agma2003_geometry import _at
 
     section = MeanSection(SPIRAL)
     found = bevel_geometry(SPIRAL).pitting

@@ -6,12 +6,15 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.parts.agma2003 import AgmaBevelDuty, AgmaBevelMaking, BevelStrength, MeanSection
-from gearwright.parts.agma2003.bending import bending_geometry, effective_face, load_point
-from gearwright.parts.agma2003.mesh import bevel_factors
-from gearwright.parts.agma2003.pitting import pitting_geometry
-from gearwright.parts.agma2003.rating import rate_with_factors
-from gearwright.parts.bevel import BevelPair, BevelTooth
+from gearwright.parts.agma2003 import AgmaBevelDuty, AgmaBevelMaking, BevelStrength, bevel_factors, rate_with_factors
+from gearwright.parts.agma2003_geometry import (
+    MeanSection,
+    bending_geometry,
+    effective_face,
+    load_point,
+    pitting_geometry,
+)
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
 
 TEETH, LEAN, ALPHA = (14, 39), math.radians(35.0), math.radians(20.0)
 OUTER = 4.5e-3 * math.hypot(*TEETH) / 2.0

@@ -6,30 +6,16 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from gearwright.parts.agma2001 import (
-    AgmaGear,
-    AgmaLoad,
-    AgmaMesh,
-    AgmaSteel,
-    AgmaStrength,
+from gearwright.parts.agma908 import (
     HobbedPair,
     LoadPlace,
-    agma_rating,
-    agma_strength,
     bending_geometry,
-    dynamic_factor_agma,
-    elastic_coefficient,
-    hardness_ratio_factor,
     helical_overlap_factor,
-    load_distribution_factor,
     load_sharing_ratio,
     pitting_geometry_factor,
-    reliability_factor,
-    rim_factor_agma,
-    size_factor,
     stress_correction,
 )
-from gearwright.parts.agma2001.factors import (
+from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     BENDING_HB160,
     BENDING_HB250,
@@ -41,6 +27,20 @@ from gearwright.parts.agma2001.factors import (
     PITTING,
     PITTING_NITRIDED,
     PRECISION,
+    AgmaGear,
+    AgmaLoad,
+    AgmaMesh,
+    AgmaSteel,
+    AgmaStrength,
+    agma_rating,
+    agma_strength,
+    dynamic_factor_agma,
+    elastic_coefficient,
+    hardness_ratio_factor,
+    load_distribution_factor,
+    reliability_factor,
+    rim_factor_agma,
+    size_factor,
 )
 from gearwright.parts.iso6336 import life_factor
 

@@ -6,20 +6,18 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
+from gearwright.parts.agma908 import HobbedPair, bending_geometry, pitting_geometry_factor
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     PITTING,
     AgmaDuty,
     AgmaMaking,
     AgmaSteel,
-    HobbedPair,
     agma_strength,
-    bending_geometry,
     dynamic_factor_agma,
     elastic_coefficient,
     greatest_velocity,
     load_distribution_factor,
-    pitting_geometry_factor,
     rate_agma,
     size_factor,
 )

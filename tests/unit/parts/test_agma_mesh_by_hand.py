@@ -4,23 +4,26 @@ import math
 
 import pytest
 
+from gearwright.parts.agma908 import HobbedPair, bending_geometry, pitting_geometry_factor
 from gearwright.parts.agma2001 import (
+    BENDING_CARBURISED,
+    PITTING,
+    PRECISION,
+    AgmaDuty,
     AgmaGear,
     AgmaLoad,
+    AgmaMaking,
     AgmaMesh,
     AgmaStrength,
-    HobbedPair,
     agma_rating,
-    bending_geometry,
     dynamic_factor_agma,
     elastic_coefficient,
+    greatest_velocity,
     load_distribution_factor,
-    pitting_geometry_factor,
+    rate_agma,
     reliability_factor,
     size_factor,
 )
-from gearwright.parts.agma2001.factors import BENDING_CARBURISED, PITTING, PRECISION
-from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, greatest_velocity, rate_agma
 from gearwright.parts.gears import lewis_form_factor
 from gearwright.parts.iso6336 import StressBin, damage_part, endurable_cycles, life_factor, spectrum_damage
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from gearwright.catalogue import bearing_friction, bearings
 from gearwright.parts.bearings import BearingKind, least_load, speed_factor, speed_limit, thermal_reference_speed
-from gearwright.parts.bearings.speed import reference_heat
+from gearwright.parts.bearings.rolling_bearing import reference_heat
 from gearwright.units import RPM
 
 near = pytest.approx

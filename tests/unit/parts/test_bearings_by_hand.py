@@ -40,8 +40,7 @@ from gearwright.parts.bearings import (
     taper_static_factors,
     weibull_slope,
 )
-from gearwright.parts.bearings.contact import Contacts, Curvature
-from gearwright.parts.bearings.load import (
+from gearwright.parts.bearings.life import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
@@ -50,7 +49,13 @@ from gearwright.parts.bearings.load import (
     StaticFactors,
     deep_groove_factors,
 )
-from gearwright.parts.bearings.rating import ball_dynamic_factor, ball_static_factor, roller_dynamic_factor
+from gearwright.parts.bearings.rolling_bearing import (
+    Contacts,
+    Curvature,
+    ball_dynamic_factor,
+    ball_static_factor,
+    roller_dynamic_factor,
+)
 
 DEEP, FOUR, ROLLER, TAPER = BearingKind
 BALL = BearingGeometry(DEEP, 9, 15e-3, 62e-3, 0.3, rows=2, inner_conformity=0.515, outer_conformity=0.535)

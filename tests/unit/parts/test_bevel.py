@@ -6,20 +6,16 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel import (
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, Hand, Rotation, bevel_forces
+from gearwright.parts.iso6336 import GearSteel, Treatment
+from gearwright.parts.iso10300 import (
     BevelDuty,
-    BevelPair,
-    BevelTooth,
-    Hand,
-    Rotation,
     VirtualPair,
-    bevel_forces,
     bevel_load_factors,
     contact_ratio_factor_bending,
     mid_zone_factor,
     spiral_angle_factor,
 )
-from gearwright.parts.iso6336 import GearSteel, Treatment
 
 STRAIGHT = BevelPair((17, 43), 4e-3, 30e-3)
 

@@ -6,8 +6,7 @@ from dataclasses import replace
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank, least_cutter_radius
-from gearwright.parts.bevel.blank import dedendum_angles
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, bevel_blank, dedendum_angles, least_cutter_radius
 
 PAIR = BevelPair((14, 39), 4.5e-3, 25e-3, math.radians(35.0), tooth=BevelTooth(profile_shift=0.4))
 

@@ -6,26 +6,15 @@ from dataclasses import dataclass, replace
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel import BevelDuty, BevelPair, BevelTooth, Hand, Rotation, VirtualPair, bevel_forces
-from gearwright.parts.bevel.bending import (
-    bevel_bending,
-    contact_ratio_factor_bending,
-    spiral_angle_factor,
-    tip_loaded_section,
+from gearwright.parts.bevel_geometry import (
+    BevelPair,
+    BevelTooth,
+    Hand,
+    Rotation,
+    bevel_forces,
+    cone_forces,
+    gleason_profile_shift,
 )
-from gearwright.parts.bevel.geometry import cone_forces, gleason_profile_shift
-from gearwright.parts.bevel.pitting import (
-    BOTH_OVERHUNG,
-    ONE_OVERHUNG,
-    STRADDLE,
-    bevel_dynamics,
-    bevel_load_factors,
-    bevel_pitting,
-    mid_zone_factor,
-    virtual_force,
-)
-from gearwright.parts.bevel.rating import BevelSurfaces, bevel_pitch_tolerance, rate_bevel
-from gearwright.parts.bevel.virtual import LOW_CROWNING
 from gearwright.parts.iso6336 import (
     GearSteel,
     LoadedTooth,
@@ -39,6 +28,26 @@ from gearwright.parts.iso6336 import (
     roughness_factor,
     speed_factor,
     surface_factor,
+)
+from gearwright.parts.iso10300 import (
+    BOTH_OVERHUNG,
+    LOW_CROWNING,
+    ONE_OVERHUNG,
+    STRADDLE,
+    BevelDuty,
+    BevelSurfaces,
+    VirtualPair,
+    bevel_bending,
+    bevel_dynamics,
+    bevel_load_factors,
+    bevel_pitch_tolerance,
+    bevel_pitting,
+    contact_ratio_factor_bending,
+    mid_zone_factor,
+    rate_bevel,
+    spiral_angle_factor,
+    tip_loaded_section,
+    virtual_force,
 )
 
 TOOTH = BevelTooth(1.0, 1.25, 0.2, (0.05, -0.03), (0.3, 0.25))

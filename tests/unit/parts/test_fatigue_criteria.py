@@ -2,8 +2,7 @@
 
 import pytest
 
-from gearwright.parts.shafts import CRITERIA, FatigueStrength
-from gearwright.parts.shafts.fatigue import SectionStress
+from gearwright.parts.shaft_fatigue import CRITERIA, FatigueStrength, SectionStress
 
 STRENGTH = FatigueStrength(200e6, 700e6, 560e6)
 STRESS = SectionStress(80e6, 150e6, 230e6)

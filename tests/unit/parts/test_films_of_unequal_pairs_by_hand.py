@@ -17,10 +17,11 @@ from gearwright.parts.micropitting import (
     OilGrade,
     film_of_test,
     film_thickness,
+    load_sharing,
+    path_places,
     permissible_film,
 )
 from gearwright.parts.micropitting import micropitting as rate
-from gearwright.parts.micropitting.film import load_sharing, path_places
 
 TEETH, MODULE = (19, 46), 3.0
 OIL = OilGrade(150e-6, 15.5e-6, 870.0, BASES["polyalphaolefin"])

@@ -26,25 +26,33 @@ from gearwright.parts.gears import (
     virtual_teeth,
     working_pressure_angle,
 )
-from gearwright.parts.gears.cylindrical_gear import pressure_angle_at, tip_thickness
-from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
-from gearwright.parts.gears.hertz import (
+from gearwright.parts.gears.cylindrical_gear import (
+    ball_measurement,
+    disc_inertia,
+    disc_mass,
+    feed_grade,
+    least_backlash,
+    pressure_angle_at,
+    ring_inertia,
+    ring_mass,
+    runout_tolerance,
+    span_allowances,
+    span_measurement,
+    spanned_teeth,
+    tip_thickness,
+)
+from gearwright.parts.gears.gear_pair import assembly_room, interference, involute_clearance, tip_clearance_angle
+from gearwright.parts.gears.involute import involute_angle
+from gearwright.parts.gears.lewis_hertz import (
     HERTZ_COEFFICIENT,
+    bending_stress_lewis,
     contact_angles,
     contact_stress,
     hertz_coefficient,
+    lewis_form_factor,
     module_hertz,
+    module_lewis,
 )
-from gearwright.parts.gears.internal_interference import (
-    assembly_room,
-    interference,
-    involute_clearance,
-    tip_clearance_angle,
-)
-from gearwright.parts.gears.involute import involute_angle
-from gearwright.parts.gears.lewis import bending_stress_lewis, lewis_form_factor, module_lewis
-from gearwright.parts.gears.tooth_allowance import feed_grade, least_backlash, runout_tolerance, span_allowances
-from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
 
 PI = math.pi
 RACK = BasicRack(math.radians(21.0), 1.05, 1.3, 0.32)

@@ -64,10 +64,8 @@ from gearwright.parts.iso6336 import (
     work_hardening_factor,
 )
 from gearwright.parts.iso6336.bending import RootBody, RootStrengthFactors, bending_rating, slip_layer
-from gearwright.parts.iso6336.loads.distribution import HelixModification
-from gearwright.parts.iso6336.loads.mesh_loads import USUAL, MeshQuality, specific_load
-from gearwright.parts.iso6336.loads.stiffness import mesh_springs
-from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
+from gearwright.parts.iso6336.dynamic import mesh_springs
+from gearwright.parts.iso6336.loads import USUAL, HelixModification, MeshQuality, flank_tolerances, specific_load
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, contact_ratio_factor, zone_factor
 
 ST, V, EH, IF, NT, NV, NVC, *_ = Treatment

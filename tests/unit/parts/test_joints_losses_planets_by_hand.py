@@ -8,9 +8,10 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.gears import CylindricalGear, GearPair, ToothShift
-from gearwright.parts.hardness import BRINELL_PER_VICKERS, vickers_of_rockwell
 from gearwright.parts.joints import (
+    LONGEST_BEARING,
     MODULES,
+    SHORTEST_RATIO,
     FitPart,
     KeySection,
     Spline,
@@ -26,8 +27,6 @@ from gearwright.parts.joints import (
     spline_length,
     spline_pressure,
 )
-from gearwright.parts.joints.key import LONGEST_BEARING
-from gearwright.parts.joints.spline import SHORTEST_RATIO
 from gearwright.parts.losses import (
     HIGHEST_FRICTION,
     OIL_DENSITY,
@@ -47,7 +46,7 @@ from gearwright.parts.losses import (
     tooth_loss_factor,
     windage_power,
 )
-from gearwright.parts.material import Material, contact_strength
+from gearwright.parts.material import BRINELL_PER_VICKERS, Material, contact_strength, vickers_of_rockwell
 from gearwright.parts.planetary import (
     ADDENDUMS,
     assembles,

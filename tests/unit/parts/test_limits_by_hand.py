@@ -5,18 +5,18 @@ import math
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.agma2001 import HobbedPair, helical_overlap_factor
-from gearwright.parts.bearings.modified_life import Cleanliness, cleanliness_factor
-from gearwright.parts.bevel import BevelPair, VirtualPair
-from gearwright.parts.bevel.bending import tip_loaded_section
-from gearwright.parts.bevel.geometry import BevelTooth
+from gearwright.parts.agma908 import HobbedPair, helical_overlap_factor
+from gearwright.parts.bearings.life import Cleanliness, cleanliness_factor
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
+from gearwright.parts.din743 import SteelGroup, blank_factor
 from gearwright.parts.gears import CylindricalGear, GearPair
-from gearwright.parts.gears.internal_interference import assembly_room
+from gearwright.parts.gears.gear_pair import assembly_room
 from gearwright.parts.iso6336 import Treatment
-from gearwright.parts.iso6336.film import contact_size_factor
-from gearwright.parts.iso6336.steels.life import knee_curve
-from gearwright.parts.planetary.compound import CompoundSet, touching
-from gearwright.parts.shafts import SteelGroup, blank_factor, shaft_diameter, shaft_stress
+from gearwright.parts.iso6336.pitting import contact_size_factor
+from gearwright.parts.iso6336.steels import knee_curve
+from gearwright.parts.iso10300 import VirtualPair, tip_loaded_section
+from gearwright.parts.planetary import CompoundSet, touching
+from gearwright.parts.shafts import shaft_diameter, shaft_stress
 
 
 def overlap_by_hand(pair: HobbedPair) -> float:

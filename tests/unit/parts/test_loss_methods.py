@@ -211,7 +211,7 @@ def test_seals_by_hand():
 
 def test_the_points_of_the_path_share_the_load_of_the_pairs_in_contact():
     """ε_α between 1 and 2: the mean number of pairs over the path, each counted, is what keeps F the same."""
-    from gearwright.parts.losses.tooth_power import _pairs_in_contact
+    from gearwright.parts.losses import _pairs_in_contact
 
     place, pairs = _pairs_in_contact(CONTACT)
     ratio = sum(CONTACT.path) / CONTACT.base_pitch

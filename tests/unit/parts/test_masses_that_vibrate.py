@@ -31,7 +31,7 @@ from gearwright.parts.iso6336 import (
     running_in_relief,
     usual_class,
 )
-from gearwright.parts.iso6336.loads.relief import load_deflection
+from gearwright.parts.iso6336.loads import load_deflection
 from gearwright.parts.planetary import clocking_load_factor, path_stiffness, tolerance_load_factor
 
 SUN = MeshGeometry((20, 60), 3e-3, 30e-3, 120e-3, (33e-3, 93e-3))

@@ -12,16 +12,19 @@ from gearwright.parts.micropitting import (
     BASES,
     POINTS,
     STAGES,
+    THERMAL,
     FilmMesh,
     OilGrade,
     film_of_test,
     film_thickness,
+    helical_factor,
+    load_sharing,
     mean_friction,
     micropitting,
+    path_places,
     permissible_film,
     relief_factor,
 )
-from gearwright.parts.micropitting.film import THERMAL, helical_factor, load_sharing, path_places
 
 EVEN = MeshGeometry((24.0, 24.0), 4e-3, 40e-3, 96e-3, (52e-3, 52e-3))
 """Two equal gears: all is even about the pitch point."""

@@ -6,13 +6,18 @@ import pytest
 from scipy.optimize import brentq
 
 from gearwright.parts.bearings import BearingGeometry, BearingKind
-from gearwright.parts.bearings.speed import reference_heat, thermal_reference_speed
-from gearwright.parts.bearings.weights import CERAMIC_DENSITY, rolling_weights, turning_inertia
-from gearwright.parts.bevel import BevelPair, bevel_volume, lightened_web
+from gearwright.parts.bearings.rolling_bearing import (
+    CERAMIC_DENSITY,
+    reference_heat,
+    rolling_weights,
+    thermal_reference_speed,
+    turning_inertia,
+)
+from gearwright.parts.bevel_geometry import BevelPair, bevel_volume, lightened_web
+from gearwright.parts.din743 import AxialLoad, ShaftSection, ShaftSteel, SteelGroup, blank_factor, din743_safety
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, face_crown, face_reach, revolved_volume
-from gearwright.parts.planetary.carrier import pin_bore, pin_diameter, pin_mass, pin_stress
-from gearwright.parts.shafts import AxialLoad, Concentration, ShaftSection, ShaftSteel, SteelGroup
-from gearwright.parts.shafts.din743 import SectionLoad, blank_factor, din743_safety
+from gearwright.parts.planetary import pin_bore, pin_diameter, pin_mass, pin_stress
+from gearwright.parts.shaft_fatigue import Concentration, SectionLoad
 
 near = pytest.approx
 PI = math.pi

@@ -6,16 +6,19 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.parts.agma2001 import AgmaSteel, agma_strength, factors
-from gearwright.parts.bearings import life, load, rating
+from gearwright.parts import agma2001 as factors
+from gearwright.parts import stiffness as kuang_yang
+from gearwright.parts.agma2001 import AgmaSteel, agma_strength
+from gearwright.parts.bearings import life
+from gearwright.parts.bearings import life as load
+from gearwright.parts.bearings import rolling_bearing as rating
 from gearwright.parts.bearings.rolling_bearing import BearingKind
-from gearwright.parts.gears.lewis import lewis_form_factor
-from gearwright.parts.gears.tooth_allowance import feed_grade
-from gearwright.parts.hardness import ROCKWELL, VICKERS, vickers_of_rockwell
+from gearwright.parts.gears.cylindrical_gear import feed_grade
+from gearwright.parts.gears.lewis_hertz import lewis_form_factor
 from gearwright.parts.iso6336 import GearSteel, Treatment, life_factor
 from gearwright.parts.iso6336.bending import slip_layer
-from gearwright.parts.joints.spline import MODULES
-from gearwright.parts.stiffness import kuang_yang
+from gearwright.parts.joints import MODULES
+from gearwright.parts.material import ROCKWELL, VICKERS, vickers_of_rockwell
 from gearwright.units import INCH, POUND_FORCE
 
 E140 = {
@@ -211,7 +214,7 @@ def test_the_foundation_of_a_tooth_has_the_printed_polynomials():
         " 0.9086 -50.952e-5 185.50e-3 0.0538e-4 53.300e-3 0.2895 0.9236 -6.2042e-5 9.0889e-3 -4.0964e-4 7.8297e-3"
         " -0.1472 0.6904"
     )
-    tooth_compliance = importlib.import_module("gearwright.parts.stiffness.tooth_compliance")
+    tooth_compliance = importlib.import_module("gearwright.parts.stiffness")
     assert tooth_compliance._BODY.ravel().tolist() == [float(number) for number in printed.split()]
 
 

@@ -5,7 +5,7 @@ import random
 
 import pytest
 
-from gearwright.parts.shafts import rainflow, reversals
+from gearwright.parts.shaft_fatigue import rainflow, reversals
 
 EXAMPLE = [-2, 1, -3, 5, -1, 3, -4, 4, -2]
 """ASTM E1049-85, figure 6: A to I."""

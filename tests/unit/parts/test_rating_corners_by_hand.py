@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import pytest
 
-from gearwright.parts.agma2001 import HobbedPair, bending_geometry, overload_distribution, yield_safety
-from gearwright.parts.bevel import BevelPair, bevel_profile
+from gearwright.parts.agma908 import HobbedPair, bending_geometry
+from gearwright.parts.agma2001 import overload_distribution, yield_safety
+from gearwright.parts.bevel_geometry import BevelPair, bevel_profile
 from gearwright.parts.iso6336 import (
     Choices,
     GearSteel,

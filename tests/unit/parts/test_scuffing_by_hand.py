@@ -8,17 +8,6 @@ import pytest
 
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.parts.scuffing import (
-    SPRAY,
-    FlashEdition,
-    Oil,
-    ScuffingMesh,
-    contact_ratio_factor_integral,
-    flash_temperature,
-    integral_temperature,
-    load_sharing,
-    thermo_elastic_factor,
-)
-from gearwright.parts.scuffing.flash_temperature import (
     AUSTENITIC,
     CASE_HARDENED_USUAL,
     COPPER_PLATED,
@@ -29,15 +18,22 @@ from gearwright.parts.scuffing.flash_temperature import (
     PHOSPHATE_ESTER,
     PHOSPHATED,
     POLYALPHAOLEFIN,
+    SPRAY,
     SUBMERGED,
     WATER_POLYGLYCOL,
+    FlashEdition,
+    Oil,
+    ScuffingMesh,
     approach_factor,
+    contact_ratio_factor_integral,
+    flash_temperature,
     friction_coefficient,
-    lubricant_factor_scuffing,
-)
-from gearwright.parts.scuffing.integral_temperature import (
     friction_coefficient_integral,
+    integral_temperature,
+    load_sharing,
+    lubricant_factor_scuffing,
     scuffing_integral_temperature,
+    thermo_elastic_factor,
     tip_relief_factor,
 )
 

@@ -9,6 +9,16 @@ from hypothesis import strategies as st
 
 from gearwright.catalogue import key_for_shaft
 from gearwright.errors import DesignError
+from gearwright.parts.din743 import (
+    AxialLoad,
+    Overload,
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    blank_factor,
+    din743_safety,
+    yield_limits,
+)
 from gearwright.parts.joints import (
     FitPart,
     KeySection,
@@ -24,33 +34,27 @@ from gearwright.parts.joints import (
     spline_length,
     spline_pressure,
 )
-from gearwright.parts.shafts import (
-    AxialLoad,
+from gearwright.parts.shaft_fatigue import (
     Concentration,
     FatigueStrength,
-    Overload,
-    PointLoads,
     SectionLoad,
-    Sections,
-    ShaftSection,
-    ShaftSteel,
     Shoulder,
-    SteelGroup,
     asme_safety,
-    bent_line,
-    blank_factor,
-    critical_speed,
-    diagram,
-    din743_safety,
     endurance_limit,
     goodman_safety,
-    influence,
-    lumped_shaft,
     section_stress,
     stress_concentration,
-    supported,
-    yield_limits,
     yield_safety,
+)
+from gearwright.parts.shafts import (
+    PointLoads,
+    Sections,
+    bent_line,
+    critical_speed,
+    diagram,
+    influence,
+    lumped_shaft,
+    supported,
 )
 
 STEEL = 210e9

@@ -7,45 +7,53 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.shafts import (
-    Concentration,
-    PointLoads,
-    SectionLoad,
-    Sections,
+from gearwright.parts.din743 import (
     ShaftSection,
     ShaftSteel,
-    Shoulder,
     SteelGroup,
-    asme_safety,
-    bearing_reactions,
-    bent_line,
-    critical_speed,
-    diagram,
+    blank_factor,
     din743_safety,
+    section_factor,
+    surface_factors,
+    yield_limits,
+)
+from gearwright.parts.shaft_fatigue import (
+    Concentration,
+    FatigueStrength,
+    SectionLoad,
+    SectionStress,
+    Shoulder,
+    asme_safety,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
     goodman_safety,
-    influence,
     keyseat_concentration,
     keyway_factor,
-    lumped_shaft,
     notch_sensitivity,
     press_fit_factor,
     section_stress,
+    spline_factor,
+    stress_concentration,
+    yield_safety,
+)
+from gearwright.parts.shafts import (
+    PointLoads,
+    Sections,
+    bearing_reactions,
+    bent_line,
+    critical_speed,
+    diagram,
+    influence,
+    lumped_shaft,
     shaft_diameter,
     shaft_diameter_around,
     shaft_inertia,
     shaft_mass,
     shaft_stress,
-    spline_factor,
-    stress_concentration,
     supported,
     torsional_stiffness,
-    yield_safety,
 )
-from gearwright.parts.shafts.din743 import blank_factor, section_factor, surface_factors, yield_limits
-from gearwright.parts.shafts.fatigue import FatigueStrength, SectionStress
 
 PI = math.pi
 

@@ -15,10 +15,10 @@ from gearwright.parts.iso6336 import (
     outer_single_contact,
     root_section,
 )
-from gearwright.parts.iso6336.shaped_root import shaped_fillet
+from gearwright.parts.iso6336.tooth_root import shaped_fillet
 from gearwright.sizing import size
 from gearwright.spec import parse
-from gearwright.validate.gears.reports import PLANET_RING
+from gearwright.validate.gears.ratings import PLANET_RING
 
 ALPHA = np.radians(20.0)
 RING = ToothProportions(1.25, 0.3, -0.5013, cutter=ShaperCutter(36.0))

@@ -8,17 +8,8 @@ import numpy as np
 import pytest
 
 from gearwright.parts import agma2003
-from gearwright.parts.agma2001 import (
-    Hardnesses,
-    HobbedPair,
-    LoadPlace,
-    bending_geometry,
-    hardened_pinion_factor,
-    hardness_ratio_of,
-    helical_overlap_factor,
-    load_distribution_factor,
-    load_sharing_ratio,
-)
+from gearwright.parts.agma908 import HobbedPair, LoadPlace, bending_geometry, helical_overlap_factor, load_sharing_ratio
+from gearwright.parts.agma2001 import Hardnesses, hardened_pinion_factor, hardness_ratio_of, load_distribution_factor
 from gearwright.parts.agma2003 import (
     BENDING,
     BENDING_CRITICAL,
@@ -26,24 +17,13 @@ from gearwright.parts.agma2003 import (
     AgmaBevelDuty,
     AgmaBevelMaking,
     BevelSteel,
-    MeanSection,
     bevel_strength,
     load_distribution,
     rate_agma_bevel,
     size_factor_bending,
 )
-from gearwright.parts.agma2003.bending import load_point
-from gearwright.parts.agma2003.pitting import _lowest
-from gearwright.parts.bevel import (
-    HIGH_CROWNING,
-    LOW_CROWNING,
-    BevelPair,
-    BevelTooth,
-    VirtualPair,
-    bevel_profile,
-    least_cutter_radius,
-    virtual_mesh,
-)
+from gearwright.parts.agma2003_geometry import MeanSection, _lowest, load_point
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, bevel_profile, least_cutter_radius
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.iso6336 import (
     Edition,
@@ -65,7 +45,8 @@ from gearwright.parts.iso6336 import (
     rate_mesh,
     rim_factor,
 )
-from gearwright.parts.iso6336.shaped_root import shaped_fillet
+from gearwright.parts.iso6336.tooth_root import shaped_fillet
+from gearwright.parts.iso10300 import HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
 from gearwright.parts.scuffing import Oil, ScuffingMesh, flash_temperature, load_sharing
 
 SPUR = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))

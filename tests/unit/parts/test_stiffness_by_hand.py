@@ -14,26 +14,26 @@ from gearwright.parts.stiffness import (
     StiffnessCurve,
     blank_factor,
     contact_compliance,
+    curve_of,
     cut_square_wave,
+    half_plane_foundation,
+    held_body_foundation,
     load_factor,
     mesh_curve_iso6336,
     mesh_cycle_energy,
     mesh_stiffness_energy,
     mesh_stiffness_iso6336,
     mesh_stiffness_kuang_yang,
+    pair_curve,
     pair_stiffness,
     rack_factor,
+    rectangular_curve,
     sampled_curve,
     stiffness_at,
+    summed_pairs,
     theoretical_stiffness,
-    tooth_stiffness_kuang_yang,
-)
-from gearwright.parts.stiffness.curve import curve_of
-from gearwright.parts.stiffness.passing_pairs import pair_curve, rectangular_curve, summed_pairs
-from gearwright.parts.stiffness.tooth_compliance import (
-    half_plane_foundation,
-    held_body_foundation,
     tooth_compliance,
+    tooth_stiffness_kuang_yang,
 )
 
 PI = math.pi

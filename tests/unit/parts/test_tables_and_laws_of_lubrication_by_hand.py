@@ -13,11 +13,10 @@ from gearwright.parts.bearings import (
     contamination_factor,
     deep_groove_factors,
 )
-from gearwright.parts.bearings.load import ISO281_2007, ISO_R281_1962
+from gearwright.parts.bearings.life import ISO281_2007, ISO_R281_1962
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.parts.losses import MeshDuty, OilState, anderson_loewenthal_part, iso_tr_14179_1_part, tooth_contact
-from gearwright.parts.micropitting import FilmMesh, OilGrade, film_of_test
-from gearwright.parts.micropitting.film import film_thickness, path_places
+from gearwright.parts.micropitting import FilmMesh, OilGrade, film_of_test, film_thickness, path_places
 from gearwright.units import RPM
 
 PRINTED_2007 = [

@@ -10,8 +10,9 @@ import pytest
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.parts import scuffing
-from gearwright.parts.agma2001 import HobbedPair, LoadPlace, bending_geometry, hardened_pinion_factor
-from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank
+from gearwright.parts.agma908 import HobbedPair, LoadPlace, bending_geometry
+from gearwright.parts.agma2001 import hardened_pinion_factor
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, bevel_blank
 from gearwright.parts.iso6336 import (
     MeshGeometry,
     ShaperCutter,
@@ -23,8 +24,7 @@ from gearwright.parts.iso6336 import (
     contact_life_curve,
     endurable_cycles,
 )
-from gearwright.parts.iso6336.root import LoadedTooth, root_section
-from gearwright.parts.iso6336.shaped_root import shaped_fillet
+from gearwright.parts.iso6336.tooth_root import LoadedTooth, root_section, shaped_fillet
 from gearwright.parts.losses import oil_viscosity
 from gearwright.parts.micropitting import BASES, OilGrade
 

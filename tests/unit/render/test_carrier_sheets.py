@@ -11,13 +11,19 @@ import pytest
 import gearwright as gw
 from gearwright.catalogue import standard_tolerance
 from gearwright.parts.planetary import pin_error_share, pin_error_within
-from gearwright.render.drawings.carriers.carrier_sheet import carrier_content
-from gearwright.render.drawings.carriers.carrier_view import drawn_carrier, is_even, outline_radii, places_of
-from gearwright.render.drawings.carriers.pin_places import MESH_STIFFNESS, pin_places
+from gearwright.render.drawings.carriers import (
+    MESH_STIFFNESS,
+    carrier_content,
+    drawn_carrier,
+    is_even,
+    outline_radii,
+    pin_places,
+    places_of,
+)
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.dxf import sheet_dxf
-from gearwright.render.drawings.sheet.entities import Arc, Layer, Words
-from gearwright.shape.carriers import held_at
+from gearwright.render.drawings.entities import Arc, Layer, Words
+from gearwright.render.drawings.writers import sheet_dxf
+from gearwright.shape.bodies import held_at
 from gearwright.shape.stands import axes_at, middle_of, set_frame, stands_of
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing.mass import cage_of

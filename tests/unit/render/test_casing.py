@@ -7,19 +7,21 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.render.drawings.casing.casing_section import casing_section, joints_of
-from gearwright.render.drawings.casing.cutting_way import cutting_way
-from gearwright.render.drawings.casing.exits import closed_towards
-from gearwright.render.drawings.casing.plane_section import casing_of, end_outlines, seen_from_second_end, span_of
-from gearwright.render.drawings.casing.section_path import lanes
-from gearwright.render.drawings.casing.true_section import true_section
-from gearwright.render.drawings.casing_sheet import casing_content
+from gearwright.render.drawings.casing_section import casing_section, joints_of
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.dimensions import extent
-from gearwright.render.drawings.sheet.entities import Arc, Distance, Hatch, Layer, Path, Words
-from gearwright.render.drawings.views.positions import positions
+from gearwright.render.drawings.entities import Arc, Distance, Hatch, Layer, Path, Words, extent
+from gearwright.render.drawings.housing_sheet import casing_content
+from gearwright.render.drawings.plane_section import (
+    casing_of,
+    closed_towards,
+    end_outlines,
+    seen_from_second_end,
+    span_of,
+    true_section,
+)
+from gearwright.render.drawings.positions import cutting_way, lanes, positions
 from gearwright.shape import screw_places
-from gearwright.shape.solids import Chamber, depth_in
+from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass, weighed_flanges
@@ -389,7 +391,7 @@ def test_a_section_by_one_plane_or_one_that_steps_has_no_way_in_the_view_along_t
 
 def test_ribs_as_far_aside_keep_their_order_whatever_rounding_says():
     """The rows above and below a section are drawn as they came on every processor."""
-    from gearwright.render.drawings.casing.outside_view import _apart
+    from gearwright.render.drawings.casing_section import _apart
 
     low, high = (tuple(complex(x, y) for x, y in ((0, at), (1, at), (1, at + 1), (0, at + 1))) for at in (0, 5))
     for noise in (1e-18, -1e-18):

@@ -3,7 +3,7 @@
 import csv
 import io
 
-from gearwright.render.grid.csv_text import csv_text
+from gearwright.render.grid import csv_text
 
 
 def test_a_text_is_never_a_formula_and_a_number_stays_a_number() -> None:

@@ -14,37 +14,39 @@ from built_design import BORES, JOINTS, STEPS, built_sizing
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.parts.bevel import face_and_root
+from gearwright.parts.bevel_geometry import face_and_root
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.catalogue import contents, sheets
-from gearwright.render.drawings.housing_sheet import housing_content, true_to
-from gearwright.render.drawings.sheet.crossing import crossings, segments, texts
-from gearwright.render.drawings.sheet.dimensions import drawn, extent, words_corners
-from gearwright.render.drawings.sheet.dxf import sheet_document, sheet_dxf
-from gearwright.render.drawings.sheet.entities import (
+from gearwright.render.drawings.entities import (
     Arc,
     Corner,
     Distance,
     Hatch,
     Layer,
     Path,
+    Tolerance,
     Words,
+    drawn,
+    extent,
+    frame_length,
     millimetres,
     runs,
+    tolerance_frame,
+    words_corners,
 )
-from gearwright.render.drawings.sheet.frame import inside
-from gearwright.render.drawings.sheet.sheets import SCALES
-from gearwright.render.drawings.sheet.svg import sheet_svg
-from gearwright.render.drawings.sheet.tolerances import Tolerance, frame_length, tolerance_frame
-from gearwright.render.drawings.views.gear_parts import hub_of
-from gearwright.render.drawings.views.positions import positions
-from gearwright.render.drawings.views.shaft_parts import shaft_body
-from gearwright.render.drawings.views.shafts.splines import hob_room
-from gearwright.render.pages.designs.sheets import DrawnSheet, sheets_page
-from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
+from gearwright.render.drawings.gear_view import hub_of
+from gearwright.render.drawings.housing_sheet import housing_content, true_to
+from gearwright.render.drawings.paper import SCALES, crossings, inside, segments, texts
+from gearwright.render.drawings.positions import positions
+from gearwright.render.drawings.shaft_sheet import hob_room
+from gearwright.render.drawings.shaft_view import shaft_body
+from gearwright.render.drawings.writers import sheet_document, sheet_dxf, sheet_svg
+from gearwright.render.pages.report import DrawnSheet, sheets_page
+from gearwright.shape.stands import cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.mass import complete_mass, gear_blanks
+from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import edited
 from html_checks import stands_alone

@@ -10,16 +10,19 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.model import Bearing, Rotor, Segment, add_bearing, add_rotor
 from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, peaks, run_up
 from gearwright.errors import DesignError
-from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure
-from gearwright.render.figures.maps import waterfall_figure
-from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
-from gearwright.render.pages.designs.dynamics_sections import dynamics_sections
-from gearwright.render.schematic.mode_shapes import drawn_modes_figure
-from gearwright.render.style.theme import to_svg
+from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure, waterfall_figure
+from gearwright.render.figures.motion import (
+    drawn_modes_figure,
+    moving_centres,
+    orbit_figure,
+    phase_figure,
+    transmission_error_figure,
+)
+from gearwright.render.pages.motion import dynamics_sections
+from gearwright.render.style import to_svg
 from gearwright.render.tables.dynamics import critical_table, excited_by, loudest_table, machine_table, peak_table
-from gearwright.render.vector.figure import Figure
-from gearwright.render.vector.keys import key_rows
-from gearwright.render.vector.marks import Shape, Words
+from gearwright.render.vector.figure import Figure, Shape, Words
+from gearwright.render.vector.layout import key_rows
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse

@@ -8,14 +8,11 @@ import pytest
 
 from gearwright.parts.gears import face_crown
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Distance, Hatch, Layer, Words
-from gearwright.render.drawings.views.face_view import face_section, face_teeth, toward_pinion
-from gearwright.render.drawings.views.gear_parts import hub_of
-from gearwright.render.drawings.views.positions import positions
-from gearwright.render.drawings.views.shaft_view import Axis
-from gearwright.render.drawings.views.weights import made_of
-from gearwright.shape.stands import stands_of
-from gearwright.shape.teeth import gear_of
+from gearwright.render.drawings.entities import Distance, Hatch, Layer, Words
+from gearwright.render.drawings.gear_view import face_section, face_teeth, hub_of, toward_pinion
+from gearwright.render.drawings.positions import positions
+from gearwright.render.drawings.shaft_view import Axis, made_of
+from gearwright.shape.stands import gear_of, stands_of
 from shipped_work import sized
 
 NAME = "face-gear-split-torque"

@@ -6,11 +6,17 @@ import pytest
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.errors import DesignError
+from gearwright.render import style as theme
+from gearwright.render.figures.masses import (
+    bent_shafts,
+    margin_figure,
+    mass_figure,
+    shaft_figure,
+    squarified,
+    treemap_figure,
+)
 from gearwright.render.figures.motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
-from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
-from gearwright.render.figures.treemap import squarified, treemap_figure
-from gearwright.render.style import theme
-from gearwright.render.vector.marks import Box, Curve
+from gearwright.render.vector.figure import Box, Curve
 from gearwright.sizing.mass import complete_mass
 
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from gearwright.mission import Balance, durability, fly, size_for_life
-from gearwright.render.figures.flights.flight import apart
-from gearwright.render.figures.flights.sankey import energies
+from gearwright.render.figures.flights import apart, energies
 from gearwright.render.pages.flight import flight_page
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission

@@ -9,9 +9,9 @@ import gearwright as gw
 from gearwright.parts.gears import runout_tolerance
 from gearwright.parts.iso6336 import flank_tolerances
 from gearwright.render.drawings.catalogue import contents, sheets
-from gearwright.render.drawings.gears.edges import edge_notes
-from gearwright.render.drawings.sheet.entities import Arc, Layer, Words
-from gearwright.render.drawings.views.gear_parts import hub_of
+from gearwright.render.drawings.entities import Arc, Layer, Words
+from gearwright.render.drawings.gear_sheet import edge_notes
+from gearwright.render.drawings.gear_view import hub_of
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import edited
 from shipped_work import sized

@@ -5,10 +5,9 @@ import math
 import pytest
 
 from gearwright.render.drawings.catalogue import contents, sheets
-from gearwright.render.drawings.gears.hardened import hard_grid, hard_teeth
-from gearwright.render.drawings.sheet.dimensions import drawn
-from gearwright.render.drawings.sheet.entities import Layer, Path, Words
-from gearwright.shape.teeth import gear_of
+from gearwright.render.drawings.entities import Layer, Path, Words, drawn
+from gearwright.render.drawings.tooth_data import hard_grid, hard_teeth
+from gearwright.shape.stands import gear_of
 from shipped_work import sized
 
 

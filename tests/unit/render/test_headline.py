@@ -11,15 +11,14 @@ from rich.console import Console
 
 from gearwright.checks import Check, Status, not_assessed
 from gearwright.identity import Kind, PartId
-from gearwright.render.figures.sizing import margin_figure
-from gearwright.render.pages.designs.report import report
-from gearwright.render.pages.designs.report_parts import warnings
+from gearwright.render.figures.masses import margin_figure
+from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
-from gearwright.render.pages.studies.comparison import comparison
-from gearwright.render.pages.studies.study import study_page
-from gearwright.render.words.flights.flight import flight_text
-from gearwright.render.words.headline import energy_text, headline, said_of, sizing_headline
+from gearwright.render.pages.report import report, warnings
+from gearwright.render.pages.study import study_page
+from gearwright.render.words.flights import flight_text
 from gearwright.render.words.review import review_text
+from gearwright.render.words.sizing import energy_text, headline, said_of, sizing_headline
 from gearwright.reviews import Review, review_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

@@ -8,8 +8,8 @@ import gearwright as gw
 from designs import PAIR
 from gearwright.cli.answers import answer_schema, answer_text
 from gearwright.render.answers.design import Asked, SizeAnswer, size_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.tables.sizing.influences import influence_tables
+from gearwright.render.answers.schema import plain
+from gearwright.render.tables.checks import influence_tables
 from gearwright.spec import parse
 from json_schema import faults
 

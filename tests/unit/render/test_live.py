@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from gearwright.render import live
-from gearwright.render.pages.designs.report import report
-from gearwright.render.style import theme
+from gearwright.render import style as theme
+from gearwright.render.pages.report import report
 from gearwright.render.vector.live import GAP, STEPS, Numbers, live_panels
 
 

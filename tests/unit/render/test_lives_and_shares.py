@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics.sharing import LoadSharing
-from gearwright.render.figures.around import around_figure
-from gearwright.render.figures.flights.lives import _spectrum
-from gearwright.render.figures.sizing import aged_bearings, bearing_life_figure
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.marks import Box, Curve, Shape
+from gearwright.render.figures.flights import _spectrum
+from gearwright.render.figures.masses import aged_bearings, bearing_life_figure
+from gearwright.render.figures.sharing import around_figure
+from gearwright.render.vector.figure import Axes, Box, Curve, Shape
 from shipped_work import sized
 
 

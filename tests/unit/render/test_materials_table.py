@@ -5,10 +5,10 @@ from rich.console import Console
 
 from designs import PAIR
 from gearwright.render.answers.design import size_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.pages.designs.report import report
-from gearwright.render.tables.sizing.materials import materials_table
-from gearwright.render.words.text import sizing_text
+from gearwright.render.answers.schema import plain
+from gearwright.render.pages.report import report
+from gearwright.render.tables.sizing import materials_table
+from gearwright.render.words.sizing import sizing_text
 from gearwright.sizing import size
 from gearwright.spec import parse
 

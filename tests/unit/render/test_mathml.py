@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import gearwright
-from gearwright.render.style.mathml import mathml
+from gearwright.render.style import mathml
 
 SOURCES = Path(gearwright.__file__).parent.rglob("*.py")
 

@@ -4,8 +4,8 @@ import re
 from functools import cache
 
 from gearwright.mission import fly_mix
-from gearwright.render.pages.mix import mix_page
-from gearwright.render.words.flights.mix import totals, verdict
+from gearwright.render.pages.flight import mix_page
+from gearwright.render.words.flights import totals, verdict
 from gearwright.spec import read_mix
 from html_checks import PACKED
 from shipped_work import sized

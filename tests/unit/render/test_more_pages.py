@@ -3,10 +3,9 @@
 import re
 
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.svg import sheet_svg
-from gearwright.render.pages.designs.sheets import DrawnSheet, sheets_page
-from gearwright.render.pages.validation import validation_page
-from gearwright.render.tables.validation import by_source
+from gearwright.render.drawings.writers import sheet_svg
+from gearwright.render.pages.report import DrawnSheet, sheets_page
+from gearwright.render.pages.validation import by_source, validation_page
 from gearwright.validate import Case, published
 from html_checks import stands_alone
 from shipped_work import sized

@@ -7,10 +7,9 @@ import pytest
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import simulate
 from gearwright.dynamics.vibration import dynamic_loads
-from gearwright.parts.bevel import BevelRating
-from gearwright.render.tables.checks import check_sentence
-from gearwright.render.tables.sizing.factors import factor_tables
-from gearwright.render.words.inputs import entries
+from gearwright.parts.iso10300 import BevelRating
+from gearwright.render.tables.checks import check_sentence, factor_tables
+from gearwright.render.words.design_file import entries
 from gearwright.shipped import shipped_design
 from gearwright.sizing import pair_data, size
 from gearwright.spec import read

@@ -6,11 +6,11 @@ from drawn_designs import MIXED, sized
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
-from gearwright.render.pages.designs.report import report
+from gearwright.render.html import symbols
 from gearwright.render.pages.page import Stamp, hash_of
-from gearwright.render.style.mathml import mathml
-from gearwright.render.style.templates import symbols
-from gearwright.render.words.inputs import entries
+from gearwright.render.pages.report import report
+from gearwright.render.style import mathml
+from gearwright.render.words.design_file import entries
 from html_checks import PACKED, Balance
 
 

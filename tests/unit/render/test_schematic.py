@@ -4,15 +4,11 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from gearwright.render.schematic.bands import source_colours
-from gearwright.render.schematic.layout import lay_out
-from gearwright.render.schematic.power import trace_power
-from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
-from gearwright.render.style.labels import Board
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.layout import words_box
-from gearwright.render.vector.marks import Box, Words
-from gearwright.render.vector.words import text_width
+from gearwright.render.schematic import power_flow_figure, schematic_figure, source_colours, trace_power
+from gearwright.render.skeleton import lay_out
+from gearwright.render.style import Board
+from gearwright.render.vector.figure import Axes, Box, Words
+from gearwright.render.vector.layout import text_width, words_box
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse, read

@@ -16,8 +16,8 @@ from gearwright.dynamics.sharing import (
     support_sweep,
 )
 from gearwright.errors import DesignError
-from gearwright.render.answers.plain import plain
-from gearwright.render.answers.vibration import sharing_answer
+from gearwright.render.answers.motion import sharing_answer
+from gearwright.render.answers.schema import plain
 from gearwright.render.figures.sharing import (
     allocation_figure,
     displacement_figure,
@@ -28,11 +28,10 @@ from gearwright.render.figures.sharing import (
     support_figure,
     tornado_figure,
 )
-from gearwright.render.pages.sharing import sharing_page
-from gearwright.render.style.theme import to_svg
-from gearwright.render.words.sharing import summary
+from gearwright.render.pages.sharing import sharing_page, summary
+from gearwright.render.style import to_svg
 from gearwright.replays import paper_on
-from gearwright.replays.wang.split_torque import split_torque
+from gearwright.replays.wang.claims import split_torque
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import read

@@ -8,13 +8,11 @@ import re
 import numpy as np
 import pytest
 
-from gearwright.render.figures.study.lines import study_figure
-from gearwright.render.figures.study.spread import contour_figure, figure_of, parallel_figure
-from gearwright.render.figures.study.trade import draw_ranges
-from gearwright.render.pages.studies.study import study_page
-from gearwright.render.style import theme
-from gearwright.render.tables.study.variants import reasons, spread
-from gearwright.render.vector.marks import Curve
+from gearwright.render import style as theme
+from gearwright.render.figures.study import contour_figure, draw_ranges, figure_of, parallel_figure, study_figure
+from gearwright.render.pages.study import study_page
+from gearwright.render.tables.variants import reasons, spread
+from gearwright.render.vector.figure import Curve
 from gearwright.render.words.study import answer
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Named

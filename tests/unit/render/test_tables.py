@@ -7,11 +7,10 @@ from drawn_designs import MIXED, sized
 
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId
-from gearwright.render.answers.described import described
-from gearwright.render.answers.plain import plain
-from gearwright.render.grid.table import table
+from gearwright.render.answers.schema import described, plain
+from gearwright.render.grid import table
 from gearwright.render.tables.checks import check_sentence, review_tables
-from gearwright.render.tables.sizing.overview import given_by_user, tables_of
+from gearwright.render.tables.sizing import given_by_user, tables_of
 from gearwright.units import Length, Origin, Quantity, written
 
 

@@ -8,10 +8,10 @@ from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.tables.dynamic_load import dynamic_table
-from gearwright.render.words.masses import summary
-from gearwright.render.words.text import modes_text, sizing_text, trace_text
+from gearwright.render.answers.schema import plain
+from gearwright.render.tables.dynamics import dynamic_table
+from gearwright.render.tables.weights import summary
+from gearwright.render.words.sizing import modes_text, sizing_text, trace_text
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.mass import complete_mass

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from designs import ONE_SET, PAIR
-from gearwright.render.drawings.views.tooth_data import tooth_grid
-from gearwright.render.tables.sizing.overview import tables_of
+from gearwright.render.drawings.tooth_data import tooth_grid
+from gearwright.render.tables.sizing import tables_of
 from gearwright.sizing import size
 from gearwright.spec import parse
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gearwright.render import solids, uplot
-from gearwright.render.pages.designs.turning import turning, upright
+from gearwright.render.pages.motion import turning, upright
 from shipped_work import sized
 
 ROOM = Path(solids.__file__).parent

@@ -3,8 +3,8 @@
 from html import escape
 
 from designs import PAIR, changed
-from gearwright.render.schematic.schematic import power_flow_figure
-from gearwright.render.style import theme
+from gearwright.render import style as theme
+from gearwright.render.schematic import power_flow_figure
 from gearwright.sizing import size
 from gearwright.spec import parse
 

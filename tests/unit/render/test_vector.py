@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.render.figures.sizing import margin_figure, mass_figure
-from gearwright.render.schematic.schematic import schematic_figure
-from gearwright.render.vector.scales import Scale, linear_ticks, log_ticks, nice_step
-from gearwright.render.vector.svg import svg_text
-from gearwright.render.vector.thinning import COLUMN, extremes, thinned
+from gearwright.render.figures.masses import margin_figure, mass_figure
+from gearwright.render.schematic import schematic_figure
+from gearwright.render.vector.layout import Scale, linear_ticks, log_ticks, nice_step
+from gearwright.render.vector.svg import COLUMN, extremes, svg_text, thinned
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -1,8 +1,8 @@
 import pytest
 from drawn_designs import MIXED, sized
 
-from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
-from gearwright.render.tables.sizing.overview import flow_tables, tables_of
+from gearwright.render.tables.dynamics import energy_table, mode_table, motion_tables
+from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.sizing import asked_speeds, bearing_forces, mass_parts
 from gearwright.spec import GROUND
 from gearwright.spec.design import NO_ORIGIN

@@ -7,9 +7,9 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from gearwright.render.answers.plain import plain
+from gearwright.render.answers.schema import plain
 from gearwright.render.answers.weights import mass_answer
-from gearwright.render.figures.weights import (
+from gearwright.render.figures.masses import (
     figure_densities,
     figure_mass_over_power,
     figure_methods,
@@ -18,8 +18,8 @@ from gearwright.render.figures.weights import (
 )
 from gearwright.render.pages.weights import weights_page
 from gearwright.render.tables import weights
-from gearwright.render.vector.marks import Curve, Dots
-from gearwright.render.words import weights_data
+from gearwright.render.tables import weights as weights_data
+from gearwright.render.vector.figure import Curve, Dots
 from gearwright.units import RPM
 from gearwright.weights import Requirement, StatedMass, checked_engines, compare, scores
 

@@ -4,11 +4,8 @@ import math
 
 import pytest
 
-from gearwright.replays.pulvirenti.claims import Claim
-from gearwright.replays.pulvirenti.errata import PrintedClaim, printed_claims
-from gearwright.replays.pulvirenti.masses import MASS_CLAIMS
-from gearwright.replays.pulvirenti.torques import TORQUE_CLAIMS
-from gearwright.replays.verdict import Verdict
+from gearwright.replays.pulvirenti.claims import MASS_CLAIMS, TORQUE_CLAIMS, Claim, PrintedClaim, printed_claims
+from gearwright.replays.replay import Verdict
 
 PRINTED = PrintedClaim("key", "p. 1", "twice", "ratio", "the other way", "ratio", 1.8, 2.2, "")
 

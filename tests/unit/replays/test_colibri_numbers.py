@@ -1,7 +1,6 @@
 """The table of the Colibri report's numbers: whole, without repeats, and its notes name what is there."""
 
-from gearwright.replays.colibri.report.chain import executed
-from gearwright.replays.colibri.report.printed import assumptions, colibri_errata, printed_numbers
+from gearwright.replays.colibri.report import assumptions, colibri_errata, executed, printed_numbers
 
 
 def test_every_number_has_its_own_key_and_a_known_unit():

@@ -9,10 +9,9 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from gearwright.cli.commands.replay import Part, colibri
-from gearwright.replays.colibri.page import colibri_page, indexed
-from gearwright.replays.colibri.replay import replay
-from gearwright.replays.colibri.report.printed import printed_numbers
-from gearwright.replays.colibri.words import PARTS, chosen, findings_table, replay_tables
+from gearwright.replays.colibri.pages import colibri_page, indexed
+from gearwright.replays.colibri.replay import PARTS, chosen, findings_table, replay, replay_tables
+from gearwright.replays.colibri.report import printed_numbers
 from html_checks import stands_alone
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from gearwright.replays.pulvirenti.errata import EVIDENCE, STANDINGS, errata, printed_claims
+from gearwright.replays.pulvirenti.claims import EVIDENCE, STANDINGS, errata, printed_claims
 
 VERIFICATION = Path(__file__).parents[2] / "verification"
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from gearwright.replays.wang.split_torque import SplitTorque, split_torque
+from gearwright.replays.wang.claims import SplitTorque, split_torque
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.spec import parse, read
 

@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 
 from gearwright.cli.commands.replay import thesis
 from gearwright.errors import DesignError
-from gearwright.replays.pulvirenti.errata import errata, printed_claims
-from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
+from gearwright.replays.pulvirenti.claims import errata, printed_claims
+from gearwright.replays.pulvirenti.pages import thesis_markdown, thesis_page
 from html_checks import stands_alone
 
 DOCS = Path(__file__).parents[3] / "docs" / "theory" / "thesis.md"

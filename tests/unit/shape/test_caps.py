@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.shape.solids.solid import Solid, teeth_apart
+from gearwright.shape.solids import Solid, teeth_apart
 from shipped_work import sized
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.shape.solids import (
+from gearwright.shape.chambers import (
     Chamber,
     End,
     Leg,

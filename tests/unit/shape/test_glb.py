@@ -9,7 +9,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.shape import glb, scene
-from gearwright.shape.glb import quaternion
+from gearwright.shape.scene import quaternion
 from gearwright.shipped import shipped_designs
 from shipped_work import sized
 

@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 
 from gearwright.shape import MOUNT, RIB, SCREW, casing_masses, scene, short_of
-from gearwright.shape.casings.mounts import BOLT, CENTRE, DEPTH, LUGS, lugs_on
-from gearwright.shape.casings.outside import Rods
-from gearwright.shape.casings.ribs import MOST, ribs_on
-from gearwright.shape.solids import Chamber, depth_in
+from gearwright.shape.casings import BOLT, CENTRE, DEPTH, LUGS, MOST, Rods, lugs_on, ribs_on
+from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import Flanges
 from shipped_work import sized

@@ -9,12 +9,9 @@ import pytest
 from gearwright.identity import Role
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import scene, sized_mesh
-from gearwright.shape.contacts import contacts_of
-from gearwright.shape.crossing import crossed_depths
-from gearwright.shape.meshing import deepest, planar_contacts
-from gearwright.shape.overlaps import overlaps
-from gearwright.shape.stands import stands_of
-from gearwright.shape.words import approximations
+from gearwright.shape.overlaps import crossed_depths, deepest, overlaps, planar_contacts
+from gearwright.shape.scene import approximations
+from gearwright.shape.stands import contacts_of, stands_of
 from gearwright.shipped import shipped_designs
 from shipped_work import sized
 

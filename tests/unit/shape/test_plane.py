@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearwright.arrays import Floats
-from gearwright.shape.solids.plane import plane_triangles
+from gearwright.shape.surfaces import plane_triangles
 
 
 def circle(middle: tuple[float, float], radius: float, corners: int, wide: float = 1.0) -> Floats:

@@ -9,7 +9,7 @@ import gearwright as gw
 from gearwright.catalogue import housing_materials
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
-from gearwright.parts.bevel import BevelPair, bevel_way
+from gearwright.parts.bevel_geometry import BevelPair, bevel_way
 from gearwright.parts.gears import (
     BasicRack,
     Blank,
@@ -21,32 +21,34 @@ from gearwright.parts.gears import (
     transverse_form,
 )
 from gearwright.shape import DETAILS, casing_masses, edges_of, scene, solid_masses
-from gearwright.shape.casings.screws import flange_screw
-from gearwright.shape.overlaps import overlaps
-from gearwright.shape.record import triangles_of
-from gearwright.shape.solids import (
-    Arm,
+from gearwright.shape.casings import flange_screw
+from gearwright.shape.chambers import (
     Chamber,
     End,
-    Fastener,
     Opening,
-    Outline,
-    bevel_gear,
     chamber_surface,
     chamber_volume,
     depth_in,
+    has_room,
+    round_hole,
+)
+from gearwright.shape.overlaps import overlaps
+from gearwright.shape.solids import (
+    Arm,
+    Fastener,
+    Outline,
+    bevel_gear,
     disc_gear,
     face_wheel,
-    has_room,
+    fastener_surface,
     loop_of,
     plate,
     plate_form,
     ring_gear,
-    round_hole,
     stepped,
     surface_of,
 )
-from gearwright.shape.solids.fasteners import fastener_surface
+from gearwright.shape.stands import triangles_of
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass

@@ -12,9 +12,9 @@ from gearwright.parts.bearings import LoadFactors
 from gearwright.shipped import shipped_design
 from gearwright.sizing import ShaftPlan, size
 from gearwright.sizing.arrangement import axial_forces, envelope, helix_hand
+from gearwright.sizing.gear_geometry import root_diameter
 from gearwright.sizing.loads import rotor_side, shaft_loads
 from gearwright.sizing.rating import context_of
-from gearwright.sizing.roots import root_diameter
 from gearwright.spec import edited, parse, read
 from gearwright.spec.design import BearingSeat
 from mounted_designs import HELICOPTER

@@ -9,7 +9,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.sizing import size, size_many
-from gearwright.sizing.many.columns import LANES
+from gearwright.sizing.many.sizings import LANES
 from gearwright.spec import edited, read
 
 HYBRID, MIXED = read("in-line-h2"), read("mixed-h2")

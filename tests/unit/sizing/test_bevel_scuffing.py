@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 
 from gearwright.identity import Kind, PartId
-from gearwright.parts.bevel import BevelDuty, BevelPair, BevelTooth, VirtualPair, rate_bevel, virtual_mesh
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
 from gearwright.parts.iso6336 import GearSteel, Treatment
+from gearwright.parts.iso10300 import BevelDuty, VirtualPair, rate_bevel, virtual_mesh
 from gearwright.parts.scuffing import ScuffingMesh, flash_temperature, integral_temperature
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, rating_of
-from gearwright.sizing.rating.iso6336.scuffing import oil_of, scuffing_checks
-from gearwright.sizing.rating.iso10300.scuffing import SCUFFING, bevel_scuffing
+from gearwright.sizing.rating.iso6336_scuffing import oil_of, scuffing_checks
+from gearwright.sizing.rating.iso10300 import SCUFFING, bevel_scuffing
 from gearwright.spec import edited, read
 
 DESIGN = read(shipped_design("ec120b"))

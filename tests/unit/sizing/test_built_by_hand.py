@@ -11,12 +11,12 @@ from designs import changed
 from gearwright.catalogue import bearings, materials
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
-from gearwright.parts.shafts import Shoulder
+from gearwright.parts.shaft_fatigue import Shoulder
 from gearwright.sizing import ShaftPlan, size
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.rating import context_of
-from gearwright.sizing.shafts.attempt import Task, items_on, seat_of
 from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE, bend, slope_excess
+from gearwright.sizing.shafts.building import Task, items_on, seat_of
 from gearwright.sizing.shafts.joints import Seat, keyway_depth, size_joint
 from gearwright.sizing.shafts.sections import Section, Strength, sections_of, strengths
 from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay

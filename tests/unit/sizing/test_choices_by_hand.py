@@ -10,19 +10,19 @@ import pytest
 
 from designs import HYBRID, ONE_SET, PAIR
 from gearwright.parts.gears import ToothShift
-from gearwright.parts.planetary.compound import _least_gap
+from gearwright.parts.planetary import _least_gap
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.candidates import admissible, fewest_teeth
-from gearwright.sizing.teeth.forbidden import Ban, _distinct
-from gearwright.sizing.teeth.front import Front, Task
+from gearwright.sizing.teeth.forbidden import _distinct
+from gearwright.sizing.teeth.front import Ban, Front, Task
 from gearwright.sizing.teeth.masses import weigh
 from gearwright.sizing.teeth.stage import weighed_front
 from gearwright.spec import parse
 from gearwright.spec.design import StageShifts
 from gearwright.train import targets
-from gearwright.train.flow.case import _may_drive
 from gearwright.train.kinematics import edge_of
+from gearwright.train.load_case import _may_drive
 
 SET = (
     ONE_SET.format(speed=1200)

@@ -11,7 +11,7 @@ from gearwright.errors import DesignError
 from gearwright.parts.bearings import BearingKind, ceramic_share, dynamic_rating, rolling_weights
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.bearings import bearing_seats
+from gearwright.sizing.bearing_seats import bearing_seats
 from gearwright.sizing.losses import loss_balance
 from gearwright.spec import edited, parse
 

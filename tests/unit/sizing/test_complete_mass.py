@@ -12,12 +12,12 @@ import gearwright as gw
 from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.render.answers.design import size_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.tables.sizing.masses import sum_sentence, with_band
-from gearwright.render.words.masses import summary
+from gearwright.render.answers.schema import plain
+from gearwright.render.tables.sizing import sum_sentence, with_band
+from gearwright.render.tables.weights import summary
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.arranged import Body, Direction, Point, Station
-from gearwright.sizing.casing import housed, section_across, shell_around
+from gearwright.sizing.casing import housed
+from gearwright.sizing.housing_shell import section_across, shell_around
 from gearwright.sizing.mass import (
     CALIBRATED,
     TRAIN,
@@ -28,6 +28,7 @@ from gearwright.sizing.mass import (
     wall_of,
     weighed_wall,
 )
+from gearwright.sizing.result import Body, Direction, Point, Station
 from gearwright.spec import edited, parse
 from mounted_designs import SPLIT_PATH
 

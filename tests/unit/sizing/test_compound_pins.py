@@ -6,7 +6,7 @@ import pytest
 
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.compound import pins_of
+from gearwright.sizing.gear_geometry import pins_of
 from gearwright.sizing.loads import pin_loads
 from gearwright.sizing.rating import context_of, rating_of
 from gearwright.spec import edited, read

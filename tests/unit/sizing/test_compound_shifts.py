@@ -6,8 +6,7 @@ import pytest
 
 from designs import changed
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.compound_sets import compound_phases
-from gearwright.dynamics.assembly.meshes import gear_pairs
+from gearwright.dynamics.assembly.meshes import compound_phases, gear_pairs
 from gearwright.dynamics.equations import modes
 from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.sizing import pins_of, size

@@ -10,10 +10,10 @@ from gearwright.cli import main
 from gearwright.errors import DesignError
 from gearwright.parts.gears import Blank, SeatHub, blank_volume, dishes_behind, revolved_volume, way_behind
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Words
+from gearwright.render.drawings.entities import Words
 from gearwright.shape import edges_of, scene, solid_masses
 from gearwright.shape.overlaps import overlaps
-from gearwright.shape.solids.toothed import inner_profile
+from gearwright.shape.solids import inner_profile
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import design_text, edited
 from shipped_work import sized

@@ -4,8 +4,8 @@ import pytest
 
 from designs import PAIR
 from gearwright.sizing import size
-from gearwright.sizing.insight.side_by_side import _differ as differ  # of several methods, which a sizing seldom has
-from gearwright.sizing.losses.oil import oil_of_design
+from gearwright.sizing.insight import _differ as differ  # of several methods, which a sizing seldom has
+from gearwright.sizing.losses import oil_of_design
 from gearwright.spec import parse
 
 near = pytest.approx

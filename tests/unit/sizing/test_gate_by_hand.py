@@ -8,8 +8,8 @@ from types import MappingProxyType
 import pytest
 
 from gearwright.identity import Role
-from gearwright.sizing.answers.gate import _is_number, _numbers_of, _wrong
-from gearwright.sizing.answers.passing import _swallows
+from gearwright.sizing.answers import _swallows
+from gearwright.sizing.result import _is_number, _numbers_of, _wrong
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,12 @@ import pytest
 
 from designs import PAIR, problem, problems
 from gearwright.errors import DesignError
-from gearwright.render.tables.sizing.overview import tables_of
+from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, pair_data, size
 from gearwright.spec import edited, parse, read
 from gearwright.spec.design import NO_ORIGIN
-from gearwright.spec.design.given import givable
+from gearwright.spec.design.design import givable
 
 MEMBERS = ("pinion", "wheel", "sun", "planet", "ring", "carrier")
 KEYS = {

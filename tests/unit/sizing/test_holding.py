@@ -10,7 +10,7 @@ import pytest
 import gearwright as gw
 from gearwright.checks import Status
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.sheet.entities import Distance, Words
+from gearwright.render.drawings.entities import Distance, Words
 from gearwright.shape import solid_masses
 from gearwright.sizing.making import spanner_checks
 from gearwright.sizing.shafts import (
@@ -24,8 +24,8 @@ from gearwright.sizing.shafts import (
     threads,
     undercuts_of,
 )
-from gearwright.sizing.shafts.holding.grooves import groove_strengths
-from gearwright.sizing.shafts.holding.holders import clamped_plate
+from gearwright.sizing.shafts.grooves import groove_strengths
+from gearwright.sizing.shafts.retention import clamped_plate
 from gearwright.spec import edited
 from shipped_work import ball_bearings_of_the_tail, sized
 
@@ -184,7 +184,7 @@ def longer(shoulders):
 @pytest.fixture
 def nutted(monkeypatch):
     """Return by how shoulders are made the gearbox whose intermediate shaft a nut holds, as there are no rings."""
-    monkeypatch.setattr("gearwright.sizing.shafts.holding.retention.retaining_ring", lambda diameter: None)
+    monkeypatch.setattr("gearwright.sizing.shafts.retention.retaining_ring", lambda diameter: None)
     return lambda shoulders: gw.size(gw.parse(longer(shoulders)))
 
 

@@ -5,7 +5,7 @@ import pytest
 from designs import PAIR
 from gearwright.shipped import shipped_design
 from gearwright.sizing import MeshInfluences, influences, size
-from gearwright.sizing.insight.meshes import sized_meshes
+from gearwright.sizing.insight import sized_meshes
 from gearwright.spec import parse, read
 
 DESIGN = (

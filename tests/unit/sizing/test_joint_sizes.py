@@ -8,9 +8,9 @@ import pytest
 import gearwright as gw
 from gearwright.catalogue import materials
 from gearwright.errors import DesignError
-from gearwright.render.drawings.views.shaft_parts import shaft_body
-from gearwright.sizing.mounted import hub_bore_of
+from gearwright.render.drawings.shaft_view import shaft_body
 from gearwright.sizing.rating import STANDARD_MODULES
+from gearwright.sizing.shaft_results import hub_bore_of
 from gearwright.sizing.shafts.joints import (
     Seat,
     joint_fits,

@@ -6,11 +6,10 @@ import pytest
 
 from designs import PAIR
 from gearwright.parts.losses import MeshDuty, MeshLaw, OilState, load_intensity, seal_oil_factor, tooth_contact
-from gearwright.render.tables.sizing.losses import loss_tables
+from gearwright.render.tables.sizing import loss_tables
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.losses import Loss, Oil, loss_balance
-from gearwright.sizing.losses.limits import bearing_limits, mesh_limits, seal_limits
+from gearwright.sizing.losses import Loss, Oil, bearing_limits, loss_balance, mesh_limits, seal_limits
 from gearwright.spec import edited, parse, read
 
 SPUR = tooth_contact((30, 90), 3e-3, pressure_angle=math.radians(20.0))

@@ -8,12 +8,12 @@ import pytest
 from designs import problem
 from gearwright.errors import DesignError
 from gearwright.parts.iso6336 import running_in_relief
-from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.render.drawings.tooth_data import tooth_grid
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.as_sized import gear_relief, made_of, rating_as_sized
+from gearwright.sizing.insight import gear_relief, made_of, rating_as_sized
 from gearwright.sizing.rating import load_sharing, rating_of
-from gearwright.sizing.rating.iso6336 import steel_of
+from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.spec import edited, parse, read
 from gearwright.spec.design import split_levels
 

@@ -9,7 +9,7 @@ from gearwright.errors import DesignError
 from gearwright.parts.losses import mesh_friction, oil_viscosity, tooth_contact
 from gearwright.sizing import size
 from gearwright.sizing.losses import loss_balance, teeth_of
-from gearwright.sizing.sealing import exits_of
+from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import edited, read
 from gearwright.units import RPM
 

@@ -13,6 +13,8 @@ from gearwright.reviews import review_of
 from gearwright.sizing.making import (
     Withdrawn,
     bridge_checks,
+    bridge_needed,
+    bridge_room,
     grinding_checks,
     largest_wheel,
     order_checks,
@@ -21,7 +23,6 @@ from gearwright.sizing.making import (
     stack_checks,
     withdrawals,
 )
-from gearwright.sizing.making.bridges import bridge_needed, bridge_room
 from gearwright.spec import edited
 from shipped_work import ball_bearings_of_the_tail, sized
 

@@ -11,12 +11,9 @@ from gearwright.parts.bearings import BearingKind
 from gearwright.parts.gears import blank_volume
 from gearwright.sizing.casing import flanges_of, screw_volume, shell_of
 from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
-from gearwright.sizing.mass.beside import requirement_of
-from gearwright.sizing.mass.calibration import Calibration
-from gearwright.sizing.mass.details import detail_items
-from gearwright.sizing.mass.duties import seat_duties
-from gearwright.sizing.mass.planet_bores import planet_bores
-from gearwright.sizing.mass.rolling_mass import loaded_mass, rating_for, similar
+from gearwright.sizing.mass.bearings import loaded_mass, planet_bores, rating_for, seat_duties, similar
+from gearwright.sizing.mass.complete import detail_items
+from gearwright.sizing.mass.record import Calibration, requirement_of
 from gearwright.sizing.places import bells
 from gearwright.spec import edited
 

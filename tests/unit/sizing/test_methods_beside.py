@@ -5,10 +5,10 @@ import math
 import pytest
 
 from designs import PAIR
-from gearwright.render.tables.sizing.methods import method_tables
+from gearwright.render.tables.checks import method_tables
 from gearwright.shipped import shipped_design
 from gearwright.sizing import MeshBeside, methods_beside, size
-from gearwright.sizing.insight.aspects import ASPECTS
+from gearwright.sizing.insight import ASPECTS
 from gearwright.spec import edited, parse, read
 
 DESIGN = (

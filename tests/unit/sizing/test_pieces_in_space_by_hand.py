@@ -10,19 +10,19 @@ from designs import PAIR
 from gearwright.errors import DesignError
 from gearwright.identity import Kind, PartId
 from gearwright.sizing import Body, Direction, Point, Station, size
-from gearwright.sizing.arrangement.layout import _moved
-from gearwright.sizing.bearings.planet_bodies import Fitting
-from gearwright.sizing.casing.shell import CLEARANCE, _Round
-from gearwright.sizing.losses.bodies import seal_losses
+from gearwright.sizing.arrangement import _moved
+from gearwright.sizing.bearing_seats import Fitting
+from gearwright.sizing.housing_shell import CLEARANCE, _Round
+from gearwright.sizing.losses import seal_losses
 from gearwright.sizing.mass import tooth_of
-from gearwright.sizing.mass.cages import PIN_BORE, cage_of
-from gearwright.sizing.mass.rolling_mass import bored_mass
+from gearwright.sizing.mass.bearings import bored_mass
+from gearwright.sizing.mass.bodies import PIN_BORE, cage_of
 from gearwright.sizing.places import PLATE_GAP, runs
 from gearwright.sizing.places.bodies import _free
-from gearwright.sizing.places.coaxial import _coaxial
-from gearwright.sizing.shafts.checks import _stiffness
+from gearwright.sizing.places.solids import _coaxial
+from gearwright.sizing.shafts.shafts import _stiffness
 from gearwright.spec import parse
-from gearwright.train.flow.torques.statics import _inverse, _prepared
+from gearwright.train.torques import _inverse, _prepared
 from shipped_work import sized
 
 near = pytest.approx

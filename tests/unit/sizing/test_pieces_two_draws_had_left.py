@@ -11,18 +11,18 @@ import pytest
 
 from designs import HYBRID, ONE_SET, PAIR
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, housing_materials
-from gearwright.dynamics.assembly.contacts import _first_body
-from gearwright.dynamics.model.contact import Carried
+from gearwright.dynamics.assembly.meshes import _first_body
+from gearwright.dynamics.model.elements import Carried
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing import TeethSearch, size
-from gearwright.sizing.casing import shell_around
-from gearwright.sizing.losses.bodies import gear_losses
+from gearwright.sizing.housing_shell import shell_around
+from gearwright.sizing.losses import gear_losses
 from gearwright.sizing.mass import Wall, wall_of
 from gearwright.sizing.mass.housing import _boss
 from gearwright.sizing.places.solids import Solid, _likely, _sphere
 from gearwright.spec import parse
-from gearwright.train.flow.torques.senses import _halves
+from gearwright.train.torques import _halves
 
 near = pytest.approx
 

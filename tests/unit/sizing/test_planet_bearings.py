@@ -13,8 +13,8 @@ from gearwright.mission import bearing_lives, fly
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.bearings import bearing_seats, seat_forces
-from gearwright.sizing.compound import pins_of
+from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
+from gearwright.sizing.gear_geometry import pins_of
 from gearwright.sizing.loads import mesh_place
 from gearwright.spec import edited, parse, parse_mission, read
 

@@ -9,11 +9,11 @@ import pytest
 from designs import ONE_SET, PAIR
 from gearwright.errors import DesignError
 from gearwright.identity import Kind
-from gearwright.render.tables.sizing.teeth import chosen_teeth
+from gearwright.render.tables.sizing import chosen_teeth
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size, size_many
 from gearwright.sizing.answers import total_results
-from gearwright.sizing.many import columns
+from gearwright.sizing.many import sizings as columns
 from gearwright.sizing.mass import complete_mass
 from gearwright.spec import at_level, design_text, edited, parse, read
 

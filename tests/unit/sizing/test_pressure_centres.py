@@ -7,7 +7,8 @@ import pytest
 import gearwright as gw
 from gearwright.catalogue import bearing, pressure_centre
 from gearwright.reviews import review_of
-from gearwright.sizing.shafts import centred_bearings, pressure_centres
+from gearwright.sizing import bearings as pressure_centres
+from gearwright.sizing.shafts import centred_bearings
 from shipped_work import sized
 
 

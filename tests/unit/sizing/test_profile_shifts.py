@@ -12,10 +12,10 @@ from gearwright.dynamics.assembly import gear_pairs
 from gearwright.errors import DesignError
 from gearwright.mission import Oil, gearbox_of
 from gearwright.parts.gears import BasicRack, CylindricalGear, tip_thickness
-from gearwright.shape.teeth import cylindrical_gear
+from gearwright.shape.stands import cylindrical_gear
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse
-from gearwright.spec.design.teeth.possible_teeth import Keys, impossible_teeth
+from gearwright.spec.design.teeth.profile_shifts import Keys, impossible_teeth
 
 TEETH = "pinion_teeth = 18\nwheel_teeth = 54\n"
 

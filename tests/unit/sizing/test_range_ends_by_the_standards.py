@@ -12,7 +12,7 @@ import pytest
 
 from gearwright.checks import Status
 from gearwright.identity import Kind, PartId
-from gearwright.sizing.rating.iso6336.ranges import beyond_ranges, range_checks
+from gearwright.sizing.rating.iso6336_inputs import beyond_ranges, range_checks
 
 USUAL = {
     "ε_α": 1.6, "β": 0.2, "m_n": 3e-3, "b": 0.03, "z_1": 24.0, "z_2": 71.0, "d_1": 0.072, "d_2": 0.213,

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel import BevelRating
 from gearwright.parts.iso6336 import PairRating, StressBin, Treatment, contact_life_curve, spectrum_damage
+from gearwright.parts.iso10300 import BevelRating
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import STANDARD_MODULES, Ask, modules, rating_of

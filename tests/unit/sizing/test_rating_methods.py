@@ -11,11 +11,10 @@ from gearwright.checks import Check, Status
 from gearwright.errors import DesignError, Problem
 from gearwright.mission import fly, gear_damage
 from gearwright.mission.lives.life import STRENGTHENING, strengthened
-from gearwright.render.answers.described import described
 from gearwright.render.answers.design import SizeAnswer, size_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.pages.designs.report import report
-from gearwright.render.tables.sizing.overview import tables_of
+from gearwright.render.answers.schema import described, plain
+from gearwright.render.pages.report import report
+from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size
 from gearwright.sizing.rating import METHODS, STANDARD_MODULES, ClassDamage, Factor, Making, rating_of

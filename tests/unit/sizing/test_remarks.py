@@ -7,9 +7,9 @@ from rich.console import Console
 
 from designs import HYBRID, PAIR
 from gearwright.render.answers.design import size_answer
-from gearwright.render.pages.designs.report_parts import warnings
-from gearwright.render.words.masses import summary
-from gearwright.render.words.text import sizing_text
+from gearwright.render.pages.report import warnings
+from gearwright.render.tables.weights import summary
+from gearwright.render.words.sizing import sizing_text
 from gearwright.sizing import remarks, size
 from gearwright.spec import edited, parse
 

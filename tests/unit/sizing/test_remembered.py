@@ -4,7 +4,7 @@ from unittest.mock import patch
 
 import gearwright as gw
 from gearwright.sizing.rating import remembering
-from gearwright.sizing.rating.iso6336.method import Iso6336
+from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.spec import at_level, edited
 
 DESIGN = at_level(gw.read("in-line-star"), "preliminary")

@@ -11,9 +11,9 @@ from gearwright.checks import Status
 from gearwright.identity import Role
 from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
-from gearwright.sizing.mounted import ShaftStep
+from gearwright.sizing.shaft_results import ShaftStep
 from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
-from gearwright.sizing.shafts.holding.retention import Seated, _retention, _seated, ends
+from gearwright.sizing.shafts.retention import Seated, _retention, _seated, ends
 from gearwright.spec.design import LOCATES
 from shipped_work import ball_bearings_of_the_tail, sized
 

@@ -8,8 +8,8 @@ from gearwright.reviews import review
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.rating.iso6336.scuffing import oil_of
-from gearwright.sizing.rating.standard_teeth import cylindrical_mesh
+from gearwright.sizing.rating.geometry import cylindrical_mesh
+from gearwright.sizing.rating.iso6336_scuffing import oil_of
 from gearwright.spec import edited, parse, read
 
 WIND = read(shipped_design("wind-turbine-5mw"))

@@ -8,7 +8,7 @@ import pytest
 import gearwright as gw
 from gearwright.catalogue import housing_materials
 from gearwright.shape import scene
-from gearwright.shape.record import triangles_of
+from gearwright.shape.stands import triangles_of
 from gearwright.sizing.casing import lands_of, ring_seats
 from gearwright.sizing.making import ring_seat_checks
 from gearwright.sizing.mass import complete_mass, weighed_wall

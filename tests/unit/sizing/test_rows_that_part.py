@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.lanes import Diverged
 from gearwright.sizing import size_many
-from gearwright.sizing.many.columns import BEARINGS, BEVELS, SPARED, _parting
+from gearwright.sizing.many.sizings import BEARINGS, BEVELS, SPARED, _parting
 from gearwright.spec import read
 
 

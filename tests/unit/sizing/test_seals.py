@@ -7,10 +7,10 @@ import pytest
 import gearwright as gw
 from gearwright.checks import Status
 from gearwright.render.drawings.shaft_sheet import shaft_content
-from gearwright.reviews.open import open_checks
+from gearwright.reviews import open_checks
 from gearwright.sizing.making import built_checks
-from gearwright.sizing.sealing import exits_of
 from gearwright.sizing.shafts import holders_of, seal_checks, sealed_exits, unsealed_exits
+from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import edited
 from shipped_work import ball_bearings_of_the_tail, sized
 

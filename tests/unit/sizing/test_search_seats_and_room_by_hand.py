@@ -13,20 +13,18 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing import Body, Direction, Point, Station, size
-from gearwright.sizing.bearings import bearing_seats, running
-from gearwright.sizing.bearings.bearing_seats import _rotor
+from gearwright.sizing import bearings as running
+from gearwright.sizing.bearing_seats import _rotor, bearing_seats
 from gearwright.sizing.mass.bearings import _estimated as bearings_by_load
-from gearwright.sizing.mass.planet_bores import _estimated as planet_on_rollers
-from gearwright.sizing.mass.rolling_mass import bored_mass, loaded_mass
+from gearwright.sizing.mass.bearings import _estimated_bore as planet_on_rollers
+from gearwright.sizing.mass.bearings import bored_mass, loaded_mass
 from gearwright.sizing.places import solid_of
-from gearwright.sizing.places.coaxial import coaxial_checks, owner
 from gearwright.sizing.places.room import _sphere
-from gearwright.sizing.places.solids import _inside
-from gearwright.sizing.teeth.closing import ring_variants
-from gearwright.sizing.teeth.front import Front
+from gearwright.sizing.places.solids import _inside, coaxial_checks, owner
+from gearwright.sizing.teeth.candidates import ring_variants
+from gearwright.sizing.teeth.forbidden import _is_clear
+from gearwright.sizing.teeth.front import Front, _stands_alone
 from gearwright.sizing.teeth.masses import aligned
-from gearwright.sizing.teeth.twins import _stands_alone
-from gearwright.sizing.teeth.whole import _is_clear
 from gearwright.spec import GROUND, edited, parse, read
 from gearwright.spec.design import module_owners
 from gearwright.train import build_train, passes, power_flow

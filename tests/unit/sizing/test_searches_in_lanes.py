@@ -10,7 +10,7 @@ from gearwright.parts.iso6336 import StressBin, Treatment, bending_life_curve, c
 from gearwright.sizing.many import size_many
 from gearwright.sizing.many.by_lane import each_lane, of_lane, stacked_lanes
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.rating.widths import narrowest, next_standard, strong_enough, under_spectrum
+from gearwright.sizing.rating.geometry import narrowest, next_standard, strong_enough, under_spectrum
 
 assert size_many  # which changes the twins
 
@@ -23,14 +23,14 @@ def lanes(low: float, high: float, count: int = 40, *, seed: int = 1) -> Lanes:
 
 def test_standard_modules_are_those_of_each_lane():
     needed = Lanes(np.r_[lanes(1e-4, 0.1).data, 1e-3, 1e-3 * (1 + 0.9e-9), 1e-3 * (1 + 2e-9), 0.05, 0.0501])
-    found = twinned("gearwright.sizing.rating.widths").next_standard(needed)
+    found = twinned("gearwright.sizing.rating.geometry").next_standard(needed)
     assert found.data.tolist() == [next_standard(value) for value in needed.data.tolist()]
 
 
 def test_narrowest_faces_are_those_of_each_lane():
     """Loads could grow by b/b_needed; some lanes find it at once, some never."""
     least, widest, needed = lanes(1e-3, 0.05), lanes(0.02, 0.2, seed=2), lanes(5e-3, 0.5, seed=3)
-    found = twinned("gearwright.sizing.rating.widths").narrowest(least, widest, lambda width: width / needed)
+    found = twinned("gearwright.sizing.rating.geometry").narrowest(least, widest, lambda width: width / needed)
     rows = zip(least.data.tolist(), widest.data.tolist(), needed.data.tolist(), strict=True)
     assert found.data.tolist() == [narrowest(low, high, lambda width, own=own: width / own) for low, high, own in rows]
 
@@ -39,7 +39,7 @@ def test_narrowest_faces_are_those_of_each_lane():
 def test_modules_under_a_spectrum_are_those_of_each_lane(is_rounded):
     """A gap that is a power of the module, so that corrections go on or end early by the lane."""
     start, power = lanes(1e-3, 9e-3), lanes(1.5, 4.0, seed=4)
-    twin = twinned("gearwright.sizing.rating.widths")
+    twin = twinned("gearwright.sizing.rating.geometry")
     rounded = (twin.next_standard, next_standard) if is_rounded else (None, None)
     found = twin.under_spectrum(start, 10.0, lambda module, width: (module / 4e-3) ** power, rounded[0])
     rows = zip(start.data.tolist(), power.data.tolist(), strict=True)
@@ -52,7 +52,7 @@ def test_modules_beyond_a_resonance_are_those_of_each_lane(standard):
     """A gap that asks for a module of its own in every lane: none, one or more steps up, and some in vain."""
     start, needed = next_standard_of(lanes(1e-3, 9e-3)), lanes(0.9, 1.5, seed=5)
     needed = start * needed
-    twin = twinned("gearwright.sizing.rating.widths")
+    twin = twinned("gearwright.sizing.rating.geometry")
     found = twin.strong_enough(start, lambda module: (module / needed) ** 2, standard=standard)
     rows = list(zip(start.data.tolist(), needed.data.tolist(), strict=True))
     alone = [strong_enough(at, lambda module, d=d: (module / d) ** 2, standard=standard) for at, d in rows]

@@ -9,7 +9,7 @@ from shaft_designs import ASKEW, INTERNAL, OFF_SET, SINGLE_HELIX, WITH_MOTOR
 from designs import HYBRID, PAIR, changed
 from gearwright.parts.shafts import diagram, supported
 from gearwright.sizing import size
-from gearwright.sizing.bearings import bearing_seats, seat_forces
+from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
 from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.rating import context_of
 from gearwright.spec import parse

@@ -8,7 +8,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.sizing import size, size_many, total_results
-from gearwright.sizing.many import columns
+from gearwright.sizing.many import sizings as columns
 from gearwright.spec import Design, edited, read
 
 TOGETHER = (

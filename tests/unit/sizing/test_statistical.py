@@ -24,9 +24,9 @@ from gearwright.weights import (
     middle,
     refit,
     scores,
-    willis,
 )
-from gearwright.weights.refit import student_quantile
+from gearwright.weights import laws as willis
+from gearwright.weights.methods import student_quantile
 
 PW127 = Requirement(2051e3, 20204 * RPM, 1212 * RPM)
 

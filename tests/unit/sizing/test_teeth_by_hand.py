@@ -19,7 +19,7 @@ from gearwright.sizing.teeth.candidates import (
     is_given,
 )
 from gearwright.sizing.teeth.front import Front, Task
-from gearwright.sizing.teeth.refusal import refusal
+from gearwright.sizing.teeth.stage import refusal
 from gearwright.spec import edited, parse
 from gearwright.train import targets as targets_of
 from gearwright.train.kinematics import edge_of

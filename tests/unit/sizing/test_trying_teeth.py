@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwright.sizing.rating.widths import LARGER, strong_enough
+from gearwright.sizing.rating.geometry import LARGER, strong_enough
 from gearwright.sizing.teeth import Trying
 
 TEETH = [(20, 60), (20, 61), (21, 60), (22, 63), (23, 66)]

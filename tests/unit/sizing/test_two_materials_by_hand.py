@@ -14,7 +14,7 @@ from gearwright.parts.scuffing import thermo_elastic_factor
 from gearwright.parts.stiffness import mesh_stiffness_iso6336
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.rating.iso6336 import steels_of
+from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.spec import parse
 
 STEEL = gear_steel("case-hardened", "MQ", 700.0)

@@ -10,15 +10,14 @@ import pytest
 import gearwright as gw
 from gearwright.shape import COLLAR, WEB
 from gearwright.shape import scene as scene_of
+from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shape.overlaps import overlaps
-from gearwright.shape.record import triangles_of
-from gearwright.shape.solids import Chamber, depth_in
-from gearwright.shape.stands import Axes
+from gearwright.shape.stands import Axes, triangles_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.casing import Web, carried_bosses, webs
-from gearwright.sizing.casing.around import Around
-from gearwright.sizing.casing.shell import Stretch
-from gearwright.sizing.making.bosses import boss_checks, web_checks
+from gearwright.sizing import casing as webs
+from gearwright.sizing.casing import Web, carried_bosses
+from gearwright.sizing.housing_shell import Around, Stretch
+from gearwright.sizing.making import boss_checks, web_checks
 from gearwright.sizing.mass import complete_mass, weighed_wall
 
 BUILT = ("ec120b", "ec120b-as-reported")

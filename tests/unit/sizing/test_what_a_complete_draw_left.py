@@ -10,9 +10,9 @@ import pytest
 from designs import HYBRID, PAIR
 from gearwright.dynamics.assembly import loaded_bodies
 from gearwright.lanes import Lanes
-from gearwright.parts.gears.transverse_form import _spread as spread  # outlines show it within a step only
+from gearwright.parts.gears.tooth_form import _spread as spread  # outlines show it within a step only
 from gearwright.sizing import size
-from gearwright.sizing.insight.trial import Trial
+from gearwright.sizing.insight import Trial
 from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.rating import context_of, reverse_parts
 from gearwright.sizing.rating.context import worst_case  # of which records keep the case and the larger module only

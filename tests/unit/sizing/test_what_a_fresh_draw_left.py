@@ -10,13 +10,13 @@ from designs import ONE_SET
 from gearwright.catalogue import bearing
 from gearwright.identity import Kind, PartId
 from gearwright.parts.gears import CylindricalGear, GearPair
-from gearwright.parts.gears.internal_interference import passing_tip, tip_halves
-from gearwright.parts.gears.transverse_form import TransverseTooth, _cut_by_shaper
+from gearwright.parts.gears.gear_pair import passing_tip, tip_halves
+from gearwright.parts.gears.tooth_form import TransverseTooth, _cut_by_shaper
 from gearwright.sizing import size, size_many
-from gearwright.sizing.arranged import Body, Station
-from gearwright.sizing.places.coaxial import _meet
+from gearwright.sizing.places.solids import _meet
+from gearwright.sizing.result import Body, Station
 from gearwright.sizing.shafts import holders_of
-from gearwright.sizing.shafts.holding.held import _is_integral
+from gearwright.sizing.shafts.ends import _is_integral
 from gearwright.sizing.teeth import search
 from gearwright.sizing.teeth.front import Front
 from gearwright.spec import edited, parse, read

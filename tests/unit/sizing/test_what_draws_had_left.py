@@ -6,11 +6,11 @@ import pytest
 from designs import PAIR
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.iso6336 import mesh_geometry
-from gearwright.parts.micropitting.film import load_sharing, path_places
+from gearwright.parts.micropitting import load_sharing, path_places
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import context_of, rating_of
-from gearwright.sizing.rating.rows import _loads as loads_of  # the division of a life, which records only sum
+from gearwright.sizing.rating.context import _loads as loads_of  # the division of a life, which records only sum
 from gearwright.spec import parse, read
 from gearwright.spec.design import compound_shifts
 

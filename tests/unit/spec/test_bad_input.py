@@ -7,7 +7,7 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
-from gearwright.reading import LARGEST_TEXT
+from gearwright.files import LARGEST_TEXT
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission, parse_study, read

@@ -10,7 +10,7 @@ from gearwright.sizing import size
 from gearwright.spec import edited, keys_of, parse, schema
 from gearwright.spec.bounds import Range
 from gearwright.spec.design import CentralGear, Pair, Planetary, PlanetGear
-from gearwright.spec.keys import Key
+from gearwright.spec.record import Key
 
 SPUR = f"{PAIR}pinion_teeth = 20\nwheel_teeth = 60\n"
 

@@ -9,7 +9,7 @@ import pytest
 from gearwright import cli
 from gearwright.errors import DesignError
 from gearwright.spec import parse_mission, parse_study
-from gearwright.spec.former import FORMER, FormerWord
+from gearwright.spec.record import FORMER, FormerWord
 from gearwright.spec.studies import Bound
 
 STUDY = """name = "s"

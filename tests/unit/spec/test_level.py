@@ -4,8 +4,8 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.render.answers.design import check_answer, size_answer
-from gearwright.render.pages.designs.report_parts import key_numbers
-from gearwright.render.words.headline import implied_text
+from gearwright.render.pages.report import key_numbers
+from gearwright.render.words.sizing import implied_text
 from gearwright.shipped import shipped_design, shipped_designs, shipped_study
 from gearwright.sizing import size
 from gearwright.spec import at_level, design_text, edited, implied, parse, read, read_study

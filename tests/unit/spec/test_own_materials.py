@@ -9,7 +9,7 @@ from gearwright.catalogue import materials
 from gearwright.catalogue.tables import data_text
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, rating_of
-from gearwright.sizing.rating.iso6336 import steel_of
+from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.spec import edited, parse
 
 ROWS = tomllib.loads(data_text("materials.toml"))

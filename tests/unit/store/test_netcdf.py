@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from designs import HYBRID
+from gearwright import store as netcdf
 from gearwright.dynamics import Outputs, replay, simulate
 from gearwright.dynamics.assembly import assemble
 from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.spec import parse
-from gearwright.store import StoredRun, load, load_run, netcdf, save
+from gearwright.store import StoredRun, load, load_run, save
 from same import same
 
 

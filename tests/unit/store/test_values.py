@@ -23,8 +23,7 @@ from gearwright.parts.iso6336 import StressBin
 from gearwright.reviews import review
 from gearwright.shipped import shipped_mission
 from gearwright.spec import parse_study, read_mission
-from gearwright.store.tree import decoded, encoded
-from gearwright.store.value import KIND, VERSION
+from gearwright.store import KIND, VERSION, decoded, encoded
 from gearwright.study.running import run
 from gearwright.units import Origin
 from same import same
@@ -232,7 +231,7 @@ def test_an_interrupted_write_leaves_the_old_file(tmp_path, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("gearwright.writing.os.fsync", interrupted)
+    monkeypatch.setattr("gearwright.files.os.fsync", interrupted)
     with pytest.raises(KeyboardInterrupt):
         gw.save(gw.size(gw.parse(PAIR)), path)
     assert path.read_bytes() == before

@@ -8,9 +8,9 @@ import time
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from gearwright.notices import notice
+from gearwright.signals import notice
 from gearwright.sizing import Named
-from gearwright.study.answers import Row
+from gearwright.study.tables import Row
 
 
 def sized_at_once(study, design, case):

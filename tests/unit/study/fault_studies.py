@@ -14,7 +14,8 @@ from pathlib import Path
 from gearwright.shipped import shipped_design
 from gearwright.spec import Study, parse_study, read
 from gearwright.study import Table, run
-from gearwright.study.running import resume, rows_of, status
+from gearwright.study.journal import rows_of, status
+from gearwright.study.running import resume
 from sessions import members, until
 
 NAME = "in-line-h2"

@@ -10,9 +10,9 @@ import pytest
 
 from gearwright.sizing import Named
 from gearwright.spec import Study, parse_study, read
-from gearwright.study.answers import Row, blocks_of
 from gearwright.study.cases import LEAST, Case, cases, evaluate, evaluated, goes_together
-from gearwright.study.running.pace import LAST, Pace
+from gearwright.study.tables import Row, blocks_of
+from gearwright.study.workers import LAST, Pace
 
 DESIGNS = {name: read(name) for name in ("in-line-h2", "mixed-h2")}
 STUDY = """

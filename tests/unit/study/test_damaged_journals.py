@@ -18,8 +18,9 @@ from typer.testing import CliRunner
 from gearwright.cli import app
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.study import run
-from gearwright.study.answers import Row
-from gearwright.study.running import begin, opened, recorded, resume, rows_of, run_study, status, verify
+from gearwright.study.journal import begin, opened, recorded, rows_of, status, verify
+from gearwright.study.running import resume, run_study
+from gearwright.study.tables import Row
 
 COUNT = 60
 TOGETHER = range(48, COUNT)

@@ -7,12 +7,12 @@ from designs import PAIR
 from gearwright.checks import Check
 from gearwright.closure import Wishes
 from gearwright.identity import Kind, PartId, Role
-from gearwright.render.pages.studies.equal_life import equal_life_page
-from gearwright.render.tables.study.equal_life import equal_life_csv, equal_life_table
+from gearwright.render.pages.comparison import equal_life_page
+from gearwright.render.tables.study import equal_life_csv, equal_life_table
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
-from gearwright.study.running.equal_life import _shortest
+from gearwright.study.architectures import _shortest
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})

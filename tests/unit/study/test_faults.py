@@ -28,7 +28,8 @@ from fault_studies import (
     until,
 )
 
-from gearwright.study.running import rows_of, run_study, status
+from gearwright.study.journal import rows_of, status
+from gearwright.study.running import run_study
 
 COUNT = 100
 

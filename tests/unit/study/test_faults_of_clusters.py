@@ -18,8 +18,8 @@ from shutil import which
 import pytest
 from fault_studies import assert_whole, command, done, ended, members, started, undisturbed, until
 
-from gearwright.study.running import rows_of
-from gearwright.study.running.cluster import Tls, commands
+from gearwright.study.journal import rows_of
+from gearwright.study.workers import Tls, commands
 
 pytestmark = pytest.mark.extra("distributed")
 

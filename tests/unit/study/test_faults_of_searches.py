@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from fault_studies import command, done, ended, kill, members, until
 
-from gearwright.study.running import rows_of
+from gearwright.study.journal import rows_of
 
 SEARCH = """
 schema = 1

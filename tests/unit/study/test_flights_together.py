@@ -7,8 +7,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.spec import parse_study
-from gearwright.study.cases import cases, evaluate
-from gearwright.study.cases.flights import flown_together
+from gearwright.study.cases import cases, evaluate, flown_together
 from gearwright.study.running import run_study
 
 SCATTERED = """

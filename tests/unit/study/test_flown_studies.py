@@ -8,7 +8,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import fly, gear_damage, size_for_life
-from gearwright.render.tables.study.variants import study_csv, study_records
+from gearwright.render.tables.variants import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import Study, case_count, edited_mission, mission_changed, parse_study, read, read_mission

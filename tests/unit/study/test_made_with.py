@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gearwright.study.running import changes_of, made_with
+from gearwright.study.journal import changes_of, made_with
 from gearwright.version import digest
 
 

@@ -9,9 +9,9 @@ from fault_studies import command, done, ended, kill, until
 
 import gearwright as gw
 from gearwright.spec import parse_study
-from gearwright.study.cases import cases
-from gearwright.study.cases.flights import flown_together
-from gearwright.study.running import rows_of, run_study
+from gearwright.study.cases import cases, flown_together
+from gearwright.study.journal import rows_of
+from gearwright.study.running import run_study
 
 SHIPPED = {
     "thesis": "in-line-h2",

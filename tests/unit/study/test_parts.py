@@ -11,7 +11,8 @@ from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import edited, parse_study, read
 from gearwright.study import run
-from gearwright.study.running import Part, merge, part_of, resume, rows_of, run_study, slurm, status
+from gearwright.study.journal import rows_of, status
+from gearwright.study.running import Part, merge, part_of, resume, run_study, slurm
 
 NAME = "single-planetary"
 DESIGNS = {NAME: read(shipped_design(NAME))}

@@ -13,11 +13,9 @@ from gearwright.errors import DesignError
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, edited, parse_study, read
 from gearwright.study import run
-from gearwright.study.answers import Blocks, Reduced, as_plain, blocks_of, pareto_front
-from gearwright.study.answers.sketch import ACCURACY, buckets, quantiles_of
-from gearwright.study.running import is_reduced, merge_reduced, reduce_study
-from gearwright.study.running.parts import Part
-from gearwright.study.running.runner import Progress
+from gearwright.study.answers import ACCURACY, Reduced, as_plain, buckets, quantiles_of
+from gearwright.study.running import Part, Progress, is_reduced, merge_reduced, reduce_study
+from gearwright.study.tables import Blocks, blocks_of, pareto_front
 
 STUDY = """
 schema = 1

@@ -18,9 +18,8 @@ from gearwright.sizing import Named
 from gearwright.spec import parse_study
 from gearwright.study import Row, Table, run
 from gearwright.study.cases import cases
-from gearwright.study.reliability import Estimate, first_order, importance, index_of, subset
-from gearwright.study.running import reliability, resume, run_study
-from gearwright.study.running.reliable import failures
+from gearwright.study.reliability import Estimate, failures, first_order, importance, index_of, reliability, subset
+from gearwright.study.running import resume, run_study
 
 Left = Callable[[np.ndarray], np.ndarray]
 

@@ -9,14 +9,16 @@ from pathlib import Path
 import deadly
 import pytest
 
-import gearwright.study.running.runner as runner_module
+import gearwright.study.running as runner_module
 from gearwright.errors import DesignError, SolveError
-from gearwright.notices import noticed
 from gearwright.shipped import shipped_design
+from gearwright.signals import noticed
 from gearwright.spec import Study, edited, parse_study, read
 from gearwright.study import run
 from gearwright.study.cases import cases
-from gearwright.study.running import begin, local, made_with, opened, recorded, resume, rows_of, run_study, status
+from gearwright.study.journal import begin, made_with, opened, recorded, rows_of, status
+from gearwright.study.running import resume, run_study
+from gearwright.study.workers import local
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

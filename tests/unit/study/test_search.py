@@ -14,9 +14,10 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import Named
 from gearwright.spec import Study, parse_study, read
 from gearwright.study import run
-from gearwright.study.answers import Row, Table, pareto_front, ranks, sensitivity, write_table
-from gearwright.study.cases import Case, cases
-from gearwright.study.running import generations, resume, run_study, table_of
+from gearwright.study.answers import sensitivity
+from gearwright.study.cases import Case, cases, generations
+from gearwright.study.running import resume, run_study, table_of
+from gearwright.study.tables import Row, Table, pareto_front, ranks, write_table
 
 
 def study_of(text: str, *, axes: int = 2, designs: str = '"d"', low: float = 0.0, high: float = 1.0) -> Study:

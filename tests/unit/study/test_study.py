@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.render.tables.study.variants import study_csv, study_records
+from gearwright.render.tables.variants import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_studies, shipped_study
 from gearwright.sizing import named_results, size
 from gearwright.spec import Study, axis_values, case_count, edited, read, read_study
 from gearwright.study import for_engine, run
-from gearwright.study.answers import kind_of
 from gearwright.study.cases import refuse_unknown_paths
+from gearwright.study.tables import kind_of
 from gearwright.units import RPM
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'

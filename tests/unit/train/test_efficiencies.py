@@ -5,7 +5,7 @@ import pytest
 from gearwright.errors import SolveError
 from gearwright.spec import parse
 from gearwright.train import build_train, efficiencies, power_flow, teeth_of
-from gearwright.validate.compound_trains import WOLFROM
+from gearwright.validate.trains import WOLFROM
 
 RINGS = """\
 schema = 1

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gearwright.train.flow.torques import Losing, states
+from gearwright.train.torques import Losing, states
 
 SIZE = 4
 ENTRIES = st.lists(st.floats(-1.5, 1.5).map(lambda value: round(value, 3)), min_size=SIZE, max_size=SIZE)

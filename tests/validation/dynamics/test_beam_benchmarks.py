@@ -2,7 +2,7 @@
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.model import Segment
-from gearwright.validate.beams import simply_supported, timoshenko_frequency
+from gearwright.validate.shafts import simply_supported, timoshenko_frequency
 
 
 def test_frequencies_converge_with_the_square_of_the_segment_length():

@@ -8,7 +8,7 @@ import pytest
 from gearwright.dynamics import Model, campbell, modes
 from gearwright.dynamics.model import add_planetary
 from gearwright.errors import DesignError
-from gearwright.validate.planetary_sets import cooley_parker
+from gearwright.validate.trains import cooley_parker
 
 SCALE = math.sqrt(1e7 / 1.86)
 """√(k_p/m_p) [rad/s]."""

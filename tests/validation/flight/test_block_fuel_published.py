@@ -16,7 +16,7 @@ import pytest
 
 from gearwright.air import air_at
 from gearwright.mission import fly, phase_forces
-from gearwright.mission.moments import Attitude, resistance
+from gearwright.mission.thrust import Attitude, resistance
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import Aircraft, Phase, parse, parse_mission

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gearwright.machines.rotor_power import Disc, Stream, rotor_power
+from gearwright.machines.rotors import Disc, Stream, rotor_power
 
 CASTLES = (
     (0.00098, 24), (0.00168, 70), (0.00289, 137), (0.00400, 226), (0.00488, 342),

@@ -8,7 +8,21 @@ import pytest
 
 from gearwright.mission import fly
 from gearwright.mission.windows import fly_window
-from gearwright.replays.pulvirenti.flight.claims import (
+from gearwright.replays.pulvirenti.flight import (
+    PRINTED,
+    UNITLESS,
+    as_printed,
+    in_phase,
+    mean_off_ideal,
+    mesh_means,
+    mesh_swing,
+    off_ideal,
+    output_swing,
+    reflown,
+    spaced,
+    steady,
+)
+from gearwright.replays.pulvirenti.flight_claims import (
     CLAIMS,
     CONSTANT,
     DESIGN,
@@ -17,32 +31,8 @@ from gearwright.replays.pulvirenti.flight.claims import (
     JudgedClaim,
     Judgement,
 )
-from gearwright.replays.pulvirenti.flight.measures import (
-    mean_off_ideal,
-    mesh_means,
-    mesh_swing,
-    off_ideal,
-    output_swing,
-    steady,
-)
-from gearwright.replays.pulvirenti.flight.page import (
-    FIGURES,
-    PANELS,
-    STIFFNESS,
-    TITLES,
-    Side,
-    chapter_figure,
-    covered_text,
-    number_text,
-)
-from gearwright.replays.pulvirenti.flight.printed import (
-    PRINTED,
-    UNITLESS,
-    as_printed,
-    in_phase,
-    reflown,
-    spaced,
-)
+from gearwright.replays.pulvirenti.pages import FIGURES, PANELS, STIFFNESS, TITLES, Side, chapter_figure, number_text
+from gearwright.replays.pulvirenti.pages import covered_figure_text as covered_text
 from gearwright.replays.pulvirenti.runs import sized
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission

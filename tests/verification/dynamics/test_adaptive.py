@@ -9,7 +9,7 @@ from test_integration import chain, oscillator
 
 from gearwright.dynamics import Accuracy, Outputs, Periodic, replay, simulate
 from gearwright.dynamics.equations import kernel
-from gearwright.dynamics.motion.steps import tsit5
+from gearwright.dynamics.motion import tsit5
 from gearwright.errors import DesignError, SolveError
 
 

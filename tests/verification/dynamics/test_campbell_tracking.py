@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.dynamics import Model, campbell
 from gearwright.dynamics.model import add_planetary
-from gearwright.validate.planetary_sets import lin_parker
+from gearwright.validate.trains import lin_parker
 
 
 def diagram(speeds):

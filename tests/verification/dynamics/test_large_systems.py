@@ -5,13 +5,11 @@ import pytest
 
 from gearwright.dynamics import DampingRatio, Model, Periodic, modes, simulate, statics
 from gearwright.dynamics.equations import damped_rates, line_state, split_rigid
-from gearwright.dynamics.equations.modes import stiffness_matrix
-from gearwright.dynamics.equations.sparse import is_sparse, motions_of_graph, rigid_motions, settled
+from gearwright.dynamics.equations.modes import is_sparse, motions_of_graph, rigid_motions, settled, stiffness_matrix
 from gearwright.dynamics.equations.statics import steady_load
 from gearwright.dynamics.model import LARGE, line_matrix
 from gearwright.dynamics.motion import fastest_rate
-from gearwright.dynamics.motion.steps import damping_bound
-from gearwright.dynamics.motion.steps.bounds import rate_bound
+from gearwright.dynamics.motion.steps import damping_bound, rate_bound
 from gearwright.errors import DesignError, SolveError
 from random_systems import random_system
 

@@ -6,9 +6,18 @@ from itertools import pairwise
 import pytest
 
 from gearwright.air import air_at, stall_speed
-from gearwright.mission.aircraft.given import Powered, Push, _over_speed, path_by_power, rotation_speed, stretch
-from gearwright.mission.aircraft.march import State, books, march
-from gearwright.mission.moments import Attitude, polar_of, resistance
+from gearwright.mission.aircraft import (
+    Powered,
+    Push,
+    State,
+    _over_speed,
+    books,
+    march,
+    path_by_power,
+    rotation_speed,
+    stretch,
+)
+from gearwright.mission.thrust import Attitude, polar_of, resistance
 from gearwright.spec import Aircraft, Flaps, Phase
 from gearwright.units import GRAVITY
 

@@ -11,9 +11,9 @@ from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.machines import Governor
 from gearwright.mission import fly, governed_window, trim_at
 from gearwright.mission.windows import fly_window
-from gearwright.render.answers.flights.flight import window_answer
-from gearwright.render.answers.plain import plain
-from gearwright.render.pages.window import window_page
+from gearwright.render.answers.flights import window_answer
+from gearwright.render.answers.schema import plain
+from gearwright.render.pages.flight import window_page
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import GovernorRules, WindowRules, parse_mission, read

@@ -7,13 +7,12 @@ import pytest
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.catalogue import DesignPoint, Slam, engine_slam, turboshaft
-from gearwright.catalogue.turboshafts import deck_text
-from gearwright.catalogue.turboshafts.made import highest_state, inlet_at, turboshaft_engine
+from gearwright.catalogue.turboshafts import deck_text, highest_state, inlet_at, turboshaft_engine
 from gearwright.errors import DesignError
 from gearwright.machines import Engine, power_limits
-from gearwright.machines.power import steady_state
+from gearwright.machines.turboshaft import steady_state
 from gearwright.mission import durability, fly
-from gearwright.render.words.flights.flight import flight_text
+from gearwright.render.words.flights import flight_text
 from gearwright.reviews import review_of
 from gearwright.spec import EngineRules, parse_mission
 from gearwright.units import KWH, RPM

@@ -9,7 +9,7 @@ import pytest
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.mission import flight_series, fly_each
-from gearwright.mission.collect import Log
+from gearwright.mission.intervals import Log
 from gearwright.mission.together import log_at_once
 
 flying = importlib.import_module("gearwright.mission.fly")

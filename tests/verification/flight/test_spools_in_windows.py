@@ -6,8 +6,7 @@ import pytest
 import shipped_work
 from gearwright.errors import DesignError
 from gearwright.mission import fly
-from gearwright.mission.windows.background import background
-from gearwright.mission.windows.curves import value_at
+from gearwright.mission.windows.background import background, value_at
 from gearwright.mission.windows.events import changed
 from gearwright.spec import WindowRules, edited_mission, parse_mission, read_mission
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from gearwright.catalogue import propeller_map
-from gearwright.dynamics.equations.drive_laws import apply_drives
+from gearwright.dynamics.equations.kernel import apply_drives
 from gearwright.dynamics.model import PropellerDrive
-from gearwright.dynamics.model.drives import drive_effects, encoded
+from gearwright.dynamics.model.elements import drive_effects, encoded
 from gearwright.errors import SolveError
 from gearwright.machines import Governor, GovernorState, coefficients
 from gearwright.mission import fly

@@ -13,13 +13,11 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
-from gearwright.cli.designs import sized
 from gearwright.cli.ends import ended_well
-from gearwright.cli.options import JsonOption
-from gearwright.cli.terminal.output import show, tell, write_figure
-from gearwright.cli.terminal.sections import Sections
+from gearwright.cli.options import JsonOption, sized
+from gearwright.cli.terminal import Sections, show, tell, write_figure
 from gearwright.errors import DesignError, Problem
-from gearwright.writing import make_folder, write_bytes, write_text
+from gearwright.files import make_folder, write_bytes, write_text
 
 PAGE_RESOLUTION = 110.0
 """Of the figures beside the page of chapter 4: enough to read, and light [dots per inch]."""
@@ -45,8 +43,8 @@ def thesis(
     if figures is not None:
         raise DesignError([Problem("--figures", "these are figures of chapter 4; give --chapter-4 PAGE.md, too")])
     from gearwright.replays.pulvirenti.claims import claims
-    from gearwright.replays.pulvirenti.errata import errata as all_errata
-    from gearwright.replays.pulvirenti.page import claims_table, errata_table, thesis_markdown, thesis_page
+    from gearwright.replays.pulvirenti.claims import errata as all_errata
+    from gearwright.replays.pulvirenti.pages import claims_table, errata_table, thesis_markdown, thesis_page
 
     show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))
     page = thesis_markdown() if out.suffix == ".md" else thesis_page()
@@ -56,10 +54,15 @@ def thesis(
 
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
-    from gearwright.render.style.theme import to_png
-    from gearwright.replays.pulvirenti.flight.claims import chapter_runs, flight_claims, printed_runs
-    from gearwright.replays.pulvirenti.flight.departures import departed, frequencies
-    from gearwright.replays.pulvirenti.flight.page import (
+    from gearwright.render.style import to_png
+    from gearwright.replays.pulvirenti.flight_claims import (
+        chapter_runs,
+        departed,
+        flight_claims,
+        frequencies,
+        printed_runs,
+    )
+    from gearwright.replays.pulvirenti.pages import (
         FIGURES,
         PANELS,
         SHOWN_STIFFNESS,
@@ -109,14 +112,13 @@ def colibri(
     json: JsonOption = False,
 ) -> None:
     """Compute every printed number of the EC120B term project, and say which are wrong, why, and what is right."""
-    from gearwright.replays.colibri.page import colibri_markdown, colibri_page
-    from gearwright.replays.colibri.replay import replay
-    from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_tables
+    from gearwright.replays.colibri.pages import colibri_markdown, colibri_page
+    from gearwright.replays.colibri.replay import chosen, counts_text, findings_table, replay, replay_tables
 
     replayed = replay()
     numbers = chosen(replayed, part=part or "", wrong=wrong)
     if json:
-        from gearwright.replays.colibri.answer import colibri_answer
+        from gearwright.replays.colibri.pages import colibri_answer
 
         show_answer("replay colibri", colibri_answer(numbers, replayed))
     else:
@@ -137,7 +139,7 @@ def wang(
     from gearwright.dynamics.sharing import sharing_problem, sharing_study
     from gearwright.render.pages.sharing import sharing_page
     from gearwright.replays import paper_on
-    from gearwright.replays.wang.words import claims_table
+    from gearwright.replays.wang.claims import claims_table
 
     sizing = sized(design)
     paper = paper_on(sizing)

@@ -1,20 +1,40 @@
-"""Bodies: every gear, carrier and machine of a sizing on its shaft, with its share of the shaft's inertia."""
+"""Inertias, shaft connections and supports of a sized design, and the rotation of its bodies in a motion."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.dynamics.assembly.compound_sets import compound_phases, own_gears, planet_bodies
-from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve, variation_left
-from gearwright.dynamics.model import Model
-from gearwright.identity import SIDES, Kind, PartId, Role, gear_part
+import numpy as np
+
+from gearwright.arrays import Floats, smallest
+from gearwright.blas_threads import one_blas_thread
+from gearwright.dynamics.assembly.meshes import (
+    compound_phases,
+    gear_pairs,
+    mesh_curve,
+    own_gears,
+    planet_bodies,
+    variation_left,
+)
+from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, Owner, System, shift_weights
+from gearwright.errors import Problem, refuse
+from gearwright.identity import SIDES, Kind, PartId, Role, carrier_part, gear_part
 from gearwright.parts.gears import GearPair
+from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
 from gearwright.parts.stiffness import StiffnessCurve
+from gearwright.shape import Node, Scene
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND
-from gearwright.train import PowerFlow
+from gearwright.train import Damper, Joint, PowerFlow
+from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Bodies: every gear, carrier and machine of a sizing on its shaft, with its share of the shaft's inertia.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Rotor(NamedTuple):
@@ -181,3 +201,270 @@ def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:
     for end in {members[0], members[-1]}:
         share, rotor = 1.0 if len(members) == 1 else 2.0, assembly.rotors[end]
         assembly.rotors[end] = rotor._replace(inertia=rotor.inertia + shaft.inertia / share)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Lines along the shafts of a sizing, to its machines and across its clutches.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class ShaftLine(NamedTuple):
+    """A line that twists."""
+
+    name: str
+    """Unique name."""
+    part: PartId
+    """Shaft, machine or clutch."""
+    first: str
+    """Body at the end that drives."""
+    second: str
+    """Body at the other end."""
+    stiffness: float
+    """[N m/rad]."""
+
+
+def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
+    """Yield every line along a shaft, to a machine or across a clutch.
+
+    Args:
+        assembly: With all bodies.
+        slipping: Clutches that are drives instead of lines.
+    """
+    sizing = assembly.sizing
+    shafts = {shaft.name: shaft for shaft in sizing.shafts}
+    for name, members in assembly.members.items():
+        pieces = len(members) - 1
+        for k, (first, second) in enumerate(pairwise(members)):
+            line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
+            yield ShaftLine(line, PartId(Kind.SHAFT, name), first, second, shafts[name].stiffness * pieces)
+    for machine in assembly.turning_machines:
+        end, shaft = assembly.seat(machine), machine.shaft
+        driving = assembly.flow.machine_powers[machine.name] >= 0.0
+        ends = (machine.name, end) if driving else (end, machine.name)
+        own = PartId(Kind.MACHINE, machine.name)
+        alone = sum(neighbour.shaft == shaft for neighbour in sizing.machines) == 1
+        if len(assembly.members[shaft]) == 1 and alone:
+            yield ShaftLine(f"{shaft} shaft", PartId(Kind.SHAFT, shaft), *ends, shafts[shaft].stiffness)
+        else:
+            yield ShaftLine(f"{machine.name} shaft", own, *ends, _stub_stiffness(assembly, machine.torque))
+    for joint in sizing.train.joints:
+        if joint.name in assembly.flow.joints and joint.name not in slipping and not joint.is_brake:
+            yield clutch_line(assembly, joint)
+
+
+class Brake(NamedTuple):
+    """A line that holds a shaft to the housing."""
+
+    name: str
+    part: PartId
+    body: str
+    """That it holds."""
+    stiffness: float
+    """[N m/rad]."""
+
+
+def brakes(assembly: Assembly) -> Iterator[Brake]:
+    """Yield every brake that holds, as stiff as the shaft that it holds.
+
+    Args:
+        assembly: With all bodies.
+    """
+    shafts = {shaft.name: shaft for shaft in assembly.sizing.shafts}
+    for joint in assembly.sizing.train.joints:
+        if joint.is_brake and joint.name in assembly.flow.joints:
+            name = joint.driven if joint.driving == GROUND else joint.driving
+            part = PartId(Kind.CLUTCH, joint.name)
+            yield Brake(f"{joint.name} clutch", part, assembly.members[name][-1], shafts[name].stiffness)
+
+
+def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:
+    """Return the line across a clutch, as stiff as the softer of its shafts.
+
+    Args:
+        assembly: With all bodies.
+        joint: The clutch.
+    """
+    stiffness = min(shaft.stiffness for shaft in assembly.sizing.shafts if shaft.name in (joint.driving, joint.driven))
+    return ShaftLine(f"{joint.name} clutch", PartId(Kind.CLUTCH, joint.name), *link_ends(assembly, joint), stiffness)
+
+
+def link_ends(assembly: Assembly, link: Joint | Damper) -> tuple[str, str]:
+    """Return the bodies that a clutch or damper joins.
+
+    Args:
+        assembly: With all bodies.
+        link: What joins two shafts.
+    """
+    return assembly.members[link.driving][-1], assembly.members[link.driven][0]
+
+
+def _stub_stiffness(assembly: Assembly, torque: float) -> float:
+    """Return the stiffness of a machine's own shaft, sized by its torque [N m/rad]."""
+    rules = assembly.sizing.design.shafting
+    material = assembly.sizing.design.shaft_material
+    diameter = shaft_diameter(0.0, torque, (material.yield_strength or 0.0) / rules.safety, bore_ratio=rules.bore_ratio)
+    return torsional_stiffness(diameter, rules.end_length, material.shear_modulus, bore=rules.bore_ratio * diameter)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Supports: the shafts that a design lets move across, on their bearings, and what they do to every mesh.
+#
+# Translations are named ``SHAFT.y`` (and so on), those of a shaft with a sun, a ring or a carrier in the frame of that
+# planetary set's carrier. Damping ratios of meshes refer to their rotations alone, with or without translations.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def add_supports(model: Model, sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> None:
+    """Let the shafts that the design supports move: translations, bearings, and what they do to every mesh.
+
+    Args:
+        model: With every mesh as a line of rotations.
+        sizing: What was sized.
+        contacts: From `contacts_of`.
+        flow: The load case, whose carrier speeds turn the frames.
+
+    Raises:
+        DesignError: If a shaft carries gears of two frames.
+    """
+    supports = sizing.design.supports
+    if not supports:
+        return
+    frames, moving = _frames(sizing, contacts, flow), set[str]()
+    for shaft, support in supports.items():
+        mass = support.mass or _moving_mass(sizing, shaft)
+        across = _across(contacts, shaft)
+        stiffness = dict.fromkeys((AXES[k] for k in across), support.radial)
+        if support.axial is not None:
+            stiffness[next(axis for axis in AXES if axis not in stiffness)] = support.axial
+        for axis, value in stiffness.items():
+            owner = Owner(PartId(Kind.SHAFT, shaft), axis)
+            name = model.translation(f"{shaft}.{axis}", mass=mass, owner=owner)
+            damping = DampingRatio(support.damping)
+            model.support(f"{name} support", name, stiffness=value, damping=damping, owner=owner)
+            moving.add(name)
+        if frames[shaft]:
+            model.rotating_frame(*(f"{shaft}.{AXES[k]}" for k in across), speed=frames[shaft])
+    _shift(model, {contact.line: contact for contact in contacts}, moving)
+
+
+def _across(contacts: tuple[Contact, ...], shaft: str) -> tuple[int, int]:
+    return next((side.across for contact in contacts for side in contact.sides if side.shaft == shaft), (1, 2))
+
+
+def _frames(sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> dict[str, float]:
+    """Return shaft -> speed of the frame that its translations are written in [rad/s]."""
+    carriers: dict[str, set[str]] = {shaft: set() for shaft in sizing.design.supports}
+    for contact in contacts:
+        for side in contact.sides:
+            if side.shaft in carriers:
+                carriers[side.shaft].add(next(iter(side.housing_turns), ""))
+    problems = [
+        Problem(f"supports.{shaft}", "it carries gears of a planetary set and of another frame; leave its support out")
+        for shaft, carrier in carriers.items()
+        if len(carrier) > 1
+    ]
+    refuse(problems)
+    speeds = {str(carrier_part(name)): flow.speeds[stage.carrier] for name, stage in sizing.design.sets.items()}
+    return {shaft: speeds.get(next(iter(carrier), ""), 0.0) for shaft, carrier in carriers.items()}
+
+
+def _moving_mass(sizing: Sizing, shaft: str) -> float:
+    """Return the mass of a shaft with all that it carries [kg]."""
+    alone = next(sized.mass for sized in sizing.shafts if sized.name == shaft)
+    gears = sum(gear.mass * gear.bodies / len(gear.shafts) for gear in sizing.gears if shaft in gear.shafts)
+    carriers = 0.0
+    for carrier in sizing.carriers:
+        if carrier.shaft == shaft:
+            planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
+            carriers += carrier.mass + sum(planet.turning_mass * planet.bodies for planet in planets)
+    return alone + gears + carriers
+
+
+def _shift(model: Model, contacts: Mapping[str, Contact], moving: set[str]) -> None:
+    inertia = {body.name: body.mass for body in model.bodies}
+    for number, line in enumerate(model.lines):
+        if line.name in contacts:
+            shifts = {name: value for name, value in shift_weights(contacts[line.name]).items() if name in moving}
+            weights = {**line.weights, **shifts}
+            model.lines[number] = replace(line, weights=weights, damping=_damper(line, inertia))
+
+
+def _damper(line: Line, inertia: Mapping[str, float]) -> float:
+    """Return a mesh's damping for its rotations alone, 2 ζ √(k m_eff) [N s/m]."""
+    if not isinstance(line.damping, DampingRatio):
+        return line.damping
+    mobility = sum(weight**2 / inertia[name] for name, weight in line.weights.items())
+    return line.damping.damper(line.stiffness, mobility)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# By how much every body of a scene turns in a motion of its train: shapes of modes and simulated runs on solids.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@verb
+@one_blas_thread()
+def turns_of(sizing: Sizing, scene: Scene, system: System, position: Floats) -> Mapping[str, Floats]:
+    """Return node → its turn about its own axis, against the carrier that it is on [rad]; what stands is left out.
+
+    A shaft, which has no coordinate of its own, turns as the mean of what sits on it. Bodies are turned alone, not
+    moved aside.
+
+    Args:
+        sizing: What was sized.
+        scene: Of it.
+        system: Assembled from it.
+        position: q, measured from the rigid motion [rad], shape (..., coordinates).
+    """
+    places = {name: k for k, name in enumerate(system.labels.coordinates) if system.labels.coordinate_units[k] == "rad"}
+    sitting = {name: [places[one] for one in names if one in places] for name, names in _sitting(sizing).items()}
+    found: dict[str, Floats] = {}
+    for node in scene.nodes:
+        own = [places[node.name]] if node.name in places else sitting.get(node.name, [])
+        if own:
+            base = [places[node.on]] if node.on in places else []
+            turn = np.mean(position[..., own], axis=-1)
+            turn = turn - np.mean(position[..., base], axis=-1) if base else turn
+            found[node.name] = _sense(node, system, own, base) * turn
+    return found | dict(_joined(scene, found))
+
+
+def _joined(scene: Scene, found: Mapping[str, Floats]) -> Iterator[tuple[str, Floats]]:
+    """Yield what has no coordinate, such as ties and second toothings: it turns with what it is joined to."""
+    for node in scene.nodes:
+        if node.name not in found and any(node.spins.values()):
+            alike = [one for one in scene.nodes if one.name in found and (one.on, one.spins) == (node.on, node.spins)]
+            alike.sort(key=lambda one: one.part.number != node.part.number)
+            if alike:
+                yield node.name, found[alike[0].name]
+
+
+def _sitting(sizing: Sizing) -> dict[str, list[str]]:
+    """Return node of a shaft → coordinates of what sits on it."""
+    found: dict[str, list[str]] = {f"shaft {shaft.name}": [] for shaft in sizing.shafts}
+    for shaft, name in _seats(sizing):
+        found.get(f"shaft {shaft}", []).append(name)
+    return found
+
+
+def _seats(sizing: Sizing) -> Iterator[tuple[str, str]]:
+    for gear in sizing.gears:
+        for shaft in gear.shafts:
+            yield shaft, str(gear.part) if len(gear.shafts) == 1 else str(gear.part._replace(branch=shaft))
+    for carrier in sizing.carriers:
+        yield carrier.shaft, str(carrier.part)
+    for machine in sizing.machines:
+        yield machine.shaft, machine.name
+
+
+def _sense(node: Node, system: System, own: list[int], base: list[int]) -> float:
+    """Return 1, or −1 where a body's own axis points against the direction in which speeds of the train count."""
+    if node.part.kind is Kind.SHAFT and not any(node.spins.values()):
+        return 1.0
+    speed = system.arrays.speed
+    relative = float(speed[own[0]] - (speed[base[0]] if base else 0.0))
+    spins = [spin for spin in node.spins.values() if spin * relative]
+    if not spins:
+        return 1.0
+    nearest = smallest(spins, lambda spin: abs(abs(spin) - abs(relative)))
+    return float(np.sign(nearest * relative))

@@ -3,17 +3,34 @@
 What is solved with it is decided in `motion`.
 """
 
-from gearwright.dynamics.codegen.assembler import address, aligned
-from gearwright.dynamics.codegen.clock import FUNCTIONS as CLOCK
-from gearwright.dynamics.codegen.clock import Clocked, clock, clocked, set_clock, unturned, waves_of
-from gearwright.dynamics.codegen.crests import AFTER, BEFORE, blank_crests, bring_crests, crests_code, lagrange
-from gearwright.dynamics.codegen.emit import CHUNK, SINGLE
-from gearwright.dynamics.codegen.march import BLOCK
-from gearwright.dynamics.codegen.native import Compiled, compiled
-from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
-from gearwright.dynamics.codegen.summary import summarise, summary_code
-from gearwright.dynamics.codegen.topology import Topology, filled, parameter_rows, parameters, topology
-from gearwright.dynamics.codegen.writer import drive_width, record_width, table_width, wave_width
+from gearwright.dynamics.codegen.assembler import CHUNK, SINGLE, address, aligned
+from gearwright.dynamics.codegen.excitation import FUNCTIONS as CLOCK
+from gearwright.dynamics.codegen.excitation import Clocked, clock, clocked, set_clock, unturned, waves_of
+from gearwright.dynamics.codegen.generate import BLOCK, Compiled, compiled
+from gearwright.dynamics.codegen.rows import (
+    AFTER,
+    BEFORE,
+    SIDE,
+    Size,
+    blank_crests,
+    bring_crests,
+    crests_code,
+    lagrange,
+    recurrence,
+    summarise,
+    summary_code,
+)
+from gearwright.dynamics.codegen.topology import (
+    Topology,
+    drive_width,
+    filled,
+    parameter_rows,
+    parameters,
+    record_width,
+    table_width,
+    topology,
+    wave_width,
+)
 
 __all__ = [
     "AFTER",

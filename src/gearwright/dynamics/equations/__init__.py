@@ -4,14 +4,37 @@ Generated code is in `codegen`, motion in `motion`. `kernel` and `drive_laws`, w
 name where something runs through time: numba takes longer to load than statics to solve.
 """
 
-from gearwright.dynamics.equations.energy import WORKS, Work
-from gearwright.dynamics.equations.instants import errors_at, speed_factors, stiffness_at
-from gearwright.dynamics.equations.linear import DampedModes, damped_modes, damped_rates, linear, state_matrix
-from gearwright.dynamics.equations.modes import Modes, modes, split_rigid
-from gearwright.dynamics.equations.redundancy import Redundancy, line_forces, redundancy, slow_position
-from gearwright.dynamics.equations.reference import acceleration, dead_zone, line_state, speed_factor
-from gearwright.dynamics.equations.sidebands import steady_forces
-from gearwright.dynamics.equations.statics import Equilibrium, statics, unbalanced
+from gearwright.dynamics.equations.modes import (
+    DampedModes,
+    Modes,
+    damped_modes,
+    damped_rates,
+    linear,
+    modes,
+    split_rigid,
+    state_matrix,
+    steady_forces,
+)
+from gearwright.dynamics.equations.reference import (
+    WORKS,
+    Work,
+    acceleration,
+    dead_zone,
+    errors_at,
+    line_state,
+    speed_factor,
+    speed_factors,
+    stiffness_at,
+)
+from gearwright.dynamics.equations.statics import (
+    Equilibrium,
+    Redundancy,
+    line_forces,
+    redundancy,
+    slow_position,
+    statics,
+    unbalanced,
+)
 
 __all__ = [
     "WORKS",

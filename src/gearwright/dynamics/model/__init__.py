@@ -3,19 +3,8 @@
 Nothing is solved here; a sizing becomes a model in `assembly`.
 """
 
-from gearwright.dynamics.model.beam import Segment, bending_shaft
-from gearwright.dynamics.model.contact import (
+from gearwright.dynamics.model.elements import (
     AXES,
-    Carried,
-    Contact,
-    Turns,
-    contact_errors,
-    crossing_axis,
-    face_push_direction,
-    push_direction,
-    shift_weights,
-)
-from gearwright.dynamics.model.drives import (
     CLUTCH,
     HEADER,
     MACHINE,
@@ -27,31 +16,38 @@ from gearwright.dynamics.model.drives import (
     STANDSTILL,
     TORQUE,
     Acting,
+    Carried,
     ClutchDrive,
+    Contact,
     Curve,
+    DampingRatio,
+    Line,
     MachineDrive,
+    Periodic,
     PropellerDrive,
+    Turns,
+    contact_errors,
+    crossing_axis,
     drive_effects,
+    face_push_direction,
     points_of,
+    push_direction,
+    shift_weights,
 )
-from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked, weight_numbers
-from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_following, refuse_not_finite
-from gearwright.dynamics.model.flatten import profile_of
-from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
-from gearwright.dynamics.model.model import Model
-from gearwright.dynamics.model.plan import kept, plan_of, planned
-from gearwright.dynamics.model.planetary import PIN, add_planetary
-from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, rotational
+from gearwright.dynamics.model.model import Model, profile_of
+from gearwright.dynamics.model.planetary import PIN, Member, PlanetarySet, PlanetError, add_planetary, rotational
 from gearwright.dynamics.model.rotors import (
     Bearing,
     Disc,
     GearContact,
     Placed,
     Rotor,
+    Segment,
     add_bearing,
     add_body,
     add_gear_contact,
     add_rotor,
+    bending_shaft,
 )
 from gearwright.dynamics.model.system import (
     LARGE,
@@ -68,11 +64,23 @@ from gearwright.dynamics.model.system import (
     System,
     Tone,
     along_lines,
+    check_finite,
+    check_structure,
     entry_matrix,
+    envelope,
+    finite_numbers,
     holding,
+    kept,
     line_matrix,
     onto_coordinates,
+    own_groups,
+    plan_of,
+    planned,
+    refuse_following,
+    refuse_not_finite,
+    stacked,
     top_rate,
+    weight_numbers,
 )
 
 __all__ = [

@@ -1,24 +1,36 @@
-"""System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.
-
-    δ_j = d_j·q − e_j(φ)                     deflection of line j
-    f_j = k_j(φ) g(δ_j) + c_j (δ̇_j + s σ_j)  its force
-    M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇, x) − M Ω ṡ,   ẋ = h(t, q̇, x) of the drives
-
-q is measured from the rigid motion: θ = Ω τ + q with τ = ∫ s dt and s the speed factor (1 at the reference speeds Ω).
-σ_j = d_j·Ω is the slip of a damper in that motion, k_j = 0; what has a stiffness has none.
-A tone is an angle φ = ω τ that is an integer combination of shaft angles; k_j and e_j are Fourier sums over tones.
-"""
+"""The dynamic system as flat arrays, systems of one structure as a batch, and checks for finite numbers."""
 
 from __future__ import annotations
 
+from collections import OrderedDict
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import wraps
+from hashlib import blake2b
+from operator import attrgetter
+from threading import Lock
+from typing import Any, Concatenate, NamedTuple, ParamSpec, TypeVar, cast
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from gearwright.arrays import Bools, Floats, Ints
+from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.identity import PartId
 from gearwright.showing import Shown
+
+# ----------------------------------------------------------------------------------------------------------------------
+# System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.
+#
+#     δ_j = d_j·q − e_j(φ)                     deflection of line j
+#     f_j = k_j(φ) g(δ_j) + c_j (δ̇_j + s σ_j)  its force
+#     M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇, x) − M Ω ṡ,   ẋ = h(t, q̇, x) of the drives
+#
+# q is measured from the rigid motion: θ = Ω τ + q with τ = ∫ s dt and s the speed factor (1 at the reference speeds Ω).
+# σ_j = d_j·Ω is the slip of a damper in that motion, k_j = 0; what has a stiffness has none.
+# A tone is an angle φ = ω τ that is an integer combination of shaft angles; k_j and e_j are Fourier sums over tones.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Series(NamedTuple):
@@ -326,3 +338,314 @@ def top_rate(arrays: Arrays) -> float:
     used = np.concatenate([arrays.variation.tone, arrays.error.tone])
     fastest = float(np.max(np.abs(arrays.tone_rate[used]), initial=0.0))
     return fastest * float(np.max(np.abs(arrays.profile.factor)))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Family: systems side by side as one record of arrays with a leading axis; what they share stands there once.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+DIFFERS = "its structure differs from the first one's: lines, backlash or none, tones, kinds of loads"
+
+
+def stacked(members: Sequence[Arrays]) -> Arrays:
+    """Return arrays whose leading axis counts the systems; it has length one where all share one array.
+
+    Args:
+        members: Numbers of each system.
+
+    Raises:
+        DesignError: With the first system whose arrays have other shapes.
+    """
+    return cast("Arrays", _stack(members))
+
+
+def _stack(parts: Sequence[object]) -> object:
+    first = parts[0]
+    if all(part is first for part in parts):
+        parts = parts[:1]
+    if isinstance(first, np.ndarray):
+        for number, part in enumerate(parts):
+            if cast("Floats", part).shape != first.shape:
+                raise DesignError([Problem(f"systems.{number}", DIFFERS)])
+        return np.array(parts)
+    fields = cast("Sequence[Sequence[object]]", parts)
+    return type(first)(*(_stack([part[place] for part in fields]) for place in range(len(fields[0]))))
+
+
+def check_structure(family: Arrays) -> None:
+    """Refuse systems that one code cannot run.
+
+    Args:
+        family: Systems, `stacked`.
+
+    Raises:
+        DesignError: With the first system whose structure differs from the first one's.
+    """
+    for rows in _structure(family):
+        different = np.flatnonzero(np.any(rows != rows[0], axis=1))
+        if len(different):
+            raise DesignError([Problem(f"systems.{different[0]}", DIFFERS)])
+
+
+def _structure(family: Arrays) -> Iterator[np.ndarray]:
+    """Return what decides the structure, a row for each system."""
+    loads, weights = family.loads, family.line_weight
+    yield from (family.line_start, family.line_dof, np.where(np.abs(weights) == 1.0, weights, 0.0))
+    yield np.array([weight_numbers(row)[0] for row in weights])
+    yield from (family.backlash > 0.0, family.damping > 0.0, family.slip != 0.0)
+    ramps = np.any(family.profile.factor != family.profile.factor[:, :1], axis=1, keepdims=True)
+    yield from (ramps, ramps & (family.speed != 0.0))
+    yield from (loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof)
+    yield from (family.variation.start, family.variation.tone, family.error.start, family.error.tone)
+    yield from (family.gyroscopic.row, family.gyroscopic.column, family.centripetal.row, family.centripetal.column)
+
+
+def weight_numbers(weights: Floats) -> tuple[Ints, Floats]:
+    """Return the number of each weight, equal ones alike, in the order in which they first occur, and their values.
+
+    Args:
+        weights: Of all lines.
+    """
+    values, first, inverse = np.unique(weights, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    return np.argsort(order)[inverse], values[order]
+
+
+def own_groups(family: Arrays, layout: tuple[int, ...], names: Sequence[str], rows: Floats) -> frozenset[str]:
+    """Return which groups of numbers differ from system to system, and ``"clock"`` if their tones do.
+
+    Args:
+        family: Systems, `stacked`.
+        layout: First place of each group of numbers.
+        names: Of the groups.
+        rows: Numbers of each system.
+    """
+    differs = np.any(rows != rows[0], axis=0)
+    ends = [*layout[1:], len(differs)]
+    varying = {name for name, start, end in zip(names, layout, ends, strict=True) if np.any(differs[start:end])}
+    clocks = (family.profile.factor[:, :1], family.tone_rate)
+    return frozenset(varying | {"clock"} if any(np.any(clock != clock[0]) for clock in clocks) else varying)
+
+
+def envelope(first: Arrays, family: Arrays) -> Arrays:
+    """Return the first system with the largest stiffness, swing and damping of each line.
+
+    Args:
+        first: System.
+        family: Systems, `stacked`.
+    """
+    swing = np.max(np.hypot(family.variation.cosine, family.variation.sine), axis=0)
+    return first._replace(
+        stiffness=np.max(family.stiffness, axis=0),
+        damping=np.max(family.damping, axis=0),
+        variation=first.variation._replace(cosine=swing, sine=np.zeros_like(swing)),
+    )
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Plan: the numbers of a system with all that was made of them, so that one system is worked out once for all its runs.
+#
+# What a function makes of the numbers alone is kept beside them: topology, code, clock tables, rates, equilibrium.
+# Plans are found again by a digest of the numbers, which no one else can change.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PLANS = 16
+"""Plans that are kept: the latest."""
+ANSWERS = 4
+"""Answers of one function that a plan keeps, the latest: a run and the one beside it take two steps' tables."""
+
+Given = ParamSpec("Given")
+Result = TypeVar("Result")
+_MISSING = object()
+
+
+class Plan(NamedTuple):
+    """Numbers that cannot change, with what was made of them."""
+
+    arrays: Arrays
+    """The numbers, in arrays that no one else has."""
+    answers: dict[Hashable, dict[Hashable, Any]]
+    """By function, and by what else it was given."""
+
+
+_PLANS = OrderedDict[bytes, Plan]()
+_KNOWN = dict[int, Plan]()
+_LOCK = Lock()
+
+
+def plan_of(arrays: Arrays) -> Arrays:
+    """Return the same numbers as their plan has them: what is made of these is kept.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    if _known(arrays):
+        return arrays
+    key = _digest(arrays)
+    with _LOCK:
+        plan = _PLANS.pop(key, None) or Plan(_own(arrays), {})
+        _PLANS[key] = _KNOWN[id(plan.arrays)] = plan
+        while len(_PLANS) > PLANS:
+            _KNOWN.pop(id(_PLANS.popitem(last=False)[1].arrays))
+    return plan.arrays
+
+
+def _known(arrays: Arrays) -> Plan | None:
+    plan = _KNOWN.get(id(arrays))
+    return plan if plan and plan.arrays is arrays else None
+
+
+def kept(arrays: Arrays, key: tuple[Hashable, ...], make: Callable[[], Result]) -> Result:
+    """Return what a function makes of numbers; of a plan's it is made once.
+
+    Args:
+        arrays: The system's numbers.
+        key: The function, and what else it is given.
+        make: Makes it; it must not be changed afterwards.
+    """
+    plan = _known(arrays)
+    if plan is None:
+        return make()
+    answers = plan.answers.setdefault(key[0], {})
+    made = answers.get(key, _MISSING)
+    if made is _MISSING:
+        made = make()
+        with _LOCK:
+            while len(answers) >= ANSWERS:
+                answers.pop(next(iter(answers)))
+            answers[key] = made
+    return made  # type: ignore[no-any-return]
+
+
+def planned(
+    function: Callable[Concatenate[Arrays, Given], Result],
+) -> Callable[Concatenate[Arrays, Given], Result]:
+    """Return a function of numbers that is computed once for each plan.
+
+    Args:
+        function: Of the numbers, and of what can be a key.
+    """
+
+    @wraps(function)
+    def once(arrays: Arrays, *args: Given.args, **kwargs: Given.kwargs) -> Result:
+        return kept(arrays, (function, *args, *kwargs.items()), lambda: function(arrays, *args, **kwargs))
+
+    return cast("Callable[Concatenate[Arrays, Given], Result]", once)
+
+
+def _digest(arrays: Arrays) -> bytes:
+    """Return a digest of all numbers: kinds, shapes, values."""
+    leaves = _leaves(arrays)
+    kinds = "".join([leaf.dtype.char for leaf in leaves]).encode()
+    sizes = np.array([leaf.size for leaf in leaves]).tobytes()  # all have one axis
+    return blake2b(b"".join([kinds, sizes, *[leaf.tobytes() for leaf in leaves]]), digest_size=16).digest()
+
+
+def _names(part: object, before: str = "") -> Iterator[str]:
+    """Return the names of all arrays in a record of records."""
+    for name, field in part._asdict().items():  # type: ignore[attr-defined]
+        yield from _names(field, f"{before}{name}.") if isinstance(field, tuple) else [f"{before}{name}"]
+
+
+def _leaves(arrays: Arrays) -> tuple[np.ndarray, ...]:
+    """Return all arrays in a record of records, whose kinds of parts never change."""
+    if not _GETTERS:
+        _GETTERS.append(attrgetter(*_names(arrays)))
+    return _GETTERS[0](arrays)  # type: ignore[no-any-return]
+
+
+_GETTERS = list[Callable[[Arrays], Any]]()
+
+
+def _own(part: Any) -> Any:
+    """Return the same numbers in arrays that no one else has."""
+    if isinstance(part, tuple):
+        return type(part)(*map(_own, part))
+    return np.array(part)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# One gate for the numbers of the dynamics: what is not finite neither enters a verb nor leaves it.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def refuse_not_finite(values: ArrayLike, parts: Sequence[str], what: str) -> None:
+    """Refuse results that are no numbers.
+
+    Args:
+        values: Shape (…, parts).
+        parts: What the last axis counts.
+        what: That they are, for the message.
+
+    Raises:
+        SolveError: With the first part whose value is infinite or no number.
+    """
+    if np.isfinite(values).all():
+        return
+    table = np.asarray(values).reshape(-1, len(parts))
+    wrong = np.argwhere(~np.isfinite(table))
+    if len(wrong):
+        row, column = wrong[0]
+        message = f"{what} of {parts[column]} is {table[row, column]}, no finite number"
+        raise SolveError(f"{message}; look for an extreme mass, stiffness, speed or load there")
+
+
+def check_finite(system: System) -> None:
+    """Refuse a system that cannot be run: with numbers that are not finite, or with forces that have no potential.
+
+    Args:
+        system: As assembled, or built by hand.
+
+    Raises:
+        SolveError: With the part whose number it is.
+    """
+    refuse_following(system)
+    _check_numbers(system)
+
+
+def refuse_following(system: System) -> None:
+    """Refuse unequal cross terms of bearings, which the linear verbs alone know.
+
+    Args:
+        system: As built.
+
+    Raises:
+        SolveError: If there are such terms.
+    """
+    if any(len(entries.value) for entries in system.arrays.following):
+        message = "bearings have unequal cross terms (k_xy and k_yx): campbell and frequency_response know them"
+        raise SolveError(f"{message}; give equal ones for statics and runs")
+
+
+def _check_numbers(system: System) -> None:
+    arrays, labels = system.arrays, system.labels
+    for what, values, parts in (
+        ("mass or inertia", np.where(arrays.mass > 0.0, arrays.mass, np.nan), labels.coordinates),
+        ("speed", arrays.speed, labels.coordinates),
+        ("load", arrays.loads.constant, labels.coordinates),
+        ("stiffness", arrays.stiffness, labels.lines),
+        ("damping", arrays.damping, labels.lines),
+        ("slip", arrays.slip, labels.lines),
+    ):
+        refuse_not_finite(values, parts, what)
+
+
+@contextmanager
+def finite_numbers(system: System) -> Iterator[None]:
+    """Refuse a system with numbers that are not finite, and say so where its equations cannot be solved.
+
+    Args:
+        system: That is solved inside.
+
+    Raises:
+        SolveError: If a number is not finite, with its part; if the equations have no solution.
+    """
+    _check_numbers(system)
+    try:
+        # What overflows is refused with its part when it comes out.
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            yield
+    except (ValueError, ArithmeticError) as error:  # LinAlgError is a ValueError
+        raise SolveError(f"the equations of motion have no solution in floating point: {error}") from error

@@ -13,7 +13,7 @@ from gearwright.dynamics.motion.accuracy import (
     shortfall,
 )
 from gearwright.dynamics.motion.ensemble import Ensemble, ends_of, simulate_many
-from gearwright.dynamics.motion.held_energy import stored_energy
+from gearwright.dynamics.motion.marching import followed, stored_energy, with_profile
 from gearwright.dynamics.motion.record import (
     BLOCK,
     CHECKPOINTS,
@@ -27,9 +27,15 @@ from gearwright.dynamics.motion.record import (
     line_numbers,
     summary_of,
 )
-from gearwright.dynamics.motion.rigid_pass import followed, with_profile
-from gearwright.dynamics.motion.simulate import replay, simulate
-from gearwright.dynamics.motion.standing import UNDAMPED, endless, equilibrium
+from gearwright.dynamics.motion.simulate import (
+    UNDAMPED,
+    check_shared_load,
+    endless,
+    equilibrium,
+    replay,
+    simulate,
+    slack_lines,
+)
 from gearwright.dynamics.motion.steps import (
     STABLE,
     Accuracy,
@@ -40,7 +46,6 @@ from gearwright.dynamics.motion.steps import (
     fastest_rate,
     stepper,
 )
-from gearwright.dynamics.motion.touching import check_shared_load, slack_lines
 
 __all__ = [
     "BLOCK",

@@ -1,20 +1,41 @@
-"""Marching: one pass over a stretch of time at one pace, many blocks at a time in compiled code."""
+"""Time integration in blocks by compiled code, stored energy, and rigid-body motion of a driven train."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.dynamics.codegen import CLOCK, Clocked, address, set_clock, unturned
-from gearwright.dynamics.codegen.loops import at, call, library
-from gearwright.dynamics.model import System
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.codegen import (
+    CLOCK,
+    Clocked,
+    address,
+    clock,
+    drive_width,
+    parameters,
+    set_clock,
+    topology,
+    unturned,
+)
+from gearwright.dynamics.codegen import compiled as generated
+from gearwright.dynamics.codegen.loops import at, call, library, packed
+from gearwright.dynamics.equations import WORKS, speed_factor, split_rigid
+from gearwright.dynamics.model import Arrays, System, planned, profile_of
 from gearwright.dynamics.motion.accuracy import Forces
-from gearwright.dynamics.motion.record import BLOCK, TAKE, Outputs, Recorder, Taking, take
+from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder
 from gearwright.dynamics.motion.steps import Pace, Stepper, check_duration, generated_run, stepper
+from gearwright.dynamics.motion.taking import FUNCTIONS as TAKE
+from gearwright.dynamics.motion.taking import Taking, take
 from gearwright.signals import answered
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Marching: one pass over a stretch of time at one pace, many blocks at a time in compiled code.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 TOGETHER = 32
 """Blocks that are marched over before Python looks whether the user stops the run, or wants to know how far it is."""
@@ -184,3 +205,240 @@ def _one_by_one(recorder: Recorder, method: str, pace: Pace, *, state: Floats, d
         done[0] = first + count
         if progress is not None:
             progress(done[0] / recorder.steps)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Held energy: what a system's bodies and lines hold at an instant, in translated Python.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Springs(NamedTuple):
+    """Numbers of a system, as `Arrays` has them."""
+
+    size: int
+    """Coordinates."""
+    lines: int
+    mass: Floats
+    speed: Floats
+    stiffness: Floats
+    backlash: Floats
+    start: Ints
+    """Of each line's weights, shape (lines + 1,)."""
+    dof: Ints
+    weight: Floats
+    rate: Floats
+    """Of the tones [rad/s]."""
+    variation_start: Ints
+    variation_tone: Ints
+    variation_cosine: Floats
+    variation_sine: Floats
+    error_start: Ints
+    error_tone: Ints
+    error_cosine: Floats
+    error_sine: Floats
+
+
+def stored(c: Springs, factor: float, travel: float, state: Floats) -> float:
+    """Return kinetic energy at absolute speed plus elastic energy [J] of (q, q̇) at a speed factor and its travel."""
+    twice = 0.0
+    for i in range(c.size):
+        speed = c.speed[i] * factor + state[c.size + i]
+        twice += c.mass[i] * speed * speed
+    for j in range(c.lines):
+        deflection, varied = 0.0, 1.0
+        for i in range(c.start[j], c.start[j + 1]):
+            deflection += c.weight[i] * state[c.dof[i]]
+        for i in range(c.error_start[j], c.error_start[j + 1]):
+            angle = c.rate[c.error_tone[i]] * travel
+            deflection -= c.error_cosine[i] * math.cos(angle) + c.error_sine[i] * math.sin(angle)
+        for i in range(c.variation_start[j], c.variation_start[j + 1]):
+            angle = c.rate[c.variation_tone[i]] * travel
+            varied += c.variation_cosine[i] * math.cos(angle) + c.variation_sine[i] * math.sin(angle)
+        contact = max(deflection, 0.0)
+        if deflection < -c.backlash[j]:
+            contact = deflection + c.backlash[j]
+        twice += c.stiffness[j] * varied * contact * contact
+    return 0.5 * twice
+
+
+def stored_energy(arrays: Arrays, time: float, state: Floats) -> float:
+    """Return kinetic energy at absolute speed plus elastic energy [J].
+
+    Args:
+        arrays: The system's numbers.
+        time: [s].
+        state: q [rad or m] and q̇ [rad/s or m/s], shape (2 coordinates, …).
+    """
+    factor, _, travel = speed_factor(arrays.profile, time)
+    _, place = _springs(arrays)
+    return float(library(stored).function("stored")(place, factor, travel, address(state)))
+
+
+@planned
+def _springs(arrays: Arrays) -> tuple[Ints, int]:
+    """Return the numbers as translated Python reads them, and where they stand."""
+    a = arrays
+    series = (*a.variation, *a.error)
+    numbers = (a.mass, a.speed, a.stiffness, a.backlash, a.line_start, a.line_dof, a.line_weight, a.tone_rate, *series)
+    given = packed(Springs(len(a.mass), len(a.stiffness), *numbers))
+    return given, address(given)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The rigid motion of a driven train through time, in compiled code: what `rigid_pass` reads a speed profile from.
+#
+# The right-hand side is the structure's own generated code, behind its address; what is compiled besides is this loop.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+RIGID_BLOCK = 512
+"""Steps between two settings of the clock."""
+
+
+class Rigid(NamedTuple):
+    """What the loop works with."""
+
+    derivative: int
+    """Address of the right-hand side."""
+    numbers: Floats
+    """Its parameters."""
+    row: int
+    """Numbers in a row of the clock table."""
+    h: float
+    """Step [s]."""
+    size: int
+    """Coordinates."""
+    states: int
+    """Of the drives."""
+    past: int
+    """Place of the drives' states in a state."""
+    rigid: Floats
+    """Rigid motion of unit mass, shape (coordinates,)."""
+    mass: Floats
+    state: Floats
+    """(q, q̇, works, x) of a stage, with q at rest."""
+    change: Floats
+    """Its rate."""
+    output: Floats
+    """Line forces and deflections, and what the drives report."""
+    motion: Floats
+    """(ν, x), which is carried on."""
+    inside: Floats
+    """The same within a step."""
+    total: Floats
+    """Sum of its rates."""
+
+
+def march_rigid(c: Rigid, table: Floats, count: int, speeds: Floats) -> None:
+    """Carry (ν, x) on, and fill ν before each step and after the last."""
+    for step in range(count):
+        speeds[step] = c.motion[0]
+        for i in range(c.states + 1):
+            c.inside[i] = c.motion[i]
+            c.total[i] = 0.0
+        for stage in range(4):
+            for i in range(c.size):
+                c.state[c.size + i] = c.rigid[i] * c.inside[0]
+            for i in range(c.states):
+                c.state[c.past + i] = c.inside[1 + i]
+            row = at(table, (2 * step + (stage + 1) // 2) * c.row)
+            call(c.derivative, c.numbers, row, c.state, c.change, c.output)
+            share = 2.0 if stage == 1 or stage == 2 else 1.0
+            reach = c.h if stage == 2 else 0.5 * c.h
+            for k in range(c.states + 1):
+                rate = 0.0
+                if k == 0:
+                    for i in range(c.size):
+                        rate += c.rigid[i] * c.mass[i] * c.change[c.size + i]
+                else:
+                    rate = c.change[c.past + k - 1]
+                c.total[k] += share * rate
+                c.inside[k] = c.motion[k] + reach * rate
+        for i in range(c.states + 1):
+            c.motion[i] += c.h / 6.0 * c.total[i]
+    speeds[count] = c.motion[0]
+
+
+def rigid_speeds(arrays: Arrays, rigid: Floats, h: float, steps: int) -> Floats:
+    """Return ν before every step and after the last, shape (steps + 1,).
+
+    Args:
+        arrays: The system's numbers, at a constant speed factor.
+        rigid: Its rigid motion, of unit mass, shape (coordinates,).
+        h: Step [s].
+        steps: How many.
+    """
+    shape, (layout, numbers) = topology(arrays), parameters(arrays, h)
+    code, now = generated(shape, layout), clock(arrays, h, RIGID_BLOCK)
+    size, states = len(rigid), len(arrays.drives.start)
+    past, reports = 2 * size + WORKS, 2 * len(shape.lines) + drive_width(shape)
+    speeds, motion = np.zeros(steps + 1), np.concatenate([[0.0], arrays.drives.start])
+    table = now(0, min(RIGID_BLOCK, steps))[0]
+    course = Rigid(
+        code.derivative, numbers, table.shape[1], h, size, states, past, rigid, arrays.mass, np.zeros(past + states),
+        np.zeros(past + states), np.zeros(reports), motion, motion.copy(), motion.copy(),
+    )  # fmt: skip
+    given, march = packed(course), library(march_rigid).function("march_rigid")
+    for first in range(0, steps, RIGID_BLOCK):
+        count = min(RIGID_BLOCK, steps - first)
+        table = now(first, count)[0]  # its tones need no turning: what lines pull along a rigid motion adds up to zero
+        march(address(given), address(table), count, address(speeds) + 8 * first)
+    return speeds
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Rigid pass: how a driven train's speed goes when nothing twists, so that mesh phases follow it.
+#
+# Tones run with the speed profile, and a governed speed is not known before. The rigid motion takes part in the same
+# right-hand side (line forces do no work on it), a thousand times slower than the teeth; what it finds becomes the
+# profile of the elastic run, which then measures only what the rigid motion leaves out.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+STEP = 1e-3
+"""Step of the rigid pass [s]: actuators of propellers are slower by far."""
+POINTS = 1000
+"""Most points of the profile."""
+
+
+def followed(system: System, duration: float) -> System:
+    """Return a system whose speed profile follows the rigid motion that its drives and loads give it.
+
+    Args:
+        system: With one rigid motion at most; with more (a clutch that slips) it keeps its profile.
+        duration: [s].
+    """
+    rigid = split_rigid(system.arrays)[0]
+    if rigid.shape[1] != 1 or not np.any(system.arrays.speed):
+        return system
+    time, factor = rigid_factor(system.arrays, rigid, duration)
+    return with_profile(system, list(zip(time.tolist(), factor.tolist(), strict=True)))
+
+
+def with_profile(system: System, points: Sequence[tuple[float, float]]) -> System:
+    """Return a system with another speed profile.
+
+    Args:
+        system: Bodies, lines, loads, drives.
+        points: (time [s], speed factor [-]).
+    """
+    return replace(system, arrays=system.arrays._replace(profile=profile_of(points)))
+
+
+def rigid_factor(arrays: Arrays, rigid: Floats, duration: float) -> tuple[Floats, Floats]:
+    """Return time [s] and speed over reference speed [-] of the one rigid motion, shape (points,).
+
+    Args:
+        arrays: The system's numbers, with a constant speed factor at which it starts.
+        rigid: Its rigid motion, of unit mass, shape (coordinates, 1).
+        duration: [s].
+
+    Source: classical fourth-order Runge–Kutta of Rᵀ M R ν̇ = Rᵀ Q with θ̇ = Ω s + R ν.
+    """
+    steps = max(1, round(duration / STEP))
+    motion = rigid_speeds(arrays, rigid[:, 0].copy(), duration / steps, steps)
+    fastest = int(np.argmax(np.abs(arrays.speed)))
+    factor = arrays.profile.factor[0] + rigid[fastest, 0] * motion / arrays.speed[fastest]
+    stride = max(1, -(-steps // POINTS))
+    time = np.linspace(0.0, duration, steps + 1)
+    return time[::stride], factor[::stride]

@@ -1,19 +1,37 @@
-"""Simulate: a system's motion over a stretch of time."""
+"""Transient simulation of a system: initial conditions, tooth contact at the start, and sensitivity."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, Ints, place_of_largest
 from gearwright.blas_threads import one_blas_thread
-from gearwright.dynamics.equations import WORKS, Work, unbalanced
-from gearwright.dynamics.model import Arrays, System, check_finite, kept, plan_of, refuse_not_finite
+from gearwright.dynamics.equations import (
+    WORKS,
+    Work,
+    damped_rates,
+    errors_at,
+    line_forces,
+    redundancy,
+    statics,
+    unbalanced,
+)
+from gearwright.dynamics.model import (
+    Arrays,
+    System,
+    along_lines,
+    check_finite,
+    kept,
+    plan_of,
+    planned,
+    refuse_not_finite,
+)
 from gearwright.dynamics.motion.accuracy import (
     CHAOTIC,
     COARSER,
@@ -33,27 +51,221 @@ from gearwright.dynamics.motion.accuracy import (
     parted,
     shortfall,
 )
-from gearwright.dynamics.motion.held_energy import stored_energy
-from gearwright.dynamics.motion.marching import Pass, blocks, marched
-from gearwright.dynamics.motion.record import TOGETHER, Apart, Outputs, Recorder, Samples, Trace
-from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
-from gearwright.dynamics.motion.standing import endless, equilibrium
+from gearwright.dynamics.motion.exact import is_exact
+from gearwright.dynamics.motion.marching import Pass, blocks, marched, stored_energy
+from gearwright.dynamics.motion.record import BLOCK, TOGETHER, Apart, Outputs, Recorder, Samples, Trace, line_numbers
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,
     METHODS,
     Accuracy,
+    Stepper,
+    blank_record,
+    damping_bound,
     default_step,
     excited_step,
     fastest_rate,
-    is_exact,
     may_take,
     pace_of,
     stepper,
     whole_step,
 )
-from gearwright.dynamics.motion.touching import slack_lines
+from gearwright.dynamics.motion.taking import RUNAWAY
 from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Standing: the static equilibrium that runs begin from, and what of a system never comes to rest.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+UNDAMPED = 1e-9
+"""Damping ratio below which a mode has none but that of rounding [-]."""
+
+
+def equilibrium(system: System) -> Floats:
+    """Return q in static equilibrium; loads that do not balance speed it up.
+
+    Args:
+        system: Bodies, lines, loads.
+
+    Raises:
+        SolveError: If a line would carry more than any gear comes near, with the line and its load.
+    """
+    found = kept(system.arrays, (statics,), lambda: statics(system, balance="accelerate"))
+    place = place_of_largest(np.abs(found.force)) if len(found.force) else -1
+    if place >= 0 and not abs(found.force[place]) < RUNAWAY:
+        line, force = system.labels.lines[place], found.force[place]
+        raise SolveError(
+            f"the loads press line {line} with {force:.3g} before anything moves; at most {RUNAWAY:.0e} N or N m can "
+            "be followed: look at the units of the loads"
+        )
+    return found.position
+
+
+@planned
+def endless(arrays: Arrays, width: float) -> list[str]:
+    """Return what to say of modes without damping that a tone meets: their force grows as long as the run lasts.
+
+    Args:
+        arrays: The system's numbers.
+        width: Distance of a mode from a tone below which they meet [rad/s].
+    """
+    notes = dict[str, None]()
+    used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
+    if damping_bound(arrays, _slowest(arrays, used)) > UNDAMPED:  # far quicker than the modes
+        return []
+    for factor in {float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))}:
+        rates = damped_rates(arrays, factor)
+        for rate in rates[-rates.real < UNDAMPED * np.abs(rates)]:
+            if np.any(np.abs(np.abs(arrays.tone_rate[used] * factor) - rate.imag) < width):
+                hertz = rate.imag / (2.0 * np.pi)
+                notes[
+                    f"the mode at {hertz:.4g} Hz has no damping and is excited at its own frequency: its force grows "
+                    "without end, and statistics are those of this start and this duration; give it damping"
+                ] = None
+    return list(notes)
+
+
+def _slowest(arrays: Arrays, tones: Ints) -> float:
+    """Return the slowest of some tones that turn, at the lowest speed [rad/s]; 0 without any."""
+    rates = np.abs(np.outer(arrays.tone_rate[tones], arrays.profile.factor))
+    return float(np.min(rates[rates > 0.0], initial=np.inf)) if np.any(rates > 0.0) else np.inf
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Starts at which no tooth touches: named before anything is computed from them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+NOTHING = 1e-9
+"""Force of parallel lines over the largest that their stiffness and errors could give, that counts as none [-]."""
+FELT = 1e-6
+"""Length that the errors of a system without errors are taken as [m]."""
+
+
+def slack_lines(system: System, position: Floats) -> tuple[str, ...]:
+    """Return the lines with backlash if all of them stand between their flanks at time 0; else nothing.
+
+    Args:
+        system: Bodies, lines, loads.
+        position: q at the start [rad or m], shape (coordinates,).
+    """
+    arrays = system.arrays
+    play = arrays.backlash > 0.0
+    deflection = along_lines(arrays, position) - errors_at(system, np.zeros(1))[0]
+    open_ = (deflection < 0.0) & (deflection > -arrays.backlash)
+    if not np.any(play) or not np.all(open_[play]):
+        return ()
+    return tuple(name for name, has in zip(system.labels.lines, play, strict=True) if has)
+
+
+def check_shared_load(system: System, lines: Sequence[str]) -> None:
+    """Refuse to share a load that is not there.
+
+    Args:
+        system: With its loads and errors.
+        lines: Names of the parallel meshes.
+
+    Raises:
+        DesignError: If the lines together carry nothing when everything is slow: no share is defined.
+    """
+    shared, errors = line_numbers(system, lines), errors_at(system, np.zeros(1))[0]
+    train = redundancy(system)
+    force = line_forces(train, errors)[shared]
+    stiffness = float(np.max(system.arrays.stiffness[shared]))
+    scale = stiffness * max(FELT, float(np.max(np.abs(errors[shared]))))
+    if abs(float(np.sum(force))) <= NOTHING * scale:
+        message = f"{', '.join(lines)} carry nothing at the start, so there is nothing to share; give the case a load"
+        raise DesignError([Problem("loads", message)])
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Sensitivity: whether neighbouring motions part, so that a run may be judged by its statistics only.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+NUDGE = 1e-9
+"""Distance of the twin's lines over their largest deflection, set again after each block [-]."""
+PARTED = 1e3
+"""Growth of the distance between the twins beyond which the motion counts as sensitive [-]."""
+BLOCKS = 60
+"""Blocks over which the twins run side by side."""
+TURNING = 4
+"""Blocks before, in which the twin turns to where it parts fastest."""
+SEEN = BLOCK // 4
+"""Rows at the end of a block over which the distance is looked at."""
+SURE = 3.0
+"""Standard deviations of its mean above zero from which an exponent counts as positive [-]."""
+
+
+class Exponent(NamedTuple):
+    """Largest Lyapunov exponent of a motion."""
+
+    value: float
+    """[1/s]."""
+    uncertainty: float
+    """Standard deviation of its mean over blocks [1/s]."""
+    growth: float
+    """Of the distance between neighbours while they were watched [-]."""
+
+    @property
+    def chaotic(self) -> bool:
+        """Whether neighbours part beyond doubt."""
+        return self.growth >= PARTED and self.value > SURE * self.uncertainty
+
+    @property
+    def words(self) -> str:
+        """What a chaotic motion's reader must know."""
+        return (
+            f"chaotic: neighbouring motions part by a factor of e in {1.0 / self.value:.2g} s (largest exponent "
+            f"+{self.value:.2g} ± {self.uncertainty:.1g} 1/s); means, root mean squares and distributions of a run "
+            "that is long beside it hold, the waveform and single peaks are those of one motion among many"
+        )
+
+
+def largest_exponent(arrays: Arrays, advance: Stepper, first: int, state: Floats, step: float) -> Exponent:
+    """Return the largest exponent of the motion that goes on from a run's end.
+
+    Distances are of line deflections, so that rigid motions, which drift apart steadily, do not count.
+
+    Args:
+        arrays: The system's numbers.
+        advance: Its stepper.
+        first: Step at which the twins part.
+        state: q, q̇, works and drives' states there.
+        step: [s].
+
+    Source: Benettin, Galgani, Giorgilli, Strelcyn 1980, Meccanica 15, 9-20: the twin is brought back after each block.
+    """
+    size, lines = len(arrays.mass), len(arrays.stiffness)
+    twins, records = [state.copy(), state.copy()], [blank_record(arrays, BLOCK) for _ in range(2)]
+    works, columns = slice(2 * size, 2 * size + WORKS), slice(2 * size + lines, 2 * (size + lines))
+    growths = []
+    for block in range(BLOCKS + TURNING):
+        for twin, record in zip(twins, records, strict=True):
+            advance(first + block * BLOCK, record, twin)
+        if block == 0:
+            scale = np.max(np.abs(records[0][:, columns]), axis=0)
+            reach = np.max(np.abs(records[0][:, :size]), axis=0)
+            twins[1][:size] += NUDGE * reach * np.random.default_rng(0).uniform(0.5, 1.0, size)
+            continue
+        apart = np.abs(records[1][-SEEN:, columns] - records[0][-SEEN:, columns])
+        distance = float(np.max(np.divide(apart, scale, out=np.zeros_like(apart), where=scale > 0.0)))
+        if not distance > 0.0:
+            return Exponent(-np.inf, 0.0, 0.0)
+        growths.append(np.log(distance / NUDGE))
+        own = twins[1][works].copy()
+        twins[1] = twins[0] + (twins[1] - twins[0]) * NUDGE / distance
+        twins[1][works] = own
+    growths, time = growths[TURNING:], BLOCK * step
+    spread = float(np.std(growths)) / len(growths) ** 0.5
+    return Exponent(float(np.mean(growths)) / time, spread / time, float(np.exp(min(np.sum(growths), 700.0))))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Simulate: a system's motion over a stretch of time.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 LARGEST_GENERATED = 250
 """Lines up to which code is generated for the structure whatever the run: a quarter of a second."""

@@ -3,39 +3,54 @@
 The closed form of a train's redundancy is in `equations`.
 """
 
-from gearwright.dynamics.sharing.coefficients import (
-    mesh_load_factor,
-    share_coefficients,
-    tooth_cycle_means,
-    tooth_cycle_shares,
-)
-from gearwright.dynamics.sharing.effects_of_errors import Distribution, clocking_optimum, influences, monte_carlo
-from gearwright.dynamics.sharing.elastic import PathShare, elastic_shares, path_shares
-from gearwright.dynamics.sharing.error_sources import (
+from gearwright.dynamics.sharing.errors import (
+    Allocation,
+    Distribution,
+    allocate,
     as_forces,
+    clocking_optimum,
     drawn_set,
     error_sources,
+    influences,
+    monte_carlo,
     peak_shares,
     random_sets,
     with_errors,
 )
-from gearwright.dynamics.sharing.judged import load_factors, sharing_checks
 from gearwright.dynamics.sharing.of_design import (
+    PathShare,
     SharingProblem,
     SharingStudy,
     SupportSweep,
+    elastic_shares,
+    load_factors,
     parallel_meshes,
+    path_shares,
     shaft_displacement,
     sharing,
+    sharing_checks,
     sharing_problem,
     sharing_study,
     single_error_sharing,
     support_sweep,
 )
-from gearwright.dynamics.sharing.planet_counts import PlanetCounts, planet_counts
-from gearwright.dynamics.sharing.planets import PlanetSharing, PlanetTolerances, planet_sharing
-from gearwright.dynamics.sharing.solutions import SIDEBANDS, TRANSIENT, LoadSharing, load_sharing
-from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
+from gearwright.dynamics.sharing.planets import (
+    PlanetCounts,
+    PlanetSharing,
+    PlanetTolerances,
+    planet_counts,
+    planet_sharing,
+)
+from gearwright.dynamics.sharing.solutions import (
+    SIDEBANDS,
+    TRANSIENT,
+    LoadSharing,
+    load_sharing,
+    mesh_load_factor,
+    share_coefficients,
+    tooth_cycle_means,
+    tooth_cycle_shares,
+)
 
 __all__ = [
     "SIDEBANDS",

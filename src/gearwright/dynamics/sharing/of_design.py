@@ -1,37 +1,48 @@
-"""The load sharing of a sized design: its parallel meshes, what its errors do to them, what helps."""
+"""Load sharing of a sized design, elastic and with manufacturing errors, and its check against K_γ."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.arrays import Floats, Ints, largest
 from gearwright.blas_threads import one_blas_thread
+from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import assemble, contacts_of
-from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy
+from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy, statics
 from gearwright.dynamics.model import Contact, System
 from gearwright.dynamics.motion import line_numbers
-from gearwright.dynamics.sharing.coefficients import share_coefficients
-from gearwright.dynamics.sharing.effects_of_errors import (
+from gearwright.dynamics.sharing.errors import (
+    Allocation,
     Clocking,
     Distribution,
+    ErrorSource,
     Influence,
+    allocate,
     clocking_optimum,
+    drawn_set,
+    error_sources,
     influences,
     monte_carlo,
+    with_errors,
 )
-from gearwright.dynamics.sharing.error_sources import ErrorSource, drawn_set, error_sources, with_errors
-from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_sharing
-from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
-from gearwright.errors import DesignError, Problem, by_name, near
-from gearwright.identity import Kind, Row, mesh_part
-from gearwright.ranking import largest
+from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_sharing, share_coefficients
+from gearwright.errors import DesignError, GearwrightError, Problem, by_name, near
+from gearwright.identity import GEARBOX, Kind, PartId, Row, mesh_part
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing, governing_case
 from gearwright.spec import Epicyclic, Pair, Planetary
+from gearwright.spec.design import case_named
+from gearwright.units import Origin, Quantity
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The load sharing of a sized design: its parallel meshes, what its errors do to them, what helps.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 DETERMINATE = 1e-9
 """Force for each unit of error over the stiffness of a line below which equilibrium alone shares the load [-]."""
@@ -330,3 +341,152 @@ def single_error_sharing(
     """
     (alone,) = with_errors(problem.system, drawn_set([source]))
     return load_sharing(alone, problem.lines, method=method, span=span)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How parallel meshes share their load when the gearbox is elastic and without errors.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+IDLE = 1e-9
+"""Share of the load below which a path idles and is not listed [-]."""
+
+
+@dataclass(frozen=True)
+class PathShare:
+    """One of several meshes side by side."""
+
+    mesh: str
+    case: str
+    train: Annotated[float, Quantity("percent"), Origin("equal, or as the design states", "design")]
+    """Share of the load in the train's statics [-]."""
+    elastic: Annotated[float, Quantity("percent"), Origin("Σ d f = Q at mean stiffness", "System statics")]
+    """Share of the load in the elastic gearbox [-]."""
+    ratio: Annotated[float, Quantity("ratio"), Origin("elastic / train", "definition")]
+    """Elastic over train share [-]."""
+
+
+@verb
+@one_blas_thread()
+def elastic_shares(sizing: Sizing, case: str | None = None) -> dict[str, dict[str, float]]:
+    """Return the share of each parallel mesh of every pair that meshes with several, from the System's statics [-].
+
+    The train shares equally, or as the design states; the elastic answer differs where the paths differ.
+
+    Args:
+        sizing: What was sized.
+        case: Load case; left out: the governing one, which has the least margin.
+
+    Returns:
+        Pair -> mesh -> share; the shares of a pair add up to 1.
+    """
+    case = case or governing_case(sizing)
+    system = assemble(sizing, case, stiffness="constant")
+    force = dict(zip(system.labels.lines, statics(system).force, strict=True))
+    shares = {}
+    for stage in sizing.design.pairs:
+        rows = _rows(sizing, stage)
+        total = sum(force[row] for row in rows)
+        if len(rows) > 1 and total:
+            shares[stage] = {row: float(force[row] / total) for row in rows}
+    return shares
+
+
+def path_shares(sizing: Sizing) -> tuple[PathShare, ...]:
+    """Return the shares of all parallel meshes in the governing case; none where no pair has several meshes.
+
+    Args:
+        sizing: What was sized.
+    """
+    if all(len(_rows(sizing, stage)) < 2 for stage in sizing.design.pairs):
+        return ()
+    case = governing_case(sizing)
+    meshes, paths = sizing.flows[case].meshes, []
+    for stage, shares in elastic_shares(sizing, case).items():
+        total = sum(meshes[mesh].multiplier for mesh in _rows(sizing, stage))
+        for mesh, elastic in shares.items():
+            train = meshes[mesh].multiplier / total
+            if abs(train) > IDLE:
+                paths.append(PathShare(mesh, case, train, elastic, elastic / train))
+    return tuple(paths)
+
+
+def _rows(sizing: Sizing, stage: str) -> list[str]:
+    return [mesh.name for mesh in sizing.train.meshes if mesh.stage == stage]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How parallel meshes share their load by the errors of a design, held against the K_γ that they are rated with.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+MODE = "load sharing"
+"""Name of the check."""
+_CLAUSE = "ISO 6336-1:2006, clause 4; force method, slow errors"
+
+
+def stages_in_parallel(sizing: Sizing) -> list[str]:
+    """Return the stages whose meshes share by their errors: of several paths, without shares that the design states.
+
+    Args:
+        sizing: As sized.
+    """
+    stated = {name for name, pair in sizing.design.pairs.items() if pair.share is not None}
+    return [stage for stage in parallel_meshes(sizing) if stage not in stated]
+
+
+@verb
+@one_blas_thread()
+def load_factors(sizing: Sizing) -> Mapping[str, float]:
+    """Return stage -> K_γ by the errors that a design states: of the case whose most loaded mesh bears most [-].
+
+    Errors stand or turn slowly here; what teeth do to one another as they mesh is the dynamic factor's.
+
+    Args:
+        sizing: As sized; stages of which no error shifts load have none.
+    """
+    if not sizing.design.errors:
+        return {}
+    found = {stage: _factor(sizing, stage) for stage in stages_in_parallel(sizing)}
+    return {stage: factor for stage, factor in found.items() if factor is not None}
+
+
+def _factor(sizing: Sizing, stage: str) -> float | None:
+    """Return K_γ of a stage [-]; None where equilibrium alone shares its load, or no case has an equilibrium."""
+    largest, factor = 0.0, None
+    for case in sizing.flows:
+        if case_named(sizing.design, case).static:
+            continue
+        try:
+            problem = sharing_problem(sizing, stage, case=case)
+            sharing = load_sharing(problem.system, problem.lines, method="quasi-static")
+        except GearwrightError:
+            continue
+        mean = abs(float(sharing.force.mean()))
+        if problem.shifts and sharing.load_factor * mean > largest:
+            largest, factor = sharing.load_factor * mean, sharing.load_factor
+    return factor
+
+
+def sharing_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield every stage of parallel meshes by its errors, and what no error and no load factor is stated of.
+
+    Args:
+        sizing: As sized.
+    """
+    factors = load_factors(sizing)
+    for stage, factor in factors.items():
+        rated = max(mesh.load_factor for mesh in sizing.meshes if mesh.stage == stage)
+        yield Check(PartId(Kind.STAGE, stage), MODE, _CLAUSE, factor, rated, at_most=True, symbol="K_γ")
+    silent = [stage for stage in stages_in_parallel(sizing) if stage not in factors and not _states(sizing, stage)]
+    if silent:
+        sized = {mesh.stage: mesh.load_factor for mesh in sizing.meshes}
+        taken = ", ".join(f"{stage} {sized[stage]:.3g}" for stage in silent)
+        why = f"no [errors] and no gears.mesh_load_factor; taken by the usual level of sharing: K_γ of {taken}"
+        yield not_assessed(GEARBOX, MODE, _CLAUSE, why)
+
+
+def _states(sizing: Sizing, stage: str) -> bool:
+    """Tell whether a design says how a stage shares its load."""
+    rules = sizing.design.rules(stage)
+    return rules.mesh_load_factor is not None or bool(rules.planet_load_factors)

@@ -1,32 +1,35 @@
-"""Critical speeds of a sized train: where an order meets a natural frequency, how far from the operating speeds.
-
-And how hard the order shakes the mode there: estimated to first order, so that cancelled ones can be told apart.
-"""
+"""Critical speeds with separation margins, and dynamic load factors of simulated peaks."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, Ints
+from gearwright.arrays import Complexes, Floats, Ints, smallest_first
 from gearwright.blas_threads import one_blas_thread
-from gearwright.checks import ROUNDING
+from gearwright.checks import ROUNDING, Check, not_assessed
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import Excitation, System, Tone, line_matrix
+from gearwright.dynamics.motion import Outputs, Trace, simulate
 from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, Order, campbell
-from gearwright.dynamics.vibration.forced import UNLOADED
-from gearwright.errors import Problem, by_name, refuse
-from gearwright.identity import PartId, Role, gear_part
-from gearwright.ranking import smallest_first
+from gearwright.dynamics.vibration.response import UNLOADED
+from gearwright.errors import GearwrightError, Problem, by_name, refuse
+from gearwright.identity import GEARBOX, Kind, PartId, Role, Row, gear_part
 from gearwright.showing import Shown
-from gearwright.sizing import Sizing
-from gearwright.units import Frequency, Ratio, Speed
+from gearwright.sizing import MeshSizing, Sizing
+from gearwright.units import Frequency, Origin, Quantity, Ratio, Speed
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Critical speeds of a sized train: where an order meets a natural frequency, how far from the operating speeds.
+#
+# And how hard the order shakes the mode there: estimated to first order, so that cancelled ones can be told apart.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Criterion(NamedTuple):
@@ -363,3 +366,196 @@ def _terms(start: Ints) -> Iterator[tuple[int, int]]:
     for row in range(len(start) - 1):
         for place in range(int(start[row]), int(start[row + 1])):
             yield row, place
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Simulated peaks beside the rated loads: what is left of the margins when the peak of a run counts.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class DynamicLoad:
+    """One mesh row in a run."""
+
+    mesh: str
+    peak_over_mean: Annotated[float, Quantity("ratio"), Origin("F_max / F_mean", "run")]
+    """Dynamic factor of the run [-]."""
+    peak_force: Annotated[float, Quantity("force"), Origin("F_t = F cos α_t", "run")]
+    """Largest tangential force of one mesh [N]."""
+    rated_force: Annotated[
+        float, Quantity("force"), Origin("F_t of the worst case, times the factors for peaks in its rating", "sizing")
+    ]
+    """Tangential force that the mesh is sized for [N]."""
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("margin · F_t / F_t,max", "root stress ∝ force")]
+    """Bending margin at the peak [-]."""
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("margin · √(F_t / F_t,max)", "flank stress ∝ √force")]
+    """Contact margin at the peak [-]."""
+
+
+@dataclass(frozen=True)
+class ShaftLoad:
+    """One shaft in a run."""
+
+    shaft: str
+    peak_torque: Annotated[float, Quantity("torque"), Origin("T_max", "run")]
+    """Largest torque of its lines, without sign [N m]."""
+    rated_torque: Annotated[float, Quantity("torque"), Origin("T at the section that governs", "sizing")]
+    """Torque that it is sized for [N m]."""
+    margin: Annotated[float, Quantity("ratio"), Origin("margin · T / T_max", "stress ∝ torque")]
+    """Against yield at the peak, with the bending moment that grows with the torque [-]."""
+
+
+def shaft_loads(sizing: Sizing, trace: Trace) -> tuple[ShaftLoad, ...]:
+    """Return the peak of every shaft beside what it is sized for, the worst first.
+
+    Args:
+        sizing: As sized.
+        trace: A run of it.
+    """
+    loads = list[ShaftLoad]()
+    for shaft in sizing.shafts if trace.force.bins else ():
+        lines = trace.labels.lines_of(PartId(Kind.SHAFT, shaft.name))
+        peak = max((_peak_of_line(trace, line) for line in lines), default=0.0)
+        if peak and shaft.torque:
+            rated = abs(shaft.torque)
+            loads.append(ShaftLoad(shaft.name, peak, rated, shaft.margin * rated / peak))
+    return tuple(smallest_first(loads, lambda load: load.margin))
+
+
+def _peak_of_line(trace: Trace, line: str) -> float:
+    history = trace.force.of(line)
+    return max(abs(float(history["maximum"].max())), abs(float(history["minimum"].min())))
+
+
+def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
+    """Return the peak of every mesh row beside what it is sized for, the worst first.
+
+    Args:
+        sizing: As sized.
+        trace: A run of it.
+    """
+    meshes = sizing.meshes if trace.force.bins else ()
+    loads = [load for mesh in meshes if (load := _load(sizing, mesh, trace)) is not None]
+    return tuple(smallest_first(loads, lambda load: min(load.bending_margin, load.contact_margin)))
+
+
+def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
+    lines = trace.labels.lines_of(mesh.part)
+    if not lines or not mesh.tangential_force:
+        return None
+    # The halves of a double-helical gear are one line; planets have a line each.
+    together = mesh.count if mesh.row is Row.PAIR else 1
+    statistics = [trace.force.of(name) for name in lines]
+    peak = max(_peak_of_line(trace, name) for name in lines)
+    mean = max(abs(float(line["mean"].mean())) for line in statistics)
+    force, sized_for = (
+        peak * math.cos(mesh.working_pressure_angle) / together,
+        mesh.tangential_force * mesh.rating.peaks,
+    )
+    return DynamicLoad(
+        mesh=mesh.name,
+        peak_over_mean=peak / mean if mean else math.inf,
+        peak_force=force,
+        rated_force=sized_for,
+        bending_margin=mesh.bending_margin * sized_for / force,
+        contact_margin=mesh.contact_margin * math.sqrt(sized_for / force),
+    )
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What shakes a sized gearbox: peaks of a short run at the loads of every case, and resonances near its speeds.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+DURATION = 0.2
+"""Of the run whose peaks are looked at [s]: that of ``gearwright run``."""
+START = 0.25
+"""Share of it that is left to the start [-]."""
+
+
+def motion_checks(sizing: Sizing, speeds: Sequence[SpeedCase] | None = None) -> Iterator[Check]:
+    """Yield every mesh at the worst peak of all cases, and of every order that excites one the nearest resonance.
+
+    Args:
+        sizing: As sized.
+        speeds: Its `critical_speeds`; left out: found here.
+    """
+    yield from peak_checks(sizing)
+    yield from resonance_checks(sizing, speeds)
+
+
+def peak_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield every mesh at the worst peak of all cases, each run for a while.
+
+    Args:
+        sizing: As sized.
+    """
+    peaks: dict[tuple[PartId, str], Check] = {}
+    for case in sizing.flows:
+        try:
+            checks = [*_peaks(sizing, case)]
+        except GearwrightError as error:  # the design is good without a run of this case; say why there is none
+            yield not_assessed(GEARBOX, f"peaks in case {case}", "run", " ".join(str(error).split()))
+            continue
+        for check in checks:
+            known = peaks.get((check.part, check.mode))
+            if known is None or (check.margin or 0.0) < (known.margin or 0.0):
+                peaks[check.part, check.mode] = check
+    yield from peaks.values()
+
+
+def _peaks(sizing: Sizing, case: str) -> Iterator[Check]:
+    """Yield what the peaks of a run leave of the margins of every mesh."""
+    trace = simulate(assemble(sizing, case), DURATION, outputs=Outputs(start=START * DURATION))
+    parts = {mesh.name: mesh.part for mesh in sizing.meshes}
+    for load in dynamic_loads(sizing, trace):
+        yield _peak(parts[load.mesh], "peak bending", load, load.bending_margin, 1.0, case)
+        yield _peak(parts[load.mesh], "peak contact", load, load.contact_margin, 2.0, case)
+
+
+def _peak(part: PartId, mode: str, load: DynamicLoad, margin: float, power: float, case: str) -> Check:
+    """Return the peak force beside the one that leaves just enough; contact stress grows with the root of the force."""
+    allowed, clause = load.peak_force * margin**power, f"run of {DURATION:g} s"
+    return Check(part, mode, clause, load.peak_force, allowed, "force", at_most=True, exponent=power, case=case)
+
+
+def resonance_checks(sizing: Sizing, speeds: Sequence[SpeedCase] | None = None) -> Iterator[Check]:
+    """Yield for every excited order its critical speed nearest to the operating speed.
+
+    Args:
+        sizing: As sized.
+        speeds: Its `critical_speeds`; left out: found here.
+    """
+    try:
+        cases = critical_speeds(sizing) if speeds is None else speeds
+    except GearwrightError as error:
+        yield not_assessed(GEARBOX, "resonances", "ISO 6336-1, clause 6", " ".join(str(error).split()))
+        return
+    for case in cases:
+        for critical in case.nearest:
+            if critical.criterion is not None:
+                yield _resonance(case.cases, critical, critical.criterion)
+    for case in cases:
+        yield from _far_orders(case)
+
+
+def _far_orders(speeds: SpeedCase) -> Iterator[Check]:
+    """Yield the orders of machines that meet no natural frequency at any speed that is looked at."""
+    met = {critical.order for critical in speeds.assumed}
+    slowest, fastest = FACTORS[0], FACTORS[-1]
+    for excitation in speeds.system.labels.orders:
+        part = excitation.owner.part
+        if part is not None and part.kind is Kind.MACHINE and excitation.name not in met:
+            place = f"no natural frequency from {slowest:.1f} to {fastest:.1f} of its speed"
+            yield Check(
+                GEARBOX, f"resonance of {excitation.name}", SEPARATION.clause, 1.0 - 1.0 / fastest, SEPARATION.limit,
+                "percent", exponent=None, place=place, case=speeds.cases,
+            )  # fmt: skip
+
+
+def _resonance(names: str, critical: CriticalSpeed, criterion: Criterion) -> Check:
+    mode = f"resonance of {critical.order.replace('×', 'x')}"  # what a waiver calls it is typed on any keyboard
+    return Check(
+        GEARBOX, mode, criterion.clause, abs(critical.separation_margin), criterion.limit,
+        "percent", exponent=None, place=f"mode {critical.mode}", case=names,
+    )  # fmt: skip

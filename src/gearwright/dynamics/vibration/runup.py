@@ -1,20 +1,22 @@
-"""Run-up: steady running at many speeds with spectra, which show orders and natural frequencies side by side."""
+"""Run-up over many speeds: connection forces, order spectra and waterfall diagram."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Complexes, Floats, largest_first, place_of_largest
 from gearwright.blas_threads import one_blas_thread
-from gearwright.dynamics.model import Excitation, System
+from gearwright.dynamics.equations import speed_factors
+from gearwright.dynamics.model import Excitation, System, Tone, check_finite
 from gearwright.dynamics.motion import (
     GIVEN,
     Accuracy,
+    Ensemble,
     Error,
     Outputs,
     Samples,
@@ -22,18 +24,157 @@ from gearwright.dynamics.motion import (
     index_of,
     shortfall,
     simulate,
+    simulate_many,
 )
 from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
-from gearwright.dynamics.vibration.sequences import positive_numbers
-from gearwright.dynamics.vibration.spectra import tone_amplitudes
-from gearwright.dynamics.vibration.speed_map import at_speed
-from gearwright.dynamics.vibration.transmission import first_meshes
+from gearwright.dynamics.vibration.response import first_meshes, positive_numbers
 from gearwright.errors import DesignError, Problem
-from gearwright.ranking import largest_first, place_of_largest
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Force, Origin, Speed
 from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Speed map: line forces of steady running at many speeds, all side by side.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SpeedMap(Shown):
+    """Line forces against speed."""
+
+    factor: Floats
+    """Speed over reference speed [-], shape (speeds,)."""
+    forces: Ensemble
+    """Statistics at each speed."""
+
+    def swing(self, line: str) -> Floats:
+        """Return the root mean square of a line's force about its mean [N or N m], shape (speeds,).
+
+        Args:
+            line: Its name.
+        """
+        values = self.forces.of(line)
+        return np.sqrt(np.maximum(values["rms"] ** 2 - values["mean"] ** 2, 0.0))
+
+
+@verb
+@one_blas_thread()
+def speed_map(
+    system: System,
+    factors: Sequence[float] | Floats,
+    *,
+    settle: float,
+    duration: float,
+    accuracy: Accuracy | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> SpeedMap:
+    """Return the forces at steady running, each speed from its own static equilibrium.
+
+    Args:
+        system: Its loads are kept as they are at every speed.
+        factors: Speeds over the reference speeds [-], positive; any sequence of numbers.
+        settle: Time left out, for the transient to decay [s].
+        duration: Whole time at each speed [s].
+        accuracy: Of the forces; left out, peaks to 1 %, root mean squares to 0.1 %; the errors are in `forces`.
+        progress: Called with the fraction done.
+
+    Raises:
+        DesignError: For speeds that are not positive.
+    """
+    speeds = positive_numbers(factors, "factors")
+    check_finite(system)
+    systems = [at_speed(system, factor) for factor in speeds]
+    forces = simulate_many(systems, duration, step=accuracy, settle=settle, progress=progress)
+    return SpeedMap(speeds, forces)
+
+
+def at_speed(system: System, factor: float) -> System:
+    """Return a system that runs steadily at another speed.
+
+    Args:
+        system: Any.
+        factor: Speed over reference speed [-].
+    """
+    zero = np.zeros(1)
+    profile = system.arrays.profile._replace(time=zero, factor=np.array([float(factor)]), travel=zero)
+    return replace(system, arrays=system.arrays._replace(profile=profile))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Spectra: what a signal is made of, by tone (any speed) or by frequency against time (waterfall).
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Waterfall(Shown):
+    """Amplitude spectra of successive stretches of time."""
+
+    time: Floats
+    """Middle of each stretch [s], shape (stretches,)."""
+    frequency: Floats
+    """[Hz], shape (frequencies,)."""
+    amplitude: Floats
+    """Peak amplitude in the unit of the signal, shape (stretches, frequencies)."""
+
+
+@verb
+@one_blas_thread()
+def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tuple[Tone, complex]]:
+    """Return the complex amplitude of each tone in a signal, largest first: its real part times e^(iφ) is the share.
+
+    Found by least squares on the tones' angles, so that speed may change.
+
+    Args:
+        system: Its tones.
+        samples: Instants, at least three for each tone.
+        signal: Such as ``samples.force("mesh")``, shape (instants,).
+
+    Raises:
+        DesignError: If there are fewer instants than amplitudes to find.
+    """
+    arrays = system.arrays
+    turning = [number for number, rate in enumerate(arrays.tone_rate) if rate != 0.0]
+    if len(signal) < 2 * len(turning) + 1:
+        raise DesignError([Problem("samples", f"{len(signal)} instants cannot tell {len(turning)} tones apart")])
+    travel = speed_factors(arrays.profile, samples.time)[2]
+    angle = np.outer(travel, arrays.tone_rate[turning])
+    basis = np.hstack([np.ones((len(angle), 1)), np.cos(angle), np.sin(angle)])
+    amplitudes = np.linalg.lstsq(basis, signal, rcond=None)[0]
+    cos, sin = amplitudes[1 : len(turning) + 1], amplitudes[len(turning) + 1 :]
+    shares: Complexes = (cos - 1j * sin).astype(np.complex128)
+    order = np.argsort(-np.abs(shares))
+    return [(system.labels.tones[turning[place]], complex(shares[place])) for place in order]
+
+
+@verb
+@one_blas_thread()
+def waterfall(samples: Samples, signal: Floats, *, stretches: int = 64) -> Waterfall:
+    """Return amplitude spectra of overlapping stretches of a signal, Hann window.
+
+    Args:
+        samples: Evenly spaced instants, such as a window of every step.
+        signal: Shape (instants,).
+        stretches: How many; each overlaps half of the next.
+
+    Raises:
+        DesignError: If the stretches would be shorter than 16 instants.
+    """
+    length = 2 * len(signal) // (stretches + 1)
+    if length < 16:
+        raise DesignError([Problem("stretches", f"{stretches} stretches of {len(signal)} instants are too short")])
+    step = float(samples.time[1] - samples.time[0])
+    starts = np.arange(stretches) * (length // 2)
+    pieces = np.lib.stride_tricks.sliding_window_view(signal, length)[starts]
+    window = np.hanning(length)
+    amplitude = 2.0 * np.abs(np.fft.rfft((pieces - np.mean(pieces, axis=1, keepdims=True)) * window)) / np.sum(window)
+    frequency = np.fft.rfftfreq(length, step).astype(np.float64)
+    return Waterfall(samples.time[starts + length // 2], frequency, amplitude)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Run-up: steady running at many speeds with spectra, which show orders and natural frequencies side by side.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -1,33 +1,251 @@
-"""The verb: a drive train as an FMU."""
+"""The verb: a drive train as an FMU, its numbers as constants of C, compiled where there is a compiler."""
 
 from __future__ import annotations
 
 import hashlib
 import io
+import math
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
 import uuid
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
-from typing import TYPE_CHECKING, get_args
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, get_args
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.assembly import assemble, loaded_bodies
-from gearwright.dynamics.model import System, check_finite
+from gearwright.dynamics.model import PROPELLER, Arrays, Entries, Schedules, Series, System, check_finite
 from gearwright.dynamics.motion import check_step, default_step, equilibrium
-from gearwright.errors import Problem, by_name, near, refuse
-from gearwright.exchange.fmu.compiling import FLAGS, Binary, compiled
-from gearwright.exchange.fmu.described import Version, build_description, model_description
-from gearwright.exchange.fmu.numbers import numbers_text
-from gearwright.exchange.fmu.ports import MachinePort, Port, ports_of
+from gearwright.errors import Problem, by_name, excerpt, near, refuse
+from gearwright.exchange.fmu.description import (
+    MachinePort,
+    Port,
+    Version,
+    body_number,
+    build_description,
+    has_factor,
+    inputs_start,
+    kinds_of,
+    model_description,
+    ports_of,
+)
+from gearwright.files import write_bytes
+from gearwright.processes import run_program
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing, governing_case
 from gearwright.verbs import verb
 
 if TYPE_CHECKING:
     from gearwright.mission.windows import BegunWindow
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Numbers of a system as constants of C: hexadecimal, so that none is rounded.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+WIDTH = 6
+"""Numbers in a line of text."""
+
+
+def numbers_text(
+    system: System, machines: Sequence[MachinePort], ports: Sequence[Port], *, start: Floats, step: float
+) -> str:
+    """Return all that `model.h` reads of a system, but version and token.
+
+    Args:
+        system: Bodies, lines, loads, drives.
+        machines: Whose torques or speeds are given from outside.
+        ports: Its variables.
+        start: State at time 0: q, q̇, states of drives.
+        step: Of the integration [s].
+    """
+    arrays, drives = system.arrays, system.arrays.drives
+    kinds, names = kinds_of(drives), [port.name for port in ports if port.causality == "input"]
+    counts = {
+        "COORDINATES": len(arrays.mass),
+        "LINE_COUNT": len(arrays.stiffness),
+        "TONE_COUNT": len(arrays.tone_rate),
+        "MACHINE_COUNT": len(machines),
+        "SCHEDULE_COUNT": len(arrays.loads.schedules.dof),
+        "GYROSCOPIC_COUNT": len(arrays.gyroscopic.value),
+        "CENTRIPETAL_COUNT": len(arrays.centripetal.value),
+        "PROFILE_COUNT": len(arrays.profile.time),
+        "FACTOR_INPUT": int(has_factor(system)),
+        "DRIVE_COUNT": len(kinds),
+        "DRIVE_STATES": len(drives.start),
+        "DRIVE_INPUT_COUNT": len(drives.inputs.dof),
+    }
+    lines = [f"#define {name} {count}" for name, count in counts.items()]
+    lines += [f"static const double STEP = {_number(step)}; /* {step!r} s */"]
+    lines += _system(arrays)
+    lines += _doubles("DRIVE", drives.table[2:]) + _doubles("START", start) if kinds else _doubles("START", start)
+    lines += _integers("DRIVE_WARNS", [int(kind == PROPELLER) for kind in kinds])
+    lines += _schedule("READ", drives.inputs)
+    lines += _integers("MACHINE_DOF", [body_number(system, machine) for machine in machines])
+    lines += _doubles("INPUT_START", inputs_start(system, machines))
+    lines += [f"static const char *const INPUT_NAME[] = {{{', '.join(map(_text, names)) or '0'}}};"]
+    return "\n".join(lines) + "\n"
+
+
+def _system(arrays: Arrays) -> list[str]:
+    loads, profile = arrays.loads, arrays.profile
+    return [
+        *_doubles("MASS", arrays.mass),
+        *_doubles("SPEED", arrays.speed),
+        *_integers("LINE_START", arrays.line_start),
+        *_integers("LINE_DOF", arrays.line_dof),
+        *_doubles("LINE_WEIGHT", arrays.line_weight),
+        *_doubles("STIFFNESS", arrays.stiffness),
+        *_doubles("DAMPING", arrays.damping),
+        *_doubles("SLIP", arrays.slip),
+        # A line without backlash carries on both sides: its dead zone has no width.
+        *_doubles("BACKLASH", arrays.backlash),
+        *_doubles("TONE_RATE", arrays.tone_rate),
+        *_series("VARIATION", arrays.variation),
+        *_series("ERROR", arrays.error),
+        *_entries("GYROSCOPIC", arrays.gyroscopic),
+        *_entries("CENTRIPETAL", arrays.centripetal),
+        *_doubles("LOAD", loads.constant),
+        *_doubles("LOAD_DAMPING", loads.damping),
+        *_doubles("LOAD_QUADRATIC", loads.quadratic),
+        *_integers("SCHEDULE_DOF", loads.schedules.dof),
+        *_schedule("SCHEDULE", loads.schedules),
+        *_doubles("PROFILE", profile.factor),
+        *([] if len(profile.time) == 1 else _doubles("PROFILE_TIME", profile.time)),
+        *([] if len(profile.time) == 1 else _doubles("PROFILE_TRAVEL", profile.travel)),
+    ]
+
+
+def _series(name: str, series: Series) -> list[str]:
+    return [
+        *_integers(f"{name}_START", series.start),
+        *_integers(f"{name}_TONE", series.tone),
+        *_doubles(f"{name}_COSINE", series.cosine),
+        *_doubles(f"{name}_SINE", series.sine),
+    ]
+
+
+def _entries(name: str, entries: Entries) -> list[str]:
+    return [
+        *_integers(f"{name}_ROW", entries.row),
+        *_integers(f"{name}_COLUMN", entries.column),
+        *_doubles(name, entries.value),
+    ]
+
+
+def _schedule(name: str, schedules: Schedules) -> list[str]:
+    return [
+        *_integers(f"{name}_START", schedules.start),
+        *_doubles(f"{name}_TIME", schedules.time),
+        *_doubles(name, schedules.value),
+    ]
+
+
+def _doubles(name: str, values: Iterable[float] | Floats) -> list[str]:
+    return _array("double", name, [_number(float(value)) for value in np.ravel(np.asarray(values))])
+
+
+def _integers(name: str, values: Iterable[int]) -> list[str]:
+    return _array("int", name, [str(int(value)) for value in values])
+
+
+def _array(kind: str, name: str, values: list[str]) -> list[str]:
+    """Return an array; C has none without numbers, so that one stands for them."""
+    values = values or ["0"]
+    rows = [", ".join(values[first : first + WIDTH]) for first in range(0, len(values), WIDTH)]
+    return [f"static const {kind} {name}[{len(values)}] = {{", *(f"    {row}," for row in rows), "};"]
+
+
+def _number(value: float) -> str:
+    if math.isnan(value):
+        return "NAN"
+    return value.hex() if math.isfinite(value) else "INFINITY" if value > 0.0 else "-INFINITY"
+
+
+def _text(name: str) -> str:
+    """Return a name as a text of C, also of one that a message's format would take for its own."""
+    letters = (chr(byte) if 32 <= byte < 127 and chr(byte) not in '"\\%?' else _escaped(byte) for byte in name.encode())
+    return f'"{"".join(letters)}"'
+
+
+def _escaped(byte: int) -> str:
+    return "%%" if byte == ord("%") else f"\\{byte:03o}"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Compile the source of an FMU, where there is a C compiler.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+COMPILERS = ("cc", "gcc", "clang")
+"""Names by which they are looked for."""
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off")
+"""What they are given: numbers agree with those of `simulate` only if products and sums are rounded apart."""
+LONGEST = 300
+"""Seconds that a compiler may take."""
+_SYSTEMS = {"linux": "linux", "darwin": "darwin", "win32": "windows"}
+_SHORT = {"linux": "linux64", "darwin": "darwin64", "windows": "win64"}
+_SUFFIX = {"linux": ".so", "darwin": ".dylib", "windows": ".dll"}
+_MACHINES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64"}
+
+
+class Binary(NamedTuple):
+    """A shared library for this platform, or why there is none."""
+
+    content: bytes
+    """Empty where there is none."""
+    place: str
+    """In the FMU."""
+    platform: str
+    """Such as ``x86_64-linux``."""
+    missing: str = ""
+    """Why there is none."""
+
+
+def compiled(sources: Mapping[str, bytes], main: str, identifier: str, *, version: str) -> Binary:
+    """Return the shared library of a source for this platform.
+
+    Args:
+        sources: Name -> file, all in one folder.
+        main: File to compile.
+        identifier: Of the model, the name of the library.
+        version: Of FMI, which names platforms in its own way.
+    """
+    system, machine = _SYSTEMS.get(sys.platform, ""), _MACHINES.get(platform.machine().lower(), "")
+    name = f"{machine}-{system}"
+    compiler = next((path for path in map(shutil.which, COMPILERS) if path), None)
+    if not system or not machine:
+        return Binary(b"", "", name, f"FMI has no name for the platform {sys.platform}, {platform.machine()}")
+    if compiler is None:
+        return Binary(b"", "", name, f"there is no C compiler ({', '.join(COMPILERS)})")
+    folder = name if version == "3.0" else _SHORT[system]
+    with tempfile.TemporaryDirectory() as place:
+        for file, content in sources.items():
+            write_bytes(Path(place, file), content)
+        library = Path(place, identifier + _SUFFIX[system])
+        try:
+            command = [compiler, *FLAGS, main, "-o", library.name, "-lm"]
+            run = run_program(command, seconds=LONGEST, folder=Path(place))
+        except (OSError, subprocess.TimeoutExpired) as error:
+            return Binary(b"", "", name, f"{compiler} failed: {excerpt(str(error))}")
+        if run.returncode or not library.is_file():
+            return Binary(b"", "", name, f"{compiler} failed: {excerpt(run.stderr or run.stdout)}")
+        return Binary(library.read_bytes(), f"binaries/{folder}/{library.name}", name)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb: a drive train as an FMU.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 SHARED = ("model.h", "laws.h", "equations.h", "motion.h", "instance.h")
 """Sources that both versions of FMI use."""

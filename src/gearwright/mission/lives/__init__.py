@@ -3,17 +3,34 @@
 Flying itself is in `mission`.
 """
 
-from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives
-from gearwright.mission.lives.checks import flight_checks
-from gearwright.mission.lives.damage import GearDamage, gear_damage, gear_damages, unrated_stages
-from gearwright.mission.lives.duties import seat_duties
-from gearwright.mission.lives.flown_mix import FlownMix, bearings_of, fly_mix
-from gearwright.mission.lives.life import LifeSizing, size_for_life
-from gearwright.mission.lives.load_lives import LoadLife, load_lives
+from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
+from gearwright.mission.lives.damage import (
+    DutyBin,
+    GearDamage,
+    LoadLife,
+    bearing_spectra,
+    gear_damage,
+    gear_damages,
+    load_lives,
+    mesh_spectrum,
+    shaft_spectrum,
+    unrated_stages,
+)
+from gearwright.mission.lives.life import (
+    ENDLESS,
+    Durability,
+    FlownMix,
+    LifeSizing,
+    MixedLife,
+    PartLife,
+    bearings_of,
+    durability,
+    flight_checks,
+    fly_mix,
+    mixed_life,
+    size_for_life,
+)
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty, torque_cycles
-from gearwright.mission.lives.mix import MixedLife, mixed_life
-from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
-from gearwright.mission.lives.verdict import ENDLESS, Durability, PartLife, durability
 
 __all__ = [
     "ENDLESS",

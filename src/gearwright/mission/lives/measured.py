@@ -14,8 +14,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, excerpt, near, refuse
-from gearwright.parts.shafts import LoadCycle, Residue, rainflow
-from gearwright.reading import text_of
+from gearwright.files import text_of
+from gearwright.parts.shaft_fatigue import LoadCycle, Residue, rainflow
 from gearwright.showing import Shown
 from gearwright.spec import NAME_RULE, is_name
 from gearwright.units import CELSIUS, INCH, POUND_FORCE, RPM, SUFFIXES

@@ -3,7 +3,6 @@
 What one interval asks and gets is in `mission`; here it is asked for all of them, with the same formulas.
 """
 
-from gearwright.mission.together.log import Reached, log_at_once
-from gearwright.mission.together.many import flights_together
+from gearwright.mission.together.flight import Reached, flights_together, log_at_once
 
 __all__ = ["Reached", "flights_together", "log_at_once"]

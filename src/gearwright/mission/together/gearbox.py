@@ -1,20 +1,33 @@
-"""The gearbox under many loads at once: operating points, the losses of teeth, and what takes power beside them."""
+"""Gearbox operating points of many intervals as arrays, and iteration of their loads and tooth losses."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import rebound
 from gearwright.mission.gearbox import Drag, Gearbox, Point
-from gearwright.parts.losses import MeshDuty, MeshLaw, bearing, mesh, oil, seal, tooth_power
-from gearwright.sizing.bearings import seat_forces_along
-from gearwright.sizing.losses import bodies
+from gearwright.mission.intervals import TRIAL_POWER
+from gearwright.mission.together.demand import Deck
+from gearwright.parts import losses as bearing
+from gearwright.parts import losses as mesh
+from gearwright.parts import losses as oil
+from gearwright.parts import losses as seal
+from gearwright.parts import losses as tooth_power
+from gearwright.parts.losses import MeshDuty, MeshLaw
+from gearwright.sizing import losses as bodies
+from gearwright.sizing.bearing_seats import seat_forces_along
 from gearwright.spec import GROUND, Drive
 from gearwright.train import Loads, along, asked_speeds, can_be_along
-from gearwright.train.flow.turning import Turn
+from gearwright.train.balance import Turn
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The gearbox under many loads at once: operating points, the losses of teeth, and what takes power beside them.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _FRICTION = rebound(mesh)
 _TEETH = rebound(tooth_power, mesh_friction=_FRICTION.mesh_friction)
@@ -221,3 +234,239 @@ def point_of(box: Box, loads: Loads, speeds: Floats, powers: Floats) -> Point:
     total[:, box.node] += np.abs(loads.balancing)
     count = np.array([row.count for row in box.gearbox.sizing.train.meshes])
     return Point(speeds, 0.5 * total[:, :-1], powers, loads.first / count, mesh_loss_of(box, loads, speeds))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Intervals that are asked what the one before is asked: the first few of a run are computed and speak for the rest.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Runs(NamedTuple):
+    """Which intervals are computed."""
+
+    kept: Ints
+    """Their numbers, rising."""
+    source: Ints
+    """Of every interval, the place among the kept of the one that speaks for it."""
+
+
+def runs_of(columns: Iterable[Any], starts: Bools, depth: int) -> Runs:
+    """Return which intervals are computed: of a run of equal ones the first few.
+
+    Args:
+        columns: What intervals are asked; equal bits are equal.
+        starts: Where a run starts in any case, shape (n,).
+        depth: How many of a run: what one takes over from the one before has settled by then.
+    """
+    fresh = starts.copy()
+    for column in columns:
+        bits = column.view(f"u{column.itemsize}")
+        fresh[1:] |= bits[1:] != bits[:-1]
+    places = np.arange(len(fresh))
+    kept = places - np.maximum.accumulate(np.where(fresh, places, 0)) < depth
+    return Runs(np.flatnonzero(kept), np.cumsum(kept) - 1)
+
+
+def shortened(deck: Deck, depth: int) -> tuple[Deck, Ints]:
+    """Return a deck without what repeats, and which of its intervals speaks for each of the full one.
+
+    Where intervals follow from those before them nothing repeats.
+
+    Args:
+        deck: What is asked.
+        depth: As in `runs_of`.
+    """
+    course = deck.course
+    if deck.follows:
+        return deck, np.arange(len(deck.pitch))
+    columns = (course.altitude, course.true_airspeed, course.power, course.propeller_speed, deck.pitch, deck.rating)
+    spun = course.propeller_gain / course.duration
+    runs = runs_of(
+        (*columns, spun, *deck.parts.values(), *deck.driven.values()), course.starts_phase | deck.first, depth
+    )
+    return deck.at(runs.kept), runs.source
+
+
+def spread(found: Any, source: Ints) -> Any:
+    """Return what all intervals get from what those get that speak for them.
+
+    Args:
+        found: Arrays with a first axis of what is kept, in records and mappings; what is none stays.
+        source: Of every interval, the place of the one that speaks for it.
+    """
+    if isinstance(found, np.ndarray):
+        return found[source]
+    if isinstance(found, dict):
+        return {name: spread(value, source) for name, value in found.items()}
+    if isinstance(found, tuple):
+        values = [spread(value, source) for value in found]
+        return type(found)(*values) if hasattr(found, "_fields") else tuple(values)
+    return found
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Rounds over all intervals at once, in which loads and what teeth lose under the loads of the one before agree.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SETTLED = 1e-13
+"""Change of a part that is lost below which rounds have settled [-]."""
+ROUNDS = 5
+"""Every one leaves some 0.002 of the error of the one before, which begins with all losses, about 0.01."""
+
+
+class Asked(NamedTuple):
+    """What intervals ask of the gearbox; arrays have a first axis of n."""
+
+    first: Bools
+    """Where a flight begins."""
+    again: Bools
+    """Where a phase begins: losses are found twice."""
+    wanted: Floats
+    """Power of the propeller's shaft; NaN: of the machines [W]."""
+    given: Floats
+    """Power of the machines [W]."""
+    speed: Floats
+    """Of the propeller [rad/s]."""
+    spin_up: Floats
+    dragged: Floats
+    """By shafts that turn motors without current [W]."""
+    parts: Floats
+    """Of the machines, in the order of a point's powers, shape (n, machines) [-]."""
+
+    def at(self, lanes: Any) -> Asked:
+        """Return what some intervals ask.
+
+        Args:
+            lanes: Which.
+        """
+        return Asked(*(column[lanes] for column in self))
+
+
+class Balanced(NamedTuple):
+    """A gearbox in balance."""
+
+    point: Point
+    friction: Drag
+    short: Bools
+    """Where the machines' power only spins the train up."""
+    lost: Floats
+    """Part that teeth of each stage lose, shape (n, stages) [-]."""
+    change: Floats
+    """Of that part in the last round, shape (n,) [-]."""
+
+    @property
+    def settled(self) -> Bools:
+        """Where another round would change nothing."""
+        return np.asarray(self.change <= _SETTLED)
+
+
+def balanced_rounds(box: Box, asked: Asked, lost: Floats | None = None) -> Balanced | None:
+    """Return the gearbox in balance after a few rounds; None where it loses too much to be solved so.
+
+    Args:
+        box: The gearbox.
+        asked: Of it.
+        lost: Part that teeth of each stage are thought to lose, shape (n, stages) [-]: the result of the round before,
+            for one more; left out: nothing is known, and there are as many rounds as it takes.
+
+    Source: the losses of an interval are those of the loads of the one before; where a phase starts they are found
+        twice. Rounds over all intervals end where nothing changes, which is where one after the other leads. Of
+        intervals that ask what the one before asks, as many are computed as there are rounds.
+    """
+    if lost is not None:
+        return _rounds(box, asked, lost, 1)
+    kept, source = runs_of((*asked[2:-1], *asked.parts.T.copy()), asked.first | asked.again, ROUNDS)
+    found: Balanced | None = spread(_rounds(box, asked.at(kept), no_losses(box, len(kept)), ROUNDS), source)
+    return found
+
+
+def given_powers(machines: Sequence[str], asked: Asked, found: Balanced) -> dict[str, Floats]:
+    """Return machine -> power into the train, with drag and spin-up, shape (n,) [W].
+
+    Args:
+        machines: Without the propeller, in the order of a point's powers.
+        asked: Of the gearbox.
+        found: What it carries.
+    """
+    carried, point = sum(found.friction) + asked.dragged + asked.spin_up, found.point
+    return {name: point.machine_powers[:, k] + asked.parts[:, k] * carried for k, name in enumerate(machines)}
+
+
+def no_losses(box: Box, count: int) -> Floats:
+    """Return losses that are none, shape (n, stages) [-].
+
+    Args:
+        box: The gearbox.
+        count: Intervals [-].
+    """
+    return np.zeros((count, len(box.stages)))
+
+
+def _rounds(box: Box, asked: Asked, lost: Floats, count: int) -> Balanced | None:
+    idle, first, again = idle_of(box, asked.speed), asked.first[:, None], np.flatnonzero(asked.again | asked.first)
+    starting, idle_starts = asked.at(again), Idle(*(column[again] for column in idle))
+    met: _Met | None = None
+    change = lost[:, 0]
+    for _ in range(count):  # always as many: a flight is the same whatever others it is found with
+        met = _met(box, asked, idle, np.where(first, 0.0, np.roll(lost, 1, axis=0)))
+        if met is None:
+            return None
+        twice = _met(box, starting, idle_starts, _losses(box, met.loads.first[again], starting.speed))
+        if twice is None:
+            return None
+        _replace(met, twice, again)
+        anew = _losses(box, met.loads.first, asked.speed)
+        change, lost = np.abs(anew - lost).max(axis=1), anew
+    assert met is not None  # there are rounds
+    point = point_of(box, met.loads, met.speeds, met.powers)
+    friction = drag_of(box, point.mesh_torques, asked.speed, idle)
+    return Balanced(point, friction, met.short, lost, change)
+
+
+class _Met(NamedTuple):
+    """Loads in balance."""
+
+    loads: Loads
+    speeds: Floats
+    powers: Floats
+    short: Bools
+    """Where power only spins the train up."""
+
+
+def _replace(met: _Met, other: _Met, places: Any) -> None:
+    """Put loads in the place of others."""
+    for column, values in zip((*met.loads, *met[1:]), (*other.loads, *other[1:]), strict=True):
+        column[places] = values
+
+
+def _met(box: Box, asked: Asked, idle: Idle, lost: Floats) -> _Met | None:
+    """Return the loads under which propeller or machines have their power."""
+    wanted, given = asked.wanted, asked.given
+    trial = np.where(wanted < 0.0, -TRIAL_POWER, TRIAL_POWER)
+    powers = machine_powers(box, asked.parts, trial)
+    found = balanced(box, powers, asked.speed, lost)
+    if found is None:
+        return None
+    loads, speeds = found
+    work = powers.sum(axis=1) - mesh_loss_of(box, loads, speeds).sum(axis=1)
+    by_work = ~np.isnan(wanted)
+    factor = np.where(by_work, wanted / np.where(work == 0.0, 1.0, work), 0.0)
+    short = np.zeros(len(wanted), bool)
+    if not by_work.all():
+        full = given / TRIAL_POWER
+        torques = np.where(by_work, 0.0, full)[:, None] * loads.first / _counts(box)
+        left = given - asked.spin_up - sum(drag_of(box, torques, asked.speed, idle)) - asked.dragged
+        short = ~by_work & (left <= 0.0)
+        factor = np.where(by_work, factor, left / TRIAL_POWER)
+    scaled = Loads(*(column * (factor[:, None] if column.ndim == 2 else factor) for column in loads))
+    return _Met(scaled, speeds, powers * factor[:, None], short)
+
+
+def _counts(box: Box) -> Floats:
+    return np.array([float(row.count) for row in box.gearbox.sizing.train.meshes])
+
+
+def _losses(box: Box, torques: Floats, speed: Floats) -> Floats:
+    """Return what the teeth of each stage lose under the torques of all equal meshes [-]."""
+    return stage_losses(box, torques / _counts(box), speed)

@@ -3,9 +3,19 @@
 The quasi-steady flight around them is in `mission`.
 """
 
-from gearwright.mission.windows.governed import Trim, Window, governed_window, rotor_at, trim_at
-from gearwright.mission.windows.kept import window_outputs
-from gearwright.mission.windows.window import BegunWindow, DynamicWindow, begun_window, fly_window, window_rules
+from gearwright.mission.windows.window import (
+    BegunWindow,
+    DynamicWindow,
+    Trim,
+    Window,
+    begun_window,
+    fly_window,
+    governed_window,
+    rotor_at,
+    trim_at,
+    window_outputs,
+    window_rules,
+)
 
 __all__ = [
     "BegunWindow",

@@ -3,91 +3,80 @@
 Which size is taken is for the catalogue and `sizing`.
 """
 
-from gearwright.parts.bearings.contact import (
-    Curvature,
-    ball_contacts,
-    ellipse_ratio,
-    load_at_pressure,
-    load_deflection_constant,
-)
 from gearwright.parts.bearings.distribution import RingLoad, load_distribution
 from gearwright.parts.bearings.life import (
-    basic_life,
-    basic_reference_life,
-    life_exponent,
-    life_time,
-    pair_factor,
-    reliability_factor,
-    system_life,
-    weibull_slope,
-)
-from gearwright.parts.bearings.load import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
     ISO_R281_1962,
+    THINNEST,
+    Cleanliness,
     FactorTable,
     LoadFactors,
+    OilFilter,
     StaticFactors,
+    basic_life,
+    basic_reference_life,
+    cleanliness_factor,
+    contamination_factor,
     deep_groove_factors,
     equivalent_load,
+    life_exponent,
+    life_modification,
+    life_time,
     mean_load,
+    pair_factor,
+    reference_viscosity,
+    reliability_factor,
     static_equivalent_load,
     static_safety,
+    system_life,
     taper_factors,
     taper_pair_thrusts,
     taper_static_factors,
-)
-from gearwright.parts.bearings.modified_life import (
-    THINNEST,
-    Cleanliness,
-    OilFilter,
-    cleanliness_factor,
-    contamination_factor,
-    life_modification,
-    reference_viscosity,
+    weibull_slope,
 )
 from gearwright.parts.bearings.plain import (
+    FilmOil,
+    FilmState,
+    Journal,
     attitude_angle,
     film_load,
     film_speed,
     friction_variable,
-    narrow_load,
-    side_flow,
-    wide_load,
-)
-from gearwright.parts.bearings.plain_running import (
-    FilmOil,
-    FilmState,
-    Journal,
     laminar_limit,
+    narrow_load,
     run_film,
+    side_flow,
     usual_clearance,
     usual_least_film,
+    wide_load,
 )
-from gearwright.parts.bearings.rating import (
-    ball_dynamic_factor,
-    ball_static_factor,
-    dynamic_rating,
-    fatigue_load_limit,
-    roller_dynamic_factor,
-    static_rating,
-)
-from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
-from gearwright.parts.bearings.speed import (
-    Lubrication,
-    SpeedLimit,
-    least_load,
-    speed_factor,
-    speed_limit,
-    thermal_reference_speed,
-)
-from gearwright.parts.bearings.weights import (
+from gearwright.parts.bearings.rolling_bearing import (
     CERAMIC_DENSITY,
     STEEL_DENSITY,
+    BearingGeometry,
+    BearingKind,
+    Curvature,
+    Lubrication,
     RollingWeights,
+    SpeedLimit,
+    ball_contacts,
+    ball_dynamic_factor,
+    ball_static_factor,
     ceramic_share,
+    dynamic_rating,
+    ellipse_ratio,
+    fatigue_load_limit,
+    least_load,
+    load_at_pressure,
+    load_deflection_constant,
+    roller_dynamic_factor,
     rolling_weights,
+    speed_factor,
+    speed_limit,
+    static_rating,
+    thermal_reference_speed,
     turning_inertia,
 )
 

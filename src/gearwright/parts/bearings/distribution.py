@@ -14,8 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import Problem, SolveError, refuse
-from gearwright.parts.bearings.contact import ball_contacts, load_deflection_constant
-from gearwright.parts.bearings.rolling_bearing import BearingGeometry
+from gearwright.parts.bearings.rolling_bearing import BearingGeometry, ball_contacts, load_deflection_constant
 
 STEEL_MODULUS, STEEL_POISSON = 210e9, 0.3
 """Elastic constants of bearing steel [Pa, -]."""

@@ -7,9 +7,27 @@ from gearwright.parts.gears.cylindrical_gear import (
     ISO53_A,
     ISO53_D,
     BasicRack,
+    Blank,
     CylindricalGear,
+    ball_measurement,
+    blank_volume,
+    centre_play,
+    circumferential_play,
+    disc_inertia,
+    disc_mass,
+    feed_grade,
     half_angle_at,
+    least_backlash,
     pressure_angle_at,
+    revolved_volume,
+    ring_inertia,
+    ring_mass,
+    runout_tolerance,
+    span_allowance,
+    span_allowances,
+    span_measurement,
+    spanned_teeth,
+    thinned,
     tip_thickness,
 )
 from gearwright.parts.gears.face_gear import (
@@ -21,67 +39,59 @@ from gearwright.parts.gears.face_gear import (
     face_way,
     way_behind,
 )
-from gearwright.parts.gears.gear_blank import Blank, blank_volume, revolved_volume
-from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
-from gearwright.parts.gears.gear_pair import GearPair, contact_radii, tip_clearances
-from gearwright.parts.gears.hertz import (
-    HERTZ_COEFFICIENT,
-    ContactAngles,
-    Numbers,
-    contact_angles,
-    contact_stress,
-    hertz_coefficient,
-    module_hertz,
-    reduced_modulus,
-)
-from gearwright.parts.gears.internal_interference import (
+from gearwright.parts.gears.gear_pair import (
+    GearPair,
     Room,
     assembly_room,
+    contact_radii,
     interference,
     involute_clearance,
     involute_room,
     tip_clearance_angle,
+    tip_clearances,
     tip_room,
 )
 from gearwright.parts.gears.involute import (
+    UNSHIFTED,
+    ToothShift,
     base_helix_angle,
     involute,
     involute_angle,
     least_profile_shift,
     least_teeth,
-    shift_sum,
-    transverse_pressure_angle,
-    virtual_teeth,
-    working_pressure_angle,
-)
-from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lewis_form_factor, module_lewis
-from gearwright.parts.gears.tooth_allowance import (
-    centre_play,
-    circumferential_play,
-    feed_grade,
-    least_backlash,
-    runout_tolerance,
-    span_allowance,
-    span_allowances,
-    thinned,
-)
-from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
-from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
-from gearwright.parts.gears.transverse_form import (
-    TransverseTooth,
-    form_radius,
-    outline_area,
-    transverse_form,
-    widest_rounding,
-)
-from gearwright.parts.gears.working_centre import (
-    UNSHIFTED,
-    ToothShift,
     reference_centre,
+    shift_sum,
     shifts_at,
     tip_shortening,
+    transverse_pressure_angle,
+    virtual_teeth,
     working_angle_at,
     working_centre,
+    working_pressure_angle,
+)
+from gearwright.parts.gears.lewis_hertz import (
+    FEWEST_TEETH,
+    HERTZ_COEFFICIENT,
+    ContactAngles,
+    Numbers,
+    bending_stress_lewis,
+    contact_angles,
+    contact_stress,
+    hertz_coefficient,
+    lewis_form_factor,
+    module_hertz,
+    module_lewis,
+    reduced_modulus,
+)
+from gearwright.parts.gears.tooth_form import (
+    ToothForm,
+    TransverseTooth,
+    form_radius,
+    load_point,
+    outline_area,
+    tooth_form,
+    transverse_form,
+    widest_rounding,
 )
 
 __all__ = [

@@ -1,17 +1,29 @@
-"""A cylindrical gear as its drawing states it, and the radii and thicknesses that follow.
-
-An internal gear has a negative number of teeth (ISO 21771); all radii are positive here, and a positive profile shift
-makes the tooth of either kind thicker at the reference circle.
-"""
+"""Cylindrical gear geometry, tooth thickness allowances, span measurement, gear blank and mass."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
 
-from gearwright.errors import Problem, refuse
-from gearwright.parts.gears.involute import base_helix_angle, involute, least_profile_shift, transverse_pressure_angle
+from gearwright.errors import DesignError, Problem, refuse
+from gearwright.parts.gears.involute import (
+    base_helix_angle,
+    involute,
+    involute_angle,
+    least_profile_shift,
+    transverse_pressure_angle,
+)
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A cylindrical gear as its drawing states it, and the radii and thicknesses that follow.
+#
+# An internal gear has a negative number of teeth (ISO 21771); all radii are positive here, and a positive profile shift
+# makes the tooth of either kind thicker at the reference circle.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -172,3 +184,377 @@ def tip_thickness(gear: CylindricalGear) -> float:
     0.695
     """
     return 2.0 * half_angle_at(gear, gear.tip_radius) * gear.tip_radius
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How much thinner than without backlash a tooth is made, and how much the maker may miss it.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_MM = 1e-3
+_FEED = {4: (7, 1.26), 5: (8, 1.0), 6: (8, 1.26), 7: (9, 1.0), 8: (9, 1.26), 9: (10, 1.0)}
+"""Flank tolerance class -> grade of ISO 286 and factor of the tolerance on the radial feed (ISO/TR 10064-2:1996)."""
+
+
+def least_backlash(centre_distance: float, module: float) -> float:
+    """Return the least normal backlash that steel gears in steel or iron housings usually have.
+
+    Args:
+        centre_distance: a [m].
+        module: m_n [m].
+
+    Returns:
+        j_bn [m].
+
+    Source: ISO/TR 10064-2:1996, annex: j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n) in mm.
+    Valid for: pitch-line speeds up to 15 m/s and usual tolerances of the housing.
+
+    >>> round(1e6 * least_backlash(0.171, 2.5e-3))
+    147
+    """
+    return _MM * 2.0 / 3.0 * (0.06 + 0.0005 * centre_distance / _MM + 0.03 * module / _MM)
+
+
+def runout_tolerance(diameter: float, module: float, grade: int) -> float:
+    """Return the tolerance of the runout of a gear.
+
+    Args:
+        diameter: Reference diameter d [m].
+        module: m_n [m].
+        grade: Flank tolerance class A [-].
+
+    Returns:
+        F_rT [m].
+
+    Source: ISO 1328-1:2013: F_pT = (0.002 d + 0.55 √d + 0.7 m_n + 12) √2^(A−5) in µm with d and m_n in mm, and
+        F_rT = 0.9 F_pT of annex F.
+    """
+    d, m = diameter / _MM, module / _MM
+    return 0.9e-6 * (0.002 * d + 0.55 * math.sqrt(d) + 0.7 * m + 12.0) * math.sqrt(2.0) ** (grade - 5)
+
+
+def feed_grade(grade: int) -> tuple[int, float]:
+    """Return what tolerance the radial feed of the cutter has: a grade of ISO 286 and a factor on it.
+
+    Args:
+        grade: Flank tolerance class A [-].
+
+    Source: ISO/TR 10064-2:1996, 4 to 9: 1.26 IT7, IT8, 1.26 IT8, IT9, 1.26 IT9, IT10 at the reference diameter.
+
+    Raises:
+        DesignError: If the report has none for this class.
+    """
+    if grade not in _FEED:
+        raise DesignError([Problem("tolerance_class", f"{grade} given; a tolerance on the feed is known for 4 to 9")])
+    return _FEED[grade]
+
+
+def span_allowances(backlash: float, runout: float, feed: float, *, pressure_angle: float) -> tuple[float, float]:
+    """Return lower and upper allowance of a span measurement, where both gears give half of the least backlash.
+
+    Args:
+        backlash: Least normal backlash j_bn [m].
+        runout: Tolerance F_r [m].
+        feed: Tolerance of the radial feed b_r [m].
+        pressure_angle: α_n [rad].
+
+    Returns:
+        E_bni and E_bns [m], both negative.
+
+    Source: ISO/TR 10064-2:1996: E_bns = −j_bn/2, T_sn = 2 tan α_n √(F_r² + b_r²), E_bni = E_bns − T_sn cos α_n.
+
+    >>> low, high = span_allowances(147e-6, 17e-6, 46e-6, pressure_angle=math.radians(20.0))
+    >>> round(1e6 * low), round(1e6 * high)
+    (-107, -74)
+    """
+    upper = -backlash / 2.0
+    width = 2.0 * math.tan(pressure_angle) * math.hypot(runout, feed) * math.cos(pressure_angle)
+    return upper - width, upper
+
+
+def span_allowance(thickness: float, *, pressure_angle: float) -> float:
+    """Return by how much a span measurement is shorter where teeth are thinner.
+
+    Args:
+        thickness: Allowance of the normal tooth thickness E_sn, negative [m].
+        pressure_angle: α_n [rad].
+
+    Returns:
+        E_bn [m], negative; of two gears that mesh the sum is their normal backlash −j_bn.
+
+    Source: DIN 3967:1978, A_W = A_sn cos α_n.
+
+    >>> round(1e6 * span_allowance(-70e-6, pressure_angle=math.radians(20.0)))
+    -66
+    """
+    return thickness * math.cos(pressure_angle)
+
+
+def thinned(gear: CylindricalGear, thickness: float) -> CylindricalGear:
+    """Return a gear whose teeth are thinner, of the same tip circle: its shift is the one with which it is cut.
+
+    Args:
+        gear: Without backlash.
+        thickness: Allowance of the normal tooth thickness E_sn, negative [m].
+
+    Source: DIN 3960:1987, x_E = x + A_s/(2 m_n tan α_n).
+
+    >>> round(thinned(CylindricalGear(51, 1e-3, 0.017, profile_shift=0.2034), -278e-6 / math.cos(math.radians(20.0)))
+    ...       .profile_shift, 4)
+    -0.203
+    """
+    less = thickness / (2.0 * gear.module * math.tan(gear.rack.pressure_angle))
+    shift, tip = gear.profile_shift + less, gear.tip_alteration - less
+    return replace(gear, profile_shift=shift, tip_alteration=tip)
+
+
+def centre_play(further: float, *, working_angle: float, helix_angle: float) -> float:
+    """Return the normal backlash that an external mesh gains where its axes stand further apart; a ring loses it.
+
+    Args:
+        further: By which the centre distance is larger [m].
+        working_angle: Working transverse pressure angle α_wt [rad].
+        helix_angle: At the base cylinder β_b [rad].
+
+    Returns:
+        Δj_bn [m].
+
+    Source: DIN 3967:1978, Δj = 2 A_a tan α_wt on the working circles, times cos α_wt cos β_b along the flank's normal.
+    Valid for: changes that are small against the centre distance.
+
+    >>> round(1e6 * centre_play(15e-6, working_angle=math.radians(21.46), helix_angle=0.0))
+    11
+    """
+    return 2.0 * further * math.sin(working_angle) * math.cos(helix_angle)
+
+
+def circumferential_play(normal: float, *, working_angle: float, helix_angle: float) -> float:
+    """Return a normal backlash along the working pitch circles.
+
+    Args:
+        normal: j_bn [m].
+        working_angle: Working transverse pressure angle α_wt [rad].
+        helix_angle: At the base cylinder β_b [rad].
+
+    Returns:
+        j_wt [m].
+
+    Source: ISO 21771:2007, j_bn = j_wt cos α_wt cos β_b.
+
+    >>> round(1e6 * circumferential_play(485e-6, working_angle=math.radians(21.46), helix_angle=0.0))
+    521
+    """
+    return normal / (math.cos(working_angle) * math.cos(helix_angle))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What an inspector measures: span over teeth, and distance over balls or pins.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def span_measurement(gear: CylindricalGear, spanned: int) -> float:
+    """Return the span measurement (base tangent length) over a number of teeth of an external gear.
+
+    Args:
+        gear: External gear.
+        spanned: Number of teeth between the anvils k [-].
+
+    Returns:
+        W_k [m], nominal, without backlash allowance.
+
+    Source: ISO 21771:2007, W_k = m_n cos α_n [(k − 0.5) π + z inv α_t + 2 x tan α_n].
+
+    >>> round(1e3 * span_measurement(CylindricalGear(20, 1e-3, 0.01), 3), 4)
+    7.6604
+    """
+    if gear.side < 0:
+        raise DesignError([Problem("teeth", f"{gear.teeth} given; measure an internal gear between balls instead")])
+    angle = gear.rack.pressure_angle
+    pitches = (spanned - 0.5) * math.pi + gear.teeth * involute(gear.transverse_pressure_angle)
+    return gear.module * math.cos(angle) * (pitches + 2.0 * gear.profile_shift * math.tan(angle))
+
+
+def spanned_teeth(gear: CylindricalGear) -> int:
+    """Return the number of teeth to span so that the anvils touch near the middle of the flank.
+
+    Args:
+        gear: External gear.
+
+    Source: the base tangent length whose half meets the cylinder of diameter d + 2 x m_n (ISO 21771:2007); where two
+        numbers are as near, the smaller, as tables of spans have it (27 teeth of 20 degrees: 3).
+
+    >>> spanned_teeth(CylindricalGear(20, 1e-3, 0.01)), spanned_teeth(CylindricalGear(27, 1e-3, 0.01))
+    (3, 3)
+    """
+    middle = gear.pitch_radius + gear.profile_shift * gear.module
+    length = 2.0 * math.sqrt(max(middle**2 - gear.base_radius**2, 0.0)) / math.cos(gear.base_helix_angle)
+    pitches = (length - span_measurement(gear, 1)) / (math.pi * gear.module * math.cos(gear.rack.pressure_angle))
+    return max(2, math.ceil(round(pitches, 9) + 0.5))
+
+
+def ball_measurement(gear: CylindricalGear, diameter: float) -> float:
+    """Return the distance over two balls in opposite tooth spaces; between them for an internal gear.
+
+    Args:
+        gear: External or internal gear.
+        diameter: Diameter of the balls D_M [m].
+
+    Returns:
+        M_dK [m], nominal, without backlash allowance.
+
+    Source: ISO 21771:2007, inv α_Kt = ± D_M/(|z| m_n cos α_n) + inv α_t ∓ (π − 4 x tan α_n)/(2 |z|), upper signs for
+        external gears; cos(π/2z) for odd numbers of teeth.
+    """
+    teeth, angle = abs(gear.teeth), gear.rack.pressure_angle
+    ball = diameter / (teeth * gear.module * math.cos(angle))
+    half_space = (math.pi - 4.0 * gear.profile_shift * math.tan(angle)) / (2.0 * teeth)
+    centre = involute_angle(involute(gear.transverse_pressure_angle) + gear.side * (ball - half_space))
+    across = 2.0 * gear.base_radius / math.cos(centre)
+    across *= math.cos(0.5 * math.pi / teeth) if teeth % 2 else 1.0
+    return across + gear.side * diameter
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Mass and inertia of gear bodies: discs and rings, to the circle that is the pitch circle without profile shift.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def disc_mass(diameter: float, width: float, density: float) -> float:
+    """Return the mass of a solid disc [kg].
+
+    Args:
+        diameter: Outer diameter; of a gear that of its mean circle, d + 2 x m_n [m].
+        width: Face width [m].
+        density: ρ [kg/m³].
+
+    Source: Pulvirenti 2023, eq. (3.3), π r² b ρ; its eq. (2.18) lacks the width and mixes radius and diameter.
+
+    >>> round(disc_mass(0.2, 0.05, 7850.0), 3)
+    12.331
+    """
+    return math.pi / 4.0 * diameter**2 * width * density
+
+
+def disc_inertia(mass: float, diameter: float) -> float:
+    """Return the polar inertia of a solid disc [kg m²].
+
+    Args:
+        mass: [kg].
+        diameter: [m].
+
+    Source: m d²/8; Pulvirenti 2023, eq. (3.6) (its appendix prints m d²/2 for the turbine).
+    """
+    return mass * diameter**2 / 8.0
+
+
+def ring_mass(inner_diameter: float, wall: float, width: float, *, density: float) -> float:
+    """Return the mass of a ring gear's body, from its pitch circle outwards [kg].
+
+    Args:
+        inner_diameter: Of its mean circle, d − 2 x m_n [m].
+        wall: Radial thickness outside of it [m].
+        width: Face width [m].
+        density: ρ [kg/m³].
+
+    Source: annulus; a wall of 3.95 m is the tooth's dedendum and AGMA 2001's backup ratio of 1.2.
+    """
+    inner = inner_diameter / 2.0
+    return math.pi * ((inner + wall) ** 2 - inner**2) * width * density
+
+
+def ring_inertia(mass: float, inner_diameter: float, wall: float) -> float:
+    """Return the polar inertia of a ring [kg m²].
+
+    Args:
+        mass: [kg].
+        inner_diameter: [m].
+        wall: Radial thickness [m].
+
+    Source: annulus, m (r_i² + r_o²) / 2.
+    """
+    inner = inner_diameter / 2.0
+    return mass * (inner**2 + (inner + wall) ** 2) / 2.0
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a gear's body under its teeth weighs as it is made: a rim that carries them, a web, a hub.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+HOLE = 0.6
+"""Diameter of a hole in a web over the room between rim and hub, or between neighbours, an assumption [-]."""
+
+
+class Blank(NamedTuple):
+    """A body of revolution under external teeth: three annuli one inside the other; lengths [m]."""
+
+    root_radius: float
+    """Outside of the rim."""
+    rim_radius: float
+    """Inside of the rim."""
+    hub_radius: float
+    """Outside of the hub."""
+    bore_radius: float
+    """Inside of the hub."""
+    width: float
+    """Of rim and hub."""
+    web_width: float
+    """Of the web between them."""
+    holes: int = 0
+    """Evenly spaced ones in the web that lighten it [-]."""
+    dish: float = 0.0
+    """How far the web stands at the hub from where it stands at the rim, along the axis [m]."""
+
+    @property
+    def is_solid(self) -> bool:
+        """Whether rim and hub meet, or nothing is turned out between them."""
+        return self.rim_radius <= self.hub_radius or self.web_width >= self.width
+
+    @property
+    def hole_circle(self) -> float:
+        """Radius of the circle on which holes stand, in the middle of the web."""
+        return (self.rim_radius + self.hub_radius) / 2.0
+
+    @property
+    def hole_radius(self) -> float:
+        """Of one hole; 0 where there is none."""
+        if not self.holes or self.is_solid:
+            return 0.0
+        chord = 2.0 * self.hole_circle * math.sin(math.pi / self.holes)
+        return HOLE / 2.0 * min(self.rim_radius - self.hub_radius, chord)
+
+
+def blank_volume(blank: Blank) -> float:
+    """Return the volume of the body under the teeth [m³].
+
+    Args:
+        blank: Its radii and widths.
+
+    Source: annuli; one alone where rim and hub meet; less what is bored through the web. A dished web is sheared along
+        the axis, so that it is as thick along it, and fills as much (Cavalieri).
+    """
+    root, bore = blank.root_radius, min(blank.bore_radius, blank.root_radius)
+    inside = max(blank.rim_radius, blank.hub_radius)
+    rim, hub = _annulus(root, inside), _annulus(blank.hub_radius, bore)
+    web = _annulus(inside, blank.hub_radius) - blank.holes * math.pi * blank.hole_radius**2
+    return (rim + hub) * blank.width + web * blank.web_width
+
+
+def _annulus(outer: float, inner: float) -> float:
+    return math.pi * (outer**2 - inner**2)
+
+
+def revolved_volume(corners: Sequence[tuple[float, float]]) -> float:
+    """Return the volume that a closed chain of straight lines sweeps about the axis [m³].
+
+    Args:
+        corners: Place along the axis and radius of each [m]; the last one is joined to the first.
+
+    Source: frusta of cones, V = π/3 Σ (z_2 − z_1)(r_1² + r_1 r_2 + r_2²), either way round.
+
+    >>> round(revolved_volume([(0.0, 0.0), (0.3, 0.0), (0.3, 0.1)]) / math.pi, 6)  # a cone, r² h/3
+    0.001
+    """
+    ends = pairwise([*corners, corners[0]])
+    swept = sum((high - low) * (one**2 + one * two + two**2) for (low, one), (high, two) in ends)
+    return abs(math.pi / 3.0 * swept)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.gears.transverse_form import TransverseTooth
+from gearwright.parts.gears.tooth_form import TransverseTooth
 
 RIM = 1.2
 """Metal behind the roots over the depth of the teeth [-] (AGMA 2001-D04, backup ratio without loss of strength)."""

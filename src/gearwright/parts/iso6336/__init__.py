@@ -3,7 +3,6 @@
 Scuffing has a folder of its own; bevel gears are in `bevel`.
 """
 
-from gearwright.parts.iso6336.balanced_shifts import BALANCES, balanced_shift, specific_slidings
 from gearwright.parts.iso6336.bending import (
     bending_size_factor,
     contact_ratio_factor_root,
@@ -14,17 +13,28 @@ from gearwright.parts.iso6336.bending import (
     rim_factor,
     surface_factor,
 )
-from gearwright.parts.iso6336.choices import USUAL_CHOICES, Choices, RatingMethod
-from gearwright.parts.iso6336.film import (
-    RZ_OVER_RA,
-    equivalent_roughness,
-    lubricant_factor,
-    roughness_factor,
-    speed_factor,
-    work_hardening_factor,
+from gearwright.parts.iso6336.dynamic import (
+    FASTEST,
+    RESONANCE_ENDS,
+    SOLID,
+    DynamicFactorBySpeed,
+    MeshDeviations,
+    MeshSprings,
+    MovingBody,
+    dynamic_factor,
+    dynamic_factor_by_speed,
+    idler_masses,
+    mesh_springs,
+    moving_mass,
+    reduced_mass,
+    resonance_begins,
+    running_in_allowance,
 )
 from gearwright.parts.iso6336.geometry import (
+    USUAL_CHOICES,
+    Choices,
     MeshGeometry,
+    RatingMethod,
     ShaperCutter,
     ToothProportions,
     Value,
@@ -36,54 +46,46 @@ from gearwright.parts.iso6336.loads import (
     CENTRED,
     CORRECTED_AND_CROWNED,
     CROWNED,
-    FASTEST,
     LARGEST_RELIEF,
-    RESONANCE_ENDS,
-    SOLID,
     UNMODIFIED,
-    DynamicFactorBySpeed,
-    MeshDeviations,
     MeshDuty,
     MeshQuality,
-    MeshSprings,
     Misalignment,
-    MovingBody,
     Neighbour,
     PinionShaft,
     ReliefRule,
     Steels,
     TipRelief,
     deflection_misalignment,
-    dynamic_factor,
-    dynamic_factor_by_speed,
     face_load_factor,
     flank_tolerances,
-    idler_masses,
     lead_allowance,
-    mesh_springs,
-    moving_mass,
-    reduced_mass,
     relief_for,
     relief_term,
-    resonance_begins,
-    running_in_allowance,
     running_in_relief,
     transverse_load_factor,
     usual_class,
 )
-from gearwright.parts.iso6336.pitting import LoadFactors, elasticity_factor, pitting_rating, single_contact_factors
-from gearwright.parts.iso6336.rating import PairRating, rate_mesh, rate_pair
-from gearwright.parts.iso6336.root import (
-    Edition,
-    LoadedTooth,
-    RootSection,
-    outer_single_contact,
-    root_section,
-    shaped_fillet_radius,
-    tip_loaded,
+from gearwright.parts.iso6336.pitting import (
+    RZ_OVER_RA,
+    LoadFactors,
+    elasticity_factor,
+    equivalent_roughness,
+    lubricant_factor,
+    pitting_rating,
+    roughness_factor,
+    single_contact_factors,
+    speed_factor,
+    work_hardening_factor,
 )
-from gearwright.parts.iso6336.static_strength import (
+from gearwright.parts.iso6336.rating import (
+    BALANCES,
+    PairRating,
     StaticStrength,
+    balanced_shift,
+    rate_mesh,
+    rate_pair,
+    specific_slidings,
     static_notch_sensitivity,
     static_strength,
     static_work_hardening,
@@ -106,6 +108,15 @@ from gearwright.parts.iso6336.steels import (
     life_curves,
     life_factor,
     spectrum_damage,
+)
+from gearwright.parts.iso6336.tooth_root import (
+    Edition,
+    LoadedTooth,
+    RootSection,
+    outer_single_contact,
+    root_section,
+    shaped_fillet_radius,
+    tip_loaded,
 )
 
 __all__ = [

@@ -8,10 +8,10 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.iso6336.choices import RatingMethod
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.geometry import MeshGeometry, RatingMethod, Value, as_value
 from gearwright.parts.iso6336.pitting import LoadFactors
-from gearwright.parts.iso6336.root import (
+from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
+from gearwright.parts.iso6336.tooth_root import (
     Edition,
     LoadedTooth,
     RootSection,
@@ -19,7 +19,6 @@ from gearwright.parts.iso6336.root import (
     root_section,
     tip_loaded,
 )
-from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
 from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019"

@@ -1,12 +1,9 @@
-"""What the rating of a cylindrical pair needs to know of its geometry, for one pair or for an array of them.
-
-Every field may be a number or an array, so that thousands of variants are rated at once. Teeth are signed as in
-ISO 21771: an internal wheel has z_2 < 0 and with it a negative gear ratio; lengths are positive.
-"""
+"""Geometry of cylindrical gear pairs for rating by ISO 6336, and the choice of method for each factor."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -15,6 +12,14 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import GearPair, ToothShift
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the rating of a cylindrical pair needs to know of its geometry, for one pair or for an array of them.
+#
+# Every field may be a number or an array, so that thousands of variants are rated at once. Teeth are signed as in
+# ISO 21771: an internal wheel has z_2 < 0 and with it a negative gear ratio; lengths are positive.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 Value: TypeAlias = float | Floats
 """A number, or an array of them over variants."""
@@ -294,3 +299,33 @@ def _interference(pair: GearPair) -> list[Problem]:
         ratio = f"contact ratio {pair.transverse_contact_ratio:.3f} given"
         problems.append(Problem("contact_ratio", f"{ratio}; ISO 6336 needs at least 1: longer teeth or less shift"))
     return problems
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Which method of ISO 6336 gives a factor where the standard offers several.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class RatingMethod(Enum):
+    """Methods of ISO 6336 by which a factor is had; A, by measurement, is none that a formula gives."""
+
+    B = "B"
+    """The usual one."""
+    C = "C"
+    """The simpler one: fewer inputs, more on the safe side."""
+
+
+@dataclass(frozen=True)
+class Choices:
+    """Method of the factors that have a choice."""
+
+    dynamic: RatingMethod = RatingMethod.B
+    """Of K_V: by resonance and deviations, or by the speed v z_1 alone."""
+    root: RatingMethod = RatingMethod.B
+    """Of Y_F and Y_S: load at the outer point of single contact, or at the tip with Y_ε."""
+    least_dynamic: float = 1.0
+    """K_V below which none counts [-]: by an analysis of the whole train, as method A has it."""
+
+
+USUAL_CHOICES = Choices()
+"""Method B throughout."""

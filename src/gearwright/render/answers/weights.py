@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from gearwright.render.words.shipped import ShippedFile
+from gearwright.render.words.design_file import ShippedFile
 from gearwright.units import Mass, Number, Power, Speed
 from gearwright.validate import Checked
 from gearwright.weights import COLUMNS, CheckedEngine, Comparison, StatedMass, gearbox_mass
-from gearwright.weights.method import Coverage
-from gearwright.weights.refit import Band
+from gearwright.weights.laws import Coverage
+from gearwright.weights.methods import Band
 
 
 @dataclass(frozen=True)

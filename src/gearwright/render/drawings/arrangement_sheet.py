@@ -1,4 +1,4 @@
-"""The general arrangement: every shaft with its gears and bearings in one plane, item numbers and a list of parts."""
+"""The general arrangement: every shaft with its gears and bearings in one plane, and a list of parts."""
 
 from __future__ import annotations
 
@@ -6,49 +6,96 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from gearwright.catalogue.standard_parts.radial_seals import BORE, ROUGHNESS, SHAFT
+from gearwright.catalogue.standard_parts import BORE, ROUGHNESS, SHAFT
 from gearwright.checks import Status
 from gearwright.identity import GEARBOX, carrier_part
-from gearwright.render.drawings.casing.casing_parts import casing_items, casing_notes
-from gearwright.render.drawings.casing.casing_section import CasingSection, casing_entities, casing_section
-from gearwright.render.drawings.casing.cutting_way import LETTER as SECTION
-from gearwright.render.drawings.casing.cutting_way import cutting_way, way_marks
-from gearwright.render.drawings.casing.exits import closed_towards, exit_notes
-from gearwright.render.drawings.casing.plane_section import seen_from_second_end
-from gearwright.render.drawings.casing.true_section import (
-    TrueSection,
-    cutting_line,
-    true_entities,
-    true_items,
-    true_section,
-)
-from gearwright.render.drawings.gears.set_notes import set_notes
-from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.crossing import Segment, clear_of, segments, texts
-from gearwright.render.drawings.sheet.dimensions import arrow, drawn, extent
-from gearwright.render.drawings.sheet.entities import SMALL, Arc, Box, Distance, Entity, Layer, Path, Words, trimmed
-from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.numbers import balloons
-from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.views.arrangement_parts import (
+from gearwright.render.drawings.arrangement_view import (
     Item,
+    Outside,
     axis_of,
+    end_view,
+    is_square,
+    is_turned,
     planetary_parts,
     shaft_parts,
     standing_ring,
 )
-from gearwright.render.drawings.views.end_view import Outside, end_view, is_square, is_turned
-from gearwright.render.drawings.views.positions import Positions, positions
-from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.drawings.views.weights import made_of
-from gearwright.render.schematic.layout import pair_meshes
-from gearwright.render.style.labels import overlap
+from gearwright.render.drawings.casing_section import (
+    CasingSection,
+    casing_entities,
+    casing_items,
+    casing_notes,
+    casing_section,
+)
+from gearwright.render.drawings.entities import (
+    SMALL,
+    Arc,
+    Box,
+    Distance,
+    Entity,
+    Layer,
+    Path,
+    Words,
+    arrow,
+    drawn,
+    extent,
+    trimmed,
+)
+from gearwright.render.drawings.paper import Content, Grid, Rows, Segment, Title, balloons, clear_of, segments, texts
+from gearwright.render.drawings.plane_section import (
+    TrueSection,
+    closed_towards,
+    cutting_line,
+    exit_notes,
+    seen_from_second_end,
+    true_entities,
+    true_items,
+    true_section,
+)
+from gearwright.render.drawings.positions import LETTER as SECTION
+from gearwright.render.drawings.positions import Positions, cutting_way, positions, way_marks
+from gearwright.render.drawings.shaft_view import MM, made_of
+from gearwright.render.skeleton import pair_meshes
+from gearwright.render.style import overlap
 from gearwright.shape import scene as scene_of
-from gearwright.shape.teeth import kind_of
+from gearwright.shape.stands import kind_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.places import CLAUSE
+from gearwright.sizing.casing import ring_seats
+from gearwright.sizing.places import CLAUSE, bells
 from gearwright.sizing.shafts import sealed_exits, unsealed_exits
 from gearwright.spec import GROUND
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a general arrangement says of its sets: how rings and carriers are held, and what it does not draw.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def set_notes(sizing: Sizing, *, cut: bool) -> Iterator[str]:
+    """Yield what has to be said of planetary and compound sets.
+
+    Args:
+        sizing: What was sized.
+        cut: Whether the section shows the housing.
+    """
+    if any(gear.rim and GROUND in gear.shafts for gear in sizing.gears):
+        where = "in lands of the housing" if cut else "in the housing"
+        if list(ring_seats(sizing)):
+            splines = "splines (as DIN 5480-1, cut at half of their height)"
+            yield f"Rings that stand have {splines} {where}; keepers by screws."
+        else:
+            yield "What holds rings that stand is not sized, and not drawn."
+    if names := [carrier.stage for carrier in sizing.carriers if carrier.shaft == GROUND]:
+        yield f"What holds the standing carrier of {', '.join(names)} in the housing is not sized, and not drawn."
+    if list(bells(sizing)):
+        yield "Bells of rings: thickness by torque; what joins them to ring and shaft is not sized, and not drawn."
+    if names := [name for name in sizing.design.sets if name not in sizing.design.planetaries]:
+        yield f"Planets and carrier of {', '.join(names)} are not drawn in this section."
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The general arrangement: every shaft with its gears and bearings in one plane, item numbers and a list of parts.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 NAME = "arrangement"
 ARROW_NAME, LETTER, LENGTH = "A", 5.0, 12.0

@@ -7,15 +7,13 @@ from dataclasses import replace
 
 from gearwright.errors import Problem, near, refuse
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
-from gearwright.render.drawings.carriers.carrier_sheet import carrier_content
-from gearwright.render.drawings.casing_sheet import casing_content
+from gearwright.render.drawings.carriers import carrier_content
 from gearwright.render.drawings.gear_sheet import gear_content
-from gearwright.render.drawings.housing_sheet import housing_content
+from gearwright.render.drawings.gear_view import hub_of
+from gearwright.render.drawings.housing_sheet import casing_content, housing_content
+from gearwright.render.drawings.paper import Content, Sheet, compose
 from gearwright.render.drawings.shaft_sheet import shaft_content
-from gearwright.render.drawings.sheet.compose import Content, compose
-from gearwright.render.drawings.sheet.sheets import Sheet
-from gearwright.render.drawings.views.gear_parts import hub_of
-from gearwright.shape.teeth import hand_of, kind_of
+from gearwright.shape.stands import hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.places import runs
 from gearwright.verbs import verb

@@ -1,58 +1,216 @@
-"""The sheet of one gear: section with dimensions, hub, tooth data."""
+"""The sheet of one gear: section with dimensions, hub, end view, edges, tooth data."""
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from gearwright.identity import Role
-from gearwright.render.drawings.gears.edges import edge_notes
-from gearwright.render.drawings.gears.gear_end import Circles, end_of_gear, needs_end
-from gearwright.render.drawings.gears.hardened import hard_grid, hard_lines
-from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.dimensions import arrow
-from gearwright.render.drawings.sheet.entities import (
+from gearwright.render.drawings.entities import (
     GAP,
+    HIGH,
     TEXT,
+    TRIANGLE,
+    Arc,
     Distance,
     Entity,
     Layer,
     Path,
     Words,
+    arrow,
+    datum,
+    frame_length,
+    millimetres,
+    texture,
+    texture_length,
+    tolerance_frame,
     trimmed,
     words_length,
 )
-from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import texture, texture_length
-from gearwright.render.drawings.sheet.tolerances import (
-    HIGH,
-    TRIANGLE,
-    datum,
-    frame_length,
-    tolerance_frame,
+from gearwright.render.drawings.gear_view import (
+    FACE_GRADE,
+    LEAN,
+    Hub,
+    Web,
+    bevel_plate,
+    bevel_view,
+    bore_edges,
+    cylinder_section,
+    face_runout,
+    face_teeth,
+    face_view,
+    hub_of,
+    hub_view,
+    is_face_wheel,
+    ring_section,
+    seat_section,
+    thickness,
 )
-from gearwright.render.drawings.views.bevel_view import bevel_plate, bevel_view
-from gearwright.render.drawings.views.face_view import face_teeth, face_view, is_face_wheel
-from gearwright.render.drawings.views.gear_dimensions import FACE_GRADE, LEAN, face_runout, thickness
-from gearwright.render.drawings.views.gear_parts import Hub, Web, hub_of
-from gearwright.render.drawings.views.gear_view import bore_edges, cylinder_section, ring_section, seat_section
-from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
-from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
-from gearwright.render.drawings.views.tooth_data import tooth_grid
-from gearwright.render.drawings.views.weights import made_of
-from gearwright.shape.teeth import (
-    cylindrical_gear,
-    halves_of,
-    is_internal,
-    kind_of,
-    making_of,
-)
+from gearwright.render.drawings.paper import Content, Rows, Title
+from gearwright.render.drawings.shaft_view import CHAMFERS, MM, OVERSHOOT, Axis, bevel_profile, made_of
+from gearwright.render.drawings.tooth_data import hard_grid, hard_lines, tooth_grid
+from gearwright.shape.stands import cylindrical_gear, halves_of, is_internal, kind_of, making_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.mass import bevel_dish, ring_outside
 from gearwright.sizing.places import BOSS
 from gearwright.sizing.rating import BACKUP
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Edges of gears: chamfers of bores, and how the edges of teeth are broken.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+BROKEN = 0.1
+"""Of the edges of teeth over the module [-]; assumed."""
+LEAST = 0.2
+"""Of the same, at least [mm]; assumed."""
+
+
+def edge_notes(bore: float, module: float) -> Iterator[str]:
+    """Yield how the edges of a gear are broken.
+
+    Args:
+        bore: Its diameter; 0: none [mm].
+        module: Normal, or mean normal module [mm].
+    """
+    broken = max(round(BROKEN * module, 1), LEAST)
+    bored = ""
+    if bore:
+        chamfer = next(chamfer for up_to, chamfer in CHAMFERS if bore <= up_to)
+        bored = f" chamfers of the bore {trimmed(chamfer, 1)} × 45°,"
+    yield f"Edges of teeth, at tips and ends, {trimmed(broken, 1)} × 45°,{bored} as assumed; not weighed."
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A gear seen along its axis from its first face, where its bore or its web is no body of revolution (ISO 2203).
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+ASIDE_OF_END = 9.0
+"""From a part to its nearest dimension line [mm]."""
+MARK, APART, BEYOND = 4.0, 1.5, 1.0
+"""Of the two strokes that mean that the other half is alike: length, distance and place beyond the outline [mm]."""
+KNEE = 7.0
+"""Of a leader beyond the gear [mm]."""
+
+
+class Circles(NamedTuple):
+    """What is seen of a gear's body, as radii [mm]."""
+
+    outlines: tuple[float, ...]
+    """Tips, edges of the rim and of the hub."""
+    pitch: float
+    """Of the pitch circle."""
+    names_spline: bool = False
+    """Whether the designation of a spline stands here, as the section has no room for it."""
+
+
+def needs_end(hub: Hub) -> bool:
+    """Tell whether a gear is no body of revolution.
+
+    Args:
+        hub: Its bore and web.
+    """
+    return hub.key is not None or hub.teeth is not None or (hub.web is not None and hub.web.holes > 0)
+
+
+def end_of_gear(hub: Hub, circles: Circles, axis: Axis) -> list[Entity]:
+    """Return a gear seen along its axis: whole with a keyway, else its right half.
+
+    Args:
+        hub: Its bore and web.
+        circles: What is seen of its body.
+        axis: Its origin is the middle.
+    """
+    whole, tip = hub.key is not None, max(circles.outlines)
+    half = (0.0, 2.0 * math.pi) if whole else (-math.pi / 2.0, math.pi / 2.0)
+    seen = [(radius, Layer.OUTLINE) for radius in sorted(set(circles.outlines))]
+    seen.append((circles.pitch, Layer.PITCH))
+    if hub.key is None and hub.bore:
+        seen.append((hub.bore / 2.0, Layer.OUTLINE))
+    if hub.teeth is not None:
+        seen.append((MM * hub.teeth.reference_diameter / 2.0, Layer.THIN))
+    entities: list[Entity] = [Arc(axis.at(0.0), axis.scale * radius, layer, *half) for radius, layer in seen]
+    reach = axis.scale * tip + OVERSHOOT
+    entities.append(Path((axis.origin - 1j * reach, axis.origin + 1j * reach), Layer.CENTRE))
+    entities.append(Path((axis.origin - (reach if whole else OVERSHOOT), axis.origin + reach), Layer.CENTRE))
+    if hub.key is not None:
+        entities += [*hub_view(axis, hub)[:1], *_keyway(hub, axis, tip)]
+    else:
+        entities += _halved(axis, axis.scale * tip + OVERSHOOT + BEYOND)
+    if hub.teeth is not None and circles.names_spline:
+        entities += _spline(hub, axis, tip)
+    if hub.web is not None and hub.web.holes:
+        entities += _holes(hub.web, axis, tip, half)
+    return entities
+
+
+def _halved(axis: Axis, reach: float) -> Iterator[Path]:
+    """Yield the strokes at both ends of a line of symmetry (ISO 128-3)."""
+    for side in (1.0, -1.0):
+        for k in (0.0, 1.0):
+            foot = axis.origin + 1j * side * (reach + APART * k)
+            yield Path((foot - MARK / 2.0, foot + MARK / 2.0), Layer.THIN)
+
+
+def _keyway(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
+    """Yield width and depth of a keyway, and what key it is for, outside of the gear."""
+    assert hub.key is not None
+    radius, half, top = hub.bore / 2.0, MM * hub.key.width / 2.0, hub.reach / 2.0
+    above = axis.at(0.0, tip) + 1j * ASIDE_OF_END
+    yield Distance(axis.at(-half, top), axis.at(half, top), above, 0.0, axis.scale, suffix=" P9")
+    side = axis.at(tip) + ASIDE_OF_END
+    yield Distance(axis.at(0.0, -radius), axis.at(half, top), side, math.pi / 2.0, axis.scale)
+    yield Words(axis.at(0.0, -tip) - 1j * (ASIDE_OF_END + TEXT), hub.designation, TEXT, "middle")
+
+
+def _spline(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
+    """Yield the leader from a splined bore to below the gear, with the spline's designation."""
+    target = axis.on(cmath.rect(hub.bore / 2.0, -math.pi / 4.0))
+    level = axis.origin.imag - axis.scale * tip - KNEE
+    knee = complex(target.real + (target.imag - level) / 2.0, level)
+    words = Words(knee + 2.0 + 1.0j, hub.designation, TEXT, "left", layer=Layer.DIMENSION)
+    yield Path((target, knee, knee + 4.0 + words.length), Layer.DIMENSION)
+    yield words
+
+
+def _holes(web: Web, axis: Axis, tip: float, half: tuple[float, float]) -> Iterator[Entity]:
+    """Yield holes on their circle, the first on top, and what is said of them."""
+    whole = half[0] == 0.0
+    radius = axis.scale * web.hole
+    yield Arc(axis.at(0.0), axis.scale * web.circle, Layer.CENTRE, *half)
+    places = [cmath.rect(web.circle, math.pi / 2.0 - 2.0 * math.pi * k / web.holes) for k in range(web.holes)]
+    for place in places:
+        if whole or place.real > web.hole:
+            yield Arc(axis.on(place), radius, Layer.OUTLINE)
+        elif place.real > -web.hole:
+            turn = math.acos(max(min(-place.real / web.hole, 1.0), -1.0))
+            yield Arc(axis.on(place), radius, Layer.OUTLINE, -turn, turn)
+    yield from _told(web, axis, tip, places)
+
+
+def _told(web: Web, axis: Axis, tip: float, places: Sequence[complex]) -> Iterator[Entity]:
+    """Yield the leader from a hole on the right, to beyond the gear."""
+    place = max(
+        places, key=lambda at: (round(at.imag, 6), round(at.real, 6)) if at.real > web.hole else (-math.inf, 0.0)
+    )
+    target = axis.on(place) + cmath.rect(axis.scale * web.hole, math.pi / 4.0)
+    level = axis.origin.imag + axis.scale * tip + KNEE
+    knee = complex(target.real + (level - target.imag), level)
+    across, circle = (millimetres(2.0 * size) for size in (web.hole, web.circle))
+    words = Words(knee + 2.0 + 1.0j, f"{web.holes} × Ø{across} on Ø{circle}", TEXT, "left", layer=Layer.DIMENSION)
+    yield Path((target, knee, knee + 4.0 + words.length), Layer.DIMENSION)
+    yield words
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The sheet of one gear: section with dimensions, hub, tooth data.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 BORE_ROUGHNESS = 1.6
 """Ra of toleranced bores [µm]; assumed, as of bores in the housing."""

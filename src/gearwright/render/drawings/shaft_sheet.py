@@ -1,41 +1,528 @@
-"""The sheet of one shaft: outline with dimensions, sections through keyways, fits, tooth data of integral gears."""
+"""The sheet of one shaft: outline with lengths, fits and surfaces, keyways, splines, threads."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
-from gearwright.catalogue import SEAT_SOURCE, centre_hole, shaft_limits
-from gearwright.catalogue.standard_parts.radial_seals import FAST, FAST_HARDNESS, HARDNESS, ROUGHNESS
-from gearwright.catalogue.standard_parts.radial_seals import SHAFT as UNDER_SEAL
-from gearwright.render.drawings.sheet.compose import Content, Rows
-from gearwright.render.drawings.sheet.entities import Distance, millimetres
-from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import cutting_plane, section_letters
-from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.sheet.tolerances import HIGH, TRIANGLE, datum
-from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, shaft_body
-from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, shaft_outline
-from gearwright.render.drawings.views.shafts.hardness import Zone, zone_grid, zone_lines, zones
-from gearwright.render.drawings.views.shafts.keyways import keyway_section
-from gearwright.render.drawings.views.shafts.lengths import BETWEEN_SHOULDERS, TO_GROOVE, TO_TEETH, lengths
-from gearwright.render.drawings.views.shafts.splines import run_out_notes, spline_grids
-from gearwright.render.drawings.views.shafts.surfaces import (
-    AXIS,
-    DATUMS,
-    RUNOUT_SOURCE,
-    SEAT_TEXTURE,
-    SPLINE_GRADE,
-    middle_of,
-    surfaces,
+from gearwright.catalogue import (
+    LARGEST,
+    SEAT_SOURCE,
+    SMALLEST,
+    centre_hole,
+    keyway_tolerance,
+    shaft_limits,
+    standard_tolerance,
+    thread_chamfer,
+    thread_run_out,
 )
-from gearwright.render.drawings.views.shafts.threads import thread_grid, thread_lines
-from gearwright.render.drawings.views.tooth_data import tooth_grid
-from gearwright.render.drawings.views.undercut_view import relief_detail, undercut_detail
-from gearwright.render.drawings.views.weights import mass_with_gears
-from gearwright.shape.teeth import gear_of
+from gearwright.catalogue.standard_parts import FAST, FAST_HARDNESS, HARDNESS, ROUGHNESS
+from gearwright.catalogue.standard_parts import SHAFT as UNDER_SEAL
+from gearwright.parts.gears import runout_tolerance
+from gearwright.render.drawings.entities import (
+    GAP,
+    HIGH,
+    TEXT,
+    TRIANGLE,
+    Distance,
+    Entity,
+    Layer,
+    Path,
+    Tolerance,
+    Words,
+    cutting_plane,
+    datum,
+    extent,
+    frame_length,
+    millimetres,
+    section_letters,
+    tolerance_frame,
+    trimmed,
+    words_length,
+)
+from gearwright.render.drawings.paper import Content, Grid, Rows, Title
+from gearwright.render.drawings.shaft_view import (
+    ACROSS,
+    AT_FACE,
+    MM,
+    Axis,
+    Mark,
+    Piece,
+    ShaftBody,
+    Slot,
+    Toothing,
+    end_chamfer,
+    key_section,
+    marked,
+    mass_with_gears,
+    relief_detail,
+    shaft_body,
+    shaft_outline,
+    thread_name,
+    undercut_detail,
+)
+from gearwright.render.drawings.tooth_data import Zone, tooth_grid, zone_grid, zone_lines, zones
+from gearwright.render.style import spread
+from gearwright.shape.stands import cylindrical_gear, gear_of, kind_of, making_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.shafts import ENDS, Groove, Retention, ends, grooves, held_rings, sealed_exits
+from gearwright.sizing.shafts import ENDS, Groove, Retention, Thread, ends, grooves, held_rings, sealed_exits
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Lengths of a shaft: functional ones between the faces that parts lean on, all others from the first end.
+#
+# Their tolerances are a rule, assumed: between the shoulders of both radial bearings ± IT9/2, which sets the room for
+# their play; from the shoulder that a stack of bearings leans on to the loaded side of its ring's groove H11, so that
+# the ring always goes in; to faces of teeth ± IT10/2. Grooves are H13 wide (DIN 471).
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LEVEL = 8.0
+"""Between parallel dimension lines [mm]."""
+BETWEEN_SHOULDERS, TO_TEETH = 9, 10
+"""Grades of ISO 286-1 of functional lengths; assumed."""
+TO_GROOVE, GROOVE_WIDTH = "H11", "H13"
+"""Classes of the length to the loaded side of a ring's groove, assumed, and of its width (DIN 471)."""
+NEAR = 1e-6
+"""Places that are nearer to each other are one [mm]."""
+
+
+class Span(NamedTuple):
+    """A length between two places of a shaft."""
+
+    start: float
+    """[mm]"""
+    end: float
+    """[mm]"""
+    radii: tuple[float, float]
+    """Of the outline there [mm]."""
+    suffix: str = ""
+    """Its tolerance."""
+
+
+class Face(NamedTuple):
+    """A face on which the inner ring of a bearing leans."""
+
+    x: float
+    """[mm]"""
+    away: float
+    """−1 where the seat lies before it, +1 where it lies behind."""
+    seat: Piece
+    thick: float
+    """Radius of the thicker piece [mm]."""
+
+
+def rests(body: ShaftBody) -> tuple[Face, ...]:
+    """Return the faces that bearings lean on: where a seat meets a thicker piece.
+
+    Args:
+        body: The shaft.
+    """
+    found = []
+    for left, right in zip(body.pieces, body.pieces[1:], strict=False):
+        thin, thick, away = (left, right, -1.0) if left.diameters[1] < right.diameters[0] else (right, left, 1.0)
+        beside = thick.diameters[0] if away < 0.0 else thick.diameters[1]
+        if thin.tolerance and beside > thin.diameter + NEAR:
+            found.append(Face(right.start, away, thin, beside / 2.0))
+    return tuple(found)
+
+
+def lengths(axis: Axis, body: ShaftBody, seats: Sequence[Piece], *, below: float) -> Iterator[Entity]:
+    """Yield the lengths of a shaft, the functional ones nearest to it.
+
+    Args:
+        axis: Of the shaft.
+        body: The shaft.
+        seats: Of its radial bearings.
+        below: By which all stand lower, for what is marked below the shaft [mm of paper].
+    """
+    level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0 + below)
+    stacks = list(_to_grooves(body))
+    short = [*_cut_spans(body), *(span for _, span in stacks)]
+    between = list(_between(body, seats))
+    for row in (short, [span for span, _ in stacks], between):
+        for span in row:
+            yield _distance(axis, span, level)
+        level -= 1j * LEVEL if row else 0.0
+    known = {round(span.end, 6) for span in between}
+    known |= {round(x, 6) for _, span in stacks for x in (span.start, span.end)}
+    for span in _from_first_end(body):
+        if round(span.end, 6) not in known:
+            yield _distance(axis, span, level)
+            level -= 1j * LEVEL
+
+
+def _distance(axis: Axis, span: Span, level: complex) -> Distance:
+    start, end = (axis.at(x, -radius) for x, radius in zip((span.start, span.end), span.radii, strict=True))
+    return Distance(start, end, level, 0.0, axis.scale, suffix=span.suffix)
+
+
+def _cut_spans(body: ShaftBody) -> Iterator[Span]:
+    """Yield the lengths of keyways and splines."""
+    for slot in body.slots:
+        yield Span(slot.start, slot.end, (slot.diameter / 2.0,) * 2)
+    for spline in body.splines:
+        yield Span(spline.start, spline.end, (MM * spline.teeth.shaft_tip / 2.0,) * 2)
+
+
+def _to_grooves(body: ShaftBody) -> Iterator[tuple[Span, Span]]:
+    """Yield of every ring's groove beyond a shoulder the length from there to its loaded side, and its own width."""
+    for groove in (piece for piece in body.pieces if piece.is_groove):
+        faces = [face for face in rests(body) if abs(face.seat.diameter - _beside(body, groove)) < NEAR]
+        inwards = [face for face in faces if face.away * (groove.start - face.x) > -NEAR]
+        if inwards:
+            face = min(inwards, key=lambda face: abs(groove.start - face.x))
+            loaded = groove.end if face.away > 0.0 else groove.start
+            edge = _beside(body, groove) / 2.0
+            ends = ((face.x, face.seat.diameter / 2.0), (loaded, edge))
+            (low, first), (high, last) = sorted(ends)
+            width = Span(groove.start, groove.end, (edge, edge), f" {GROOVE_WIDTH}")
+            yield Span(low, high, (first, last), f" {TO_GROOVE}"), width
+
+
+def _beside(body: ShaftBody, groove: Piece) -> float:
+    """Return the diameter beside a groove [mm]."""
+    k = body.pieces.index(groove)
+    return max(piece.diameter for piece in (*body.pieces[k - 1 : k], *body.pieces[k + 1 : k + 2]))
+
+
+def _between(body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Span]:
+    """Yield the length between the shoulders that both radial bearings lean on."""
+    faces = [face for seat in seats for face in rests(body) if face.seat == seat]
+    if len(faces) == 2 and faces[0].seat != faces[1].seat:
+        first, last = sorted(faces)
+        half = _grade(last.x - first.x, BETWEEN_SHOULDERS) / 2.0
+        radii = (first.seat.diameter / 2.0, last.seat.diameter / 2.0)
+        yield Span(first.x, last.x, radii, f" ±{trimmed(half, 3)}" if half else "")
+
+
+def _from_first_end(body: ShaftBody) -> Iterator[Span]:
+    """Yield lengths to shoulders, starts of keyways and splines and the second end, those to teeth with a tolerance."""
+    first, last = body.pieces[0], body.pieces[-1]
+    ends = [(piece.end, max(piece.diameters[1], after.diameters[0]) / 2.0, piece.toothed or after.toothed)
+            for piece, after in zip(body.pieces, body.pieces[1:], strict=False)
+            if not _is_even(piece, after)]  # fmt: skip
+    ends.append((last.end, last.diameters[1] / 2.0 - end_chamfer(last), False))
+    ends += [(slot.start, slot.diameter / 2.0, False) for slot in body.slots if slot.start > NEAR]
+    ends += [(spline.start, MM * spline.teeth.shaft_tip / 2.0, False) for spline in body.splines]
+    seen: list[float] = []
+    datum = first.diameters[0] / 2.0 - end_chamfer(first)
+    for x, radius, at_teeth in sorted(ends):
+        if x > first.start + NEAR and all(abs(x - earlier) > NEAR for earlier in seen):
+            seen.append(x)
+            half = _grade(x - first.start, TO_TEETH) / 2.0 if at_teeth else 0.0
+            yield Span(first.start, x, (datum, radius), f" ±{trimmed(half, 3)}" if half else "")
+
+
+def _is_even(piece: Piece, after: Piece) -> bool:
+    """Tell whether only the surface under a seal ends between two pieces: a note has its length."""
+    level = abs(piece.diameters[1] - after.diameters[0]) < NEAR
+    return level and any(one.sealed and not other.fit for one, other in ((piece, after), (after, piece)))
+
+
+def _grade(length: float, grade: int) -> float:
+    """Return a standard tolerance of a length [mm]; 0 where ISO 286-1 has none."""
+    size = length / MM
+    return MM * standard_tolerance(size, grade) if SMALLEST < size <= LARGEST else 0.0
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What stands above a shaft: diameters, threads and splines by name, textures, and frames of geometrical tolerances.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+DATUMS = ("A", "B")
+"""Seats of the two radial bearings."""
+AXIS = "–".join(DATUMS)
+"""The axis of both."""
+RUNOUT_GRADE = 5
+"""Of seats, of which half is their total run-out, and of the axial run-out of their shoulders (`RUNOUT_SOURCE`)."""
+RUNOUT_SOURCE = "SKF, geometrical tolerances of seats and abutments for bearings of normal class"
+"""Where `RUNOUT_GRADE` comes from: total radial run-out IT5/2, total axial run-out IT5."""
+SPLINE_GRADE = 7
+"""Of the run-out of splines at their reference diameter; assumed."""
+SEAT_TEXTURE = "Ra 0.8"
+"""Of bearing seats; assumed (usual for IT6 and normal bearings)."""
+GROOVE_CLASSES = ((10.0, " h10"), (22.0, " h11"), (100.0, " h12"))
+"""Shafts up to this [mm] have grooves of rings of this tolerance class: DIN 471, the last of them from memory."""
+
+
+def surfaces(sizing: Sizing, axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
+    """Yield every diameter and what its surface may run out, written above the shaft.
+
+    Args:
+        sizing: What was sized.
+        axis: Of the shaft.
+        body: The shaft.
+        seats: Of its radial bearings; none where there is no axis to run true to.
+    """
+    marks = list(_marks(body))
+    if seats:
+        marks += [*_seats(body), *_shoulders(axis, body), *_toothings(sizing, body)]
+    marks.sort(key=lambda mark: mark.x)
+    top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
+    places = spread([axis.scale * mark.x for mark in marks], ACROSS)
+    for mark, slot in zip(marks, places, strict=True):
+        yield from marked(axis, mark, slot, top)
+
+
+def middle_of(body: ShaftBody, piece: Piece) -> float:
+    """Return where the diameter of a piece is dimensioned, beside keyways and splines [mm].
+
+    Args:
+        body: The shaft.
+        piece: Of it.
+    """
+    for toothing in body.splines:
+        low, high = max(toothing.start, piece.start), min(toothing.end, piece.end)
+        if low < high:  # in the middle of what is longer beside them
+            before = low - piece.start > piece.end - high
+            return (piece.start + low) / 2.0 if before else (high + piece.end) / 2.0
+    share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
+    return piece.start + share * (piece.end - piece.start)
+
+
+def _marks(body: ShaftBody) -> Iterator[Mark]:
+    for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
+        neighbours = [neighbour for neighbour in (before, after) if neighbour is not None]
+        beside = [neighbour.diameter for neighbour in neighbours if neighbour.tolerance]
+        if not piece.fit and piece.diameter in beside and (piece.thread is None or piece.relieved):
+            continue
+        x = middle_of(body, piece)
+        if any(toothing.start - NEAR <= x <= toothing.end + NEAR for toothing in body.splines):
+            continue
+        if piece.thread is not None:
+            if not piece.relieved:
+                yield Mark(x, piece.diameter / 2.0, "", thread_name(piece.thread))
+            elif piece.thread.undercut is not None:
+                yield Mark(x, piece.diameter / 2.0, "", piece.thread.undercut.designation)
+            continue
+        if piece.conical:
+            x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
+        suffix = f" {piece.fit}" if piece.fit else ""
+        if piece.is_groove:
+            shaft = max(neighbour.diameter for neighbour in neighbours)
+            suffix = next((text for up_to, text in GROOVE_CLASSES if shaft <= up_to), "")
+        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.fit else "")
+    for toothing in body.splines:
+        x = toothing.start + 0.75 * (toothing.end - toothing.start)
+        yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
+    for cut in body.undercuts:
+        yield Mark(MM * (cut.place + cut.edge) / 2.0, MM * cut.bottom / 2.0, "", cut.standard.designation)
+
+
+def _seats(body: ShaftBody) -> Iterator[Mark]:
+    """Yield the total run-out of every bearing seat, on its side away from its shoulder."""
+    shouldered = {face.seat: face.away for face in rests(body)}
+    for piece in body.pieces:
+        if piece.tolerance:
+            runout = MM * standard_tolerance(piece.diameter / MM, RUNOUT_GRADE) / 2.0
+            share = 0.2 if shouldered.get(piece, 1.0) < 0.0 else 0.8
+            x = piece.start + share * (piece.end - piece.start)
+            yield Mark(x, piece.diameter / 2.0, "", tolerance=Tolerance("total run-out", runout, AXIS))
+
+
+def _shoulders(axis: Axis, body: ShaftBody) -> Iterator[Mark]:
+    """Yield the axial run-out of the faces that bearings lean on."""
+    for face in rests(body):
+        runout = MM * standard_tolerance(face.seat.diameter / MM, RUNOUT_GRADE)
+        radius = (face.seat.diameter / 2.0 + face.thick) / 2.0
+        x = face.x + face.away * AT_FACE / axis.scale
+        yield Mark(x, radius, "", tolerance=Tolerance("total run-out", runout, AXIS), face=face.away)
+
+
+def _toothings(sizing: Sizing, body: ShaftBody) -> Iterator[Mark]:
+    """Yield the run-out of cylindrical teeth by their class, and of splines."""
+    for piece in body.pieces:
+        if piece.toothed and kind_of(sizing, gear_of(sizing, piece.seat).stage) == "cylindrical":
+            gear = gear_of(sizing, piece.seat)
+            grade = making_of(sizing, gear.stage).iso_class
+            if grade is not None:
+                teeth = cylindrical_gear(sizing, gear)
+                runout = MM * runout_tolerance(2.0 * teeth.pitch_radius, teeth.module, grade)
+                tolerance = Tolerance("run-out", round(runout, 3), AXIS, "PD")
+                x = piece.start + 0.8 * (piece.end - piece.start)
+                yield Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
+    for toothing in body.splines:
+        size = toothing.teeth.reference_diameter
+        if SMALLEST < size <= LARGEST:
+            tolerance = Tolerance("run-out", MM * standard_tolerance(size, SPLINE_GRADE), AXIS, "PD")
+            x = toothing.start + 0.25 * (toothing.end - toothing.start)
+            yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", tolerance=tolerance)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Keyways on the sheet of a shaft: the removed section with width, depth and how symmetric it stands.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SYMMETRY_GRADE = 9
+"""Of the width of a keyway, of which half is how symmetric it stands; assumed: P9 has this grade."""
+LEAST_WIDTH = 10e-3
+"""Up to which widths have the tolerance of this one, as the grades begin above 6 mm [m]."""
+AIR = 3.0
+"""Between what stands in line with the width [mm of paper]."""
+
+
+def keyway_section(slot: Slot, bore: float, letter: str, scale: float, *, datums: str) -> list[Entity]:
+    """Return the section of a shaft through a keyway with its dimensions.
+
+    Args:
+        slot: The keyway.
+        bore: Of the shaft [mm].
+        letter: Of the cutting plane.
+        scale: Of the view [-].
+        datums: Axis to which it is symmetric; empty where the sheet has none.
+    """
+    axis = Axis(0j, 1 + 0j, scale)
+    entities = key_section(axis, slot, bore)
+    radius, half = slot.diameter / 2.0, MM * slot.section.width / 2.0
+    floor = radius - MM * slot.section.shaft_depth
+    rim = math.sqrt(radius**2 - half**2)
+    above = 1j * (scale * radius + 7.0)
+    width = Distance(axis.at(-half, rim), axis.at(half, rim), above, 0.0, scale, suffix=" P9")
+    entities.append(width)
+    beyond = max(extent([width])[2], scale * half) + AIR
+    if datums:
+        # In line with the dimension of the width: its middle plane is what stands symmetric.
+        zone = MM * standard_tolerance(max(slot.section.width, LEAST_WIDTH), SYMMETRY_GRADE) / 2.0
+        tolerance, start = Tolerance("symmetry", zone, datums), above + beyond
+        entities += [Path((above + scale * half, start), Layer.SYMBOL), *tolerance_frame(start, tolerance)]
+        beyond += frame_length(tolerance) + AIR
+    low, high = axis.at(0.0, -radius), axis.at(half, floor)
+    deviation = f" 0/−{trimmed(MM * keyway_tolerance(slot.section), 1)}"
+    depth = Distance(low, high, complex(scale * radius + 9.0), math.pi / 2.0, scale, suffix=deviation)
+    if words_length(depth.text, TEXT) > scale * depth.measured:  # its text stands above its line, beside all of this
+        depth = replace(depth, line=complex(max(scale * radius + 9.0, beyond + TEXT + GAP)))
+    entities.append(depth)
+    top = extent(entities)[3]
+    entities.append(Words(1j * (top + 3.0), f"{letter}–{letter}", TEXT, "middle"))
+    entities.append(Words(-1j * (scale * radius + 9.0), slot.designation, TEXT, "middle"))
+    return entities
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Splines on the sheet of a shaft: the tables of their data, and whether a hob has room to run out behind them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+HOB = 60.0
+"""Diameter of a hob for splines; assumed [mm]."""
+
+
+def spline_grids(body: ShaftBody) -> Iterator[Grid]:
+    """Yield the data of every spline.
+
+    Args:
+        body: The shaft.
+    """
+    for toothing in body.splines:
+        teeth = toothing.teeth
+        rows = (
+            ("Number of teeth", "z", f"{teeth.teeth}"),
+            ("Module", "m", millimetres(MM * teeth.module)),
+            ("Pressure angle", "α", "30°"),
+            ("Profile shift coefficient", "x", f"{teeth.profile_shift:.3g}"),
+            ("Reference diameter", "d_{B}", millimetres(MM * teeth.reference_diameter)),
+            ("Pitch diameter", "d", millimetres(MM * teeth.pitch_diameter)),
+            ("Tip diameter", "d_{a1}", millimetres(MM * teeth.shaft_tip)),
+            ("Root diameter, hobbed", "d_{f1}", millimetres(MM * teeth.shaft_root)),
+        )
+        yield Grid(f"Spline: {toothing.designation}", rows)
+
+
+def run_out_notes(body: ShaftBody) -> Iterator[str]:
+    """Yield of every spline that a hob cannot leave before the next shoulder that it must be shaped.
+
+    Args:
+        body: The shaft.
+    """
+    for toothing in body.splines:
+        room, needed = hob_room(body, toothing), hob_run_out(toothing)
+        if room < needed:
+            yield (
+                f"{toothing.designation}: shaped, as {millimetres(room)} mm lie before the next shoulder; a hob of"
+                f" Ø{HOB:g} (assumed) runs out over {needed:.1f} mm."
+            )
+
+
+def hob_run_out(toothing: Toothing) -> float:
+    """Return over which length a hob leaves teeth that it cuts to their full depth [mm]: √(h (D − h)).
+
+    Args:
+        toothing: Splines of a shaft.
+    """
+    depth = MM * (toothing.teeth.shaft_tip - toothing.teeth.shaft_root) / 2.0
+    return math.sqrt(depth * (HOB - depth))
+
+
+def hob_room(body: ShaftBody, toothing: Toothing) -> float:
+    """Return how far it is from either end of a spline to what is thicker than it, the less of both [mm].
+
+    Args:
+        body: The shaft.
+        toothing: On it.
+    """
+    tip = MM * toothing.teeth.reference_diameter
+    thick = [piece for piece in body.pieces if piece.diameter > tip + 1e-6]
+    behind = (piece.start - toothing.end for piece in thick if piece.start > toothing.end - 1e-6)
+    before = (toothing.start - piece.end for piece in thick if piece.end < toothing.start + 1e-6)
+    return min((*behind, *before), default=math.inf)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Threads of lock nuts on a shaft: their lines on the outline (ISO 6410-1) and the table of their data.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def thread_lines(axis: Axis, thread: Thread) -> Iterator[Entity]:
+    """Yield the core of a thread as thin lines, and where its full turns end; turns that run out lean.
+
+    Args:
+        axis: Of the shaft.
+        thread: On it.
+    """
+    radius, core = MM * thread.nut.thread / 2.0, MM * thread.nut.core / 2.0
+    foot, first, last = MM * thread.foot, MM * thread.first, MM * thread.last
+    for side in (1.0, -1.0):
+        yield Path((axis.at(first, side * core), axis.at(last, side * core)), Layer.THIN)
+        if thread.undercut is None:
+            yield Path((axis.at(foot, side * radius), axis.at(first, side * core)), Layer.THIN)
+    if thread.undercut is None:
+        yield Path((axis.at(first, -radius), axis.at(first, radius)), Layer.OUTLINE)
+
+
+def thread_grid(thread: Thread) -> Grid:
+    """Return the data of a thread.
+
+    Args:
+        thread: On a shaft.
+    """
+    nut, (low, high) = thread.nut, thread.turns
+    rows = [
+        ("Nominal diameter", "d", millimetres(MM * nut.thread)),
+        ("Pitch", "P", millimetres(MM * nut.pitch)),
+        ("Minor diameter", "d_{3}", f"{MM * nut.core:.3f}"),
+        ("Full turns", "", millimetres(MM * (high - low))),
+    ]
+    if thread.undercut is None:
+        rows.append(("Run-out, at most 2.5 P", "x_{1}", millimetres(MM * thread_run_out(nut.pitch))))
+    else:
+        cut = thread.undercut
+        rows += [
+            (f"Undercut {cut.designation}", "d_{g}", millimetres(MM * thread.bottom)),
+            ("its width, flanks of 30°", "g_{2}", millimetres(MM * cut.width)),
+            ("its radius", "r", millimetres(MM * cut.radius)),
+        ]
+    rows.append(("Chamfer at its start", "", f"{millimetres(MM * thread_chamfer(nut.pitch))} × 45°"))
+    return Grid(f"Thread: {thread_name(thread)}", tuple(rows))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The sheet of one shaft: outline with dimensions, sections through keyways, fits, tooth data of integral gears.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 BELOW = TRIANGLE + 2.0 + HIGH - 4.0
 """By which lengths stand lower than without datums [mm]."""

@@ -1,4 +1,4 @@
-"""Figures of what shakes a train and how it answers: Campbell diagram with margins, frequency response."""
+"""Figures of what shakes a train: Campbell diagram with its low end, frequency response, waterfall, orders."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from itertools import cycle
 
 import numpy as np
 
+from gearwright.arrays import Floats, largest_first, smallest_first
+from gearwright.dynamics import System
+from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import (
     RESONANCE,
     SEPARATION,
@@ -16,18 +19,108 @@ from gearwright.dynamics.vibration import (
     CriticalSpeed,
     Order,
     Response,
+    RunUp,
     SpeedCase,
     order_name,
     turning_shaft,
 )
-from gearwright.ranking import largest_first, smallest_first
-from gearwright.render.figures.low_orders import draw_low, has_low_modes, mode_names
-from gearwright.render.style import theme
-from gearwright.render.style.theme import WIDTH
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.figure import Figure
+from gearwright.render import style as theme
+from gearwright.render.style import NIGHT, WIDTH, colour_bar, shades, spread
+from gearwright.render.vector.figure import Axes, Figure
 from gearwright.sizing import Sizing
-from gearwright.units import RPM
+from gearwright.units import RPM, written
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The low end of a Campbell diagram: torsional frequencies of shafts and machines, and what turns or passes there.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LOW = 300.0
+"""Frequency below which a diagram shows what the teeth's would hide [Hz]."""
+HEIGHT = 0.04
+"""Of a line of names over the panel's height [-]."""
+TOP_GAP = 0.045
+"""Between slanted names over the panel's width [-]."""
+
+
+def has_low_modes(speeds: SpeedCase) -> bool:
+    """Tell whether a natural frequency lies below `LOW`.
+
+    Args:
+        speeds: From `critical_speeds`.
+    """
+    return bool(np.any(speeds.campbell.frequency < LOW))
+
+
+def mode_names(campbell: Campbell, system: System | None = None) -> list[str]:
+    """Return what a pointer is told of each natural frequency.
+
+    Args:
+        campbell: From `campbell`.
+        system: It is of; with it modes are counted as in the table of modes, rigid ones first.
+    """
+    rigid = 0 if system is None else len(system.labels.coordinates) - campbell.frequency.shape[1]
+    at = int(np.argmin(np.abs(campbell.factor - 1.0)))
+    return [f"mode {rigid + k + 1}, {value:.4g} Hz" for k, value in enumerate(campbell.frequency[at].tolist())]
+
+
+def draw_low(axes: Axes, sizing: Sizing, speeds: SpeedCase, *, operating: tuple[str, float]) -> None:
+    """Draw natural frequencies below `LOW`, every order that passes there by its name, and where it excites.
+
+    Args:
+        axes: Where it is drawn.
+        sizing: As sized.
+        speeds: From `critical_speeds`.
+        operating: Shaft whose speed stands for all, and that speed [rpm].
+    """
+    shaft, speed = operating
+    rpm = speeds.campbell.factor * speed
+    axes.axvspan(*SEPARATION.around(speed), color=theme.STEEL, lw=0.0, zorder=0)
+    axes.axvline(speed, color=theme.INK, lw=0.9)
+    axes.plot(rpm, speeds.campbell.frequency, color=theme.INK, lw=1.1, names=mode_names(speeds.campbell, speeds.system))
+    axes.set(xlim=(0.0, rpm[-1]), ylim=(0.0, LOW), ylabel="frequency [Hz]", xlabel=f"speed of {shaft} [rpm]")
+    axes.set_title(f"Below {LOW:g} Hz; shaded: the operating speed within 10 % of the critical one")
+    _draw_rays(axes, _named(sizing, speeds, rpm[-1] / speed))
+    for critical in (*speeds.critical, *speeds.assumed):
+        if critical.excited and critical.frequency < LOW:
+            face = theme.PAPER if critical.why else theme.ORANGE
+            axes.plot(critical.speed / RPM, critical.frequency, "o", ms=4.0, mfc=face, mec=theme.ORANGE, zorder=3)
+
+
+def _named(sizing: Sizing, speeds: SpeedCase, reach: float) -> dict[float, str]:
+    """Return the frequency of each order at the end of the speeds [Hz], and its name; equal ones together."""
+    names = dict[float, list[str]]()
+    for order in speeds.campbell.orders:
+        if order.frequency * speeds.campbell.factor[0] < LOW:
+            word = order_name(sizing, order.tone).short if order.excitation is None else order.excitation.name
+            names.setdefault(round(order.frequency * reach, 6), []).append(word)
+    return {
+        top: words[0] if len(words) == 1 else f"{words[0]} and {len(words) - 1} more" for top, words in names.items()
+    }
+
+
+def _draw_rays(axes: Axes, names: dict[float, str]) -> None:
+    """Draw the orders, each frequency once; named on the right, or slanted on top where they leave there."""
+    end = axes.get_xlim()[1]
+    rows = list(zip(sorted(names), cycle(theme.CYCLE), strict=False))
+    right = [top for top, _ in rows if top <= LOW]
+    places = dict(zip(right, spread(right, HEIGHT * LOW), strict=True))
+    free = end
+    for top, colour in rows:
+        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.8, zorder=1, names=(names[top],))
+        if top <= LOW:
+            axes.annotate(names[top], (end * 1.02, places[top]), leader=(end, top), fontsize=6.0,
+                          color=colour, va="center")  # fmt: skip
+        elif (leaves := end * LOW / top) <= free:
+            axes.annotate(names[top], (leaves, LOW), (1, 2),  fontsize=6.0,
+                                    color=colour, rotation=30.0, va="bottom", )  # fmt: skip
+            free = leaves - TOP_GAP * end
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Figures of what shakes a train and how it answers: Campbell diagram with margins, frequency response.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 MOST_MARGINS = 12
 """Critical speeds whose margins are drawn."""
@@ -229,3 +322,104 @@ def response_figure(response: Response, lines: Sequence[str], *, title: str) -> 
     below.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     below.margins(x=0.0)
     return figure
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Figures of many speeds: waterfall of a line's force with its orders, and how strong each order is at each speed.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+DECADES = 3.0
+"""Range of amplitudes that a waterfall tells apart, below the largest [decades]."""
+CELLS = 160
+"""Cells of a waterfall along its frequencies: a cell shows the largest amplitude in it."""
+MOST_ORDERS = 6
+"""Orders whose course is drawn, at most."""
+NAME = 0.027
+"""Height of a name over the height of the map [-]."""
+QUIET = 0.02
+"""Amplitude over the largest below which an order is not drawn [-]."""
+
+
+@theme.drawn
+def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
+    """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
+
+    Args:
+        run_up: From `run_up`.
+        line: One of its lines.
+        speed: Operating speed of the shaft [rad/s].
+        shaft: Named at the speed axis.
+    """
+    index_of(line, run_up.lines, "line")
+    figure = theme.sheet(WIDTH, 150.0)
+    bar, above, below = figure.grid(3, 1, heights=(0.03, 1.6, 1.0))[:, 0]
+    above.x.numbers = False
+    rpm = run_up.factor * speed / RPM
+    _draw_map(bar, above, run_up, line=line, rpm=rpm)
+    _draw_tracks(below, run_up, line, rpm)
+    for axes in (above, below):
+        axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
+    above.annotate(
+        "operating", (speed / RPM, 1.0), (2, -2), frames=("data", "axes"), fontsize=6.5, va="top", color=theme.ORANGE
+    )
+    below.set_xlabel(f"speed of {shaft} [rpm]")
+    return figure
+
+
+def _draw_map(bar: Axes, axes: Axes, run_up: RunUp, *, line: str, rpm: Floats) -> None:
+    frequency, amplitude = _cells(run_up, line)
+    largest = float(np.max(amplitude))
+    level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
+    half = 0.5 * (rpm[1] - rpm[0]), 0.5e-3 * (frequency[1] - frequency[0])
+    box = (rpm[0] - half[0], frequency[0] / 1e3 - half[1], rpm[-1] + half[0], frequency[-1] / 1e3 + half[1])
+    axes.picture(box, shades(level.T / DECADES + 1.0, NIGHT))
+    powers = np.arange(-DECADES, 0.5)
+    colour_bar(bar, (-DECADES, 0.0), NIGHT, upright=False)
+    bar.set_xticks(powers, [f"{written(largest * 10.0**power, 3)} N" for power in powers], fontsize=6.5)
+    axes.set(ylabel="frequency [kHz]", ylim=(0.0, frequency[-1] / 1e3), xlim=(rpm[0], rpm[-1]))
+    bar.set_title(f"Waterfall of the force in {line}, amplitude")
+    axes.x.grid = axes.y.grid = False
+    _name_orders(axes, run_up, rpm)
+
+
+def _name_orders(axes: Axes, run_up: RunUp, rpm: Floats) -> None:
+    """Name every order where it leaves the map; those of machines, which no line makes, are drawn as well."""
+    reach, top = float(run_up.factor[-1]), 1e3 * axes.get_ylim()[1]
+    tones = zip(run_up.orders, run_up.order_frequency.tolist(), strict=True)
+    rows = [(end * reach, name.short, theme.MUTED) for name, end in tones]
+    rows += [(order.rate / (2.0 * np.pi) * reach, order.name, theme.ORANGE) for order in run_up.machine_orders]
+    named: list[float] = []
+    for end, word, colour in rows:
+        if colour != theme.MUTED:
+            axes.plot(rpm, end / 1e3 * rpm / rpm[-1], color=colour, lw=0.4, ls="--")
+        if 0.0 < end < top and all(abs(end - other) > NAME * top for other in named):
+            named.append(end)
+            axes.annotate(word, (rpm[-1], end / 1e3), (3, 0), fontsize=6.0, va="center",
+                          color=colour)  # fmt: skip
+    axes.plot([], [], color=theme.ORANGE, lw=0.4, ls="--", label="machines, sidebands, planets that pass")
+    axes.legend("upper left", size=6.5)
+
+
+def _cells(run_up: RunUp, line: str) -> tuple[Floats, Floats]:
+    """Return frequencies [Hz] and the largest amplitudes around each, up to the highest that shows [N]."""
+    amplitude = run_up.amplitude[:, run_up.lines.index(line)]
+    loud = np.flatnonzero(np.max(amplitude, axis=0) > 10.0**-DECADES * np.max(amplitude))
+    end = min(len(run_up.frequency), int(1.05 * loud[-1]) + 2)
+    edges = np.unique(np.linspace(0, end, CELLS + 1).astype(int))
+    largest = np.maximum.reduceat(amplitude[:, :end], edges[:-1], axis=1)
+    return 0.5 * (run_up.frequency[edges[:-1]] + run_up.frequency[np.minimum(edges[1:], end) - 1]), largest
+
+
+def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
+    number = run_up.lines.index(line)
+    tracks = run_up.order_amplitude[:, number]
+    peaks = np.max(tracks, axis=0)
+    strongest = [place for place in np.argsort(-peaks)[:MOST_ORDERS] if peaks[place] > QUIET * np.max(peaks)]
+    for place in sorted(strongest):
+        axes.plot(rpm, tracks[:, place], label=str(run_up.orders[place]))
+    axes.plot(rpm, run_up.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
+    axes.set(ylabel="amplitude [N]", title="Orders")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlim(rpm[0], rpm[-1])
+    axes.legend("right")

@@ -1,16 +1,20 @@
-"""Figures of load sharing: against time, against the support of a floating shaft, by error, by chance, as an orbit."""
+"""Figures of load sharing: against time, by error, by chance, around a shaft, against the number of planets."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from rich.console import Group, RenderableType
+from rich.text import Text
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Floats, smallest_first
+from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics.equations import errors_at, line_forces
 from gearwright.dynamics.sharing import (
     Allocation,
     LoadSharing,
+    PlanetCounts,
     PlanetSharing,
     SharingProblem,
     SharingStudy,
@@ -18,12 +22,15 @@ from gearwright.dynamics.sharing import (
     shaft_displacement,
     single_error_sharing,
 )
-from gearwright.ranking import smallest_first
-from gearwright.render.style import theme
-from gearwright.render.style.compound import upright_ranges
-from gearwright.render.style.theme import WIDTH
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.figure import Figure
+from gearwright.render import style as theme
+from gearwright.render.style import WIDTH, upright_ranges
+from gearwright.render.terminal import Grid
+from gearwright.render.vector.figure import Axes, Figure
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Figures of load sharing: against time, against the support of a floating shaft, by error, by chance, as an orbit.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 INSTANTS = 4000
 """Of a turn that is drawn."""
@@ -284,3 +291,111 @@ def one_turn(problems: Mapping[str, SharingProblem]) -> Floats:
     """
     rates = [abs(source.rate) for problem in problems.values() for source in problem.sources if source.rate]
     return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How paths that lie around a shaft share its load, as a polar figure: planets round their carrier.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SIDES = 120
+"""Corners of what is drawn for a circle."""
+RING = 0.25
+"""Step of the rings [-]."""
+NEARLY, ROOM, WIDE = 0.2, 0.5, 2.8
+"""What is counted as above or below the middle, room for words around the rings [-], half the width over the rings."""
+
+
+@theme.drawn
+def around_figure(sharing: LoadSharing) -> Figure:
+    """Return the sharing coefficients of parallel paths in their order round the shaft, the first one on top.
+
+    Args:
+        sharing: Of three paths or more.
+    """
+    shares = sharing.instantaneous
+    low, middle, high = shares.min(axis=0), shares.mean(axis=0), shares.max(axis=0)
+    figure = theme.sheet(theme.WIDTH, 92.0)
+    axes = figure.panel()
+    axes.set_axis_off()
+    axes.set_aspect("data")
+    reach = _rings(axes, max(1.0, float(high.max())))
+    turn = np.pi / 2.0 - 2.0 * np.pi * np.arange(len(middle)) / len(middle)
+    half = 0.8 * np.pi / len(middle)
+    for k, angle in enumerate(turn):
+        colour = theme.CYCLE[k % len(theme.CYCLE)]
+        arc = np.linspace(angle - half, angle + half, SIDES // 4)
+        x, y = _places(arc, np.full(len(arc), middle[k]))
+        axes.shape(np.stack([np.append(x, 0.0), np.append(y, 0.0)], axis=1), fc=colour, alpha=0.35, zorder=2.0)
+        axes.plot(*_places(np.full(2, angle), np.array([low[k], high[k]])), color=colour, lw=3.0, zorder=3.0)
+        at = (reach + 0.25) * np.cos(angle), (reach + 0.25) * np.sin(angle)
+        across = "center" if abs(at[0]) < NEARLY else "left" if at[0] > 0.0 else "right"
+        axes.annotate(sharing.lines[k], at, (0, 1), fontsize=7.5, ha=across, weight="bold")
+        words = f"mean {middle[k]:.3f}, {low[k]:.3f} to {high[k]:.3f}"
+        axes.annotate(words, at, (0, -8), fontsize=7.0, ha=across, color=theme.MUTED)
+    axes.set(xlim=(-WIDE * reach, WIDE * reach), ylim=(-reach - ROOM, reach + ROOM))
+    return figure
+
+
+def _rings(axes: Axes, most: float) -> float:
+    """Draw a ring for every step of the coefficient, the equal share darker; return the last one's."""
+    count = int(np.ceil(most / RING))
+    around = np.linspace(0.0, 2.0 * np.pi, SIDES + 1)
+    for step in range(1, count + 1):
+        equal = step * RING == 1.0
+        colour, width = (theme.MUTED, 1.0) if equal else (theme.HAIR, 0.6)
+        axes.plot(*_places(around, np.full(len(around), step * RING)), color=colour, lw=width, zorder=1.0)
+    return count * RING
+
+
+def _places(angle: Floats, radius: Floats) -> tuple[Floats, Floats]:
+    return radius * np.cos(angle), radius * np.sin(angle)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# K_γ against the number of planets: random sets, one pin in closed form, and what standards and tests say.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PERCENT = 95.0
+"""Percentage of random sets that stay below the factor that is shown."""
+LIMIT = "errors as given, torque and gears kept; the tables grant planets that are sized for their number"
+
+
+def planets_text(counts: PlanetCounts) -> RenderableType:
+    """Return K_γ by number of planets as a table, with where the printed ones come from.
+
+    Args:
+        counts: From `planet_counts`.
+    """
+    columns = {f"{PERCENT:g} % of random sets": counts.random.percentile(PERCENT), **_beside(counts)}
+    table = Grid(f"K_γ of {counts.stage} against planets", caption=LIMIT)
+    table.add_column("planets", justify="right")
+    for name in columns:
+        table.add_column(name, justify="right")
+    for count in counts.random.planets:
+        table.add_row(str(count), *(f"{row[count]:.2f}" if count in row else "" for row in columns.values()))
+    return Group(table, *(Text(line) for line in published_notes()))
+
+
+def published_notes() -> list[str]:
+    """Return one sentence on how sure each table is, and the measured values."""
+    tables = {row.name: row.confidence for row in load_factors() if not row.measured}
+    measured = (row for row in load_factors() if row.measured)
+    return [f"{name}: {confidence}" for name, confidence in tables.items()] + [
+        f"measured, {row.name}: {row.load_factor:.2f} ({row.planets} planets)" for row in measured
+    ]
+
+
+def planets_figure(counts: PlanetCounts) -> Figure:
+    """Return K_γ against planets with the closed form and the standards' tables.
+
+    Args:
+        counts: From `planet_counts`.
+    """
+    return load_factor_figure({"random sets": counts.random}, _beside(counts))
+
+
+def _beside(counts: PlanetCounts) -> dict[str, Mapping[int, float]]:
+    closed = {"one pin, floating": counts.floating, "one pin, fixed": counts.fixed}
+    return {**closed, **load_factor_tables()}

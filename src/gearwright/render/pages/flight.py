@@ -1,22 +1,32 @@
-"""A flight as one self-contained HTML page: what it took, how hot it ran, what fails first and after how long."""
+"""Pages of a flight, of a life of several missions and of a dynamic window."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
+from gearwright.arrays import largest, smallest, smallest_first
+from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.errors import DesignError
-from gearwright.mission import Durability, Flight, LifeSizing
+from gearwright.mission import Durability, Flight, FlownMix, LifeSizing
 from gearwright.mission.lives import LoadLife, load_lives
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.flights.flight import heat_figure, power_figure, profile_figure, stores_figure
-from gearwright.render.figures.flights.lives import life_figure, mass_of_life_figure, spectrum_figure
-from gearwright.render.figures.flights.load_lives import SHOWN, load_life_figure
-from gearwright.render.figures.flights.sankey import sankey_figure
-from gearwright.render.figures.flights.window import window_figure
-from gearwright.render.grid.table import Table, table
-from gearwright.render.pages.appendices import inputs
+from gearwright.render.figures.flights import (
+    SHOWN,
+    eaten_figure,
+    heat_figure,
+    life_figure,
+    load_life_figure,
+    mass_of_life_figure,
+    power_figure,
+    profile_figure,
+    sankey_figure,
+    spectrum_figure,
+    stores_figure,
+    window_figure,
+)
+from gearwright.render.grid import Table, table
 from gearwright.render.pages.page import (
     UNSTAMPED,
     Figure,
@@ -24,28 +34,39 @@ from gearwright.render.pages.page import (
     Page,
     Section,
     Stamp,
+    Tone,
+    Verdict,
     figure,
+    inputs,
     judged,
     quantity,
     reserve,
     set_page,
 )
 from gearwright.render.tables.checks import review_tables
-from gearwright.render.tables.flight import (
+from gearwright.render.tables.flights import (
     asked_table,
     bearing_table,
     forces_table,
     life_table,
     loss_table,
+    mission_table,
     mode_table,
+    part_table,
     phase_table,
 )
-from gearwright.render.words.flights.flight import count_text, life_text, verdict_text
-from gearwright.render.words.flights.window import window_verdict
-from gearwright.render.words.headline import energy_text
-from gearwright.render.words.inputs import entries
+from gearwright.render.words.design_file import entries
+from gearwright.render.words.flights import count_text, life_text, ranges, totals, verdict, verdict_text, window_verdict
+from gearwright.render.words.flights import mix_notes as notes
+from gearwright.render.words.sizing import energy_text
 from gearwright.reviews import Review
-from gearwright.units import CELSIUS, KNOT, KWH
+from gearwright.sizing import Sizing
+from gearwright.units import CELSIUS, KNOT, KWH, Origin, digits_apart, margin_text, shown, unit, written
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A flight as one self-contained HTML page: what it took, how hot it ran, what fails first and after how long.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _LITRE_PER_MINUTE, _MILE, HOUR = 1e-3 / 60.0, 1852.0, 3600.0
 BASIS = (
@@ -218,3 +239,176 @@ def _borne(flight: Flight) -> Iterator[Figure]:
     left = len(rows) - SHOWN
     more = f"; {left} less damaged ones are not drawn" if left > 0 else ""
     yield figure(load_life_figure(rows, flights), "borne", f"{words}; D: Miner's sum{more}.")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A life of several missions as one self-contained HTML page, in the style of a flight's.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def mix_page(flown: FlownMix, *, stamp: Stamp = UNSTAMPED) -> str:
+    """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
+
+    Args:
+        flown: As flown.
+        stamp: Date of the page.
+    """
+    sections = (_life(flown), *(_mission(flown, name) for name in flown.flights))
+    title = f"{flown.mix.name}: {flown.sizing.design.name}"
+    return set_page(
+        Page("Life of several missions", title, flown.mix.description, _mix_verdict(flown), tuple(_mix_numbers(flown)),
+             sections, design=flown.sizing.design, stamp=stamp)
+    )  # fmt: skip
+
+
+def _mix_verdict(flown: FlownMix) -> Verdict:
+    """Return whether it lives all flights; what is not rated leaves it open."""
+    if flown.damage >= 1.0:
+        return Verdict(Tone.BAD, "Does not live", verdict(flown))
+    partial = bool(flown.life.unrated) or any(lived.is_partial for lived in flown.lives.values())
+    tone, word = (Tone.OPEN, "Lives as far as rated") if partial else (Tone.GOOD, "Lives all flights")
+    return Verdict(tone, word, verdict(flown))
+
+
+def _mix_numbers(flown: FlownMix) -> Iterator[Number]:
+    if flown.life.parts and flown.life.parts[0].damage:
+        first = flown.life.parts[0]
+        yield Number(f"first to fail: {first.name}", f"{count_text(first.flights)} flights")
+        miner = Origin("D = Σ n_i/N_i", "Palmgren 1924, Miner 1945")
+        yield Number(
+            "Miner's sum", written(flown.damage, digits_apart(flown.damage, 1.0, 3)), value=flown.damage, origin=miner
+        )
+    yield Number("flights", f"{flown.mix.flights}")
+    yield quantity("flight time", flown.duration, "life")
+    yield quantity("fuel of one gearbox", flown.fuel, "mass")
+    if any(flight.has_battery for flight in flown.flights.values()):
+        yield quantity("from the battery", flown.battery, "electric_energy")
+
+
+def _life(flown: FlownMix) -> Section:
+    """Return what the whole life comes to."""
+    tables = tuple(table for table in (mission_table(flown), part_table(flown)) if table.rows)
+    drawn = figure(eaten_figure(flown), "eaten", "Which mission eats the life of a part, by Palmgren and Miner.")
+    words = (f"{totals(flown)}.", *(f"{note}." for note in notes(flown)))
+    return Section("The whole life", tables=tables, figures=(drawn,), notes=words)
+
+
+def _mission(flown: FlownMix, name: str) -> Section:
+    """Return one flight of a mission: what it does, what it loads, what it wears."""
+    flight, lived, count = flown.flights[name], flown.lives[name], flown.mix.count(name)
+    figures = [
+        figure(profile_figure(flight), f"{name}-profile", f"{name}: phases and who drives in them."),
+        figure(power_figure(flight), f"{name}-power", f"{name}: powers of the machines and torques of the shafts."),
+        figure(spectrum_figure(flight), f"{name}-spectrum", f"{name}: turns at which a load is reached, one flight."),
+    ]
+    if lived.failing:
+        figures.append(figure(life_figure(lived), f"{name}-lives", f"{name}: flights that parts live, flown alone."))
+    forces = forces_table(flight)
+    words = f"{flight.mission.name}, {count:g} of {flown.mix.flights} flights. {flight.mission.description}"
+    return Section(
+        name, tables=(phase_table(flight), *([forces] if forces else ())), figures=tuple(figures), notes=(words,)
+    )
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A dynamic window as one self-contained HTML page: what every speed, torque and force did, beside what is sized.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Span:
+    """What one quantity did, in the units of the screen."""
+
+    quantity: str
+    start: float
+    minimum: float
+    maximum: float
+    end: float
+    unit: str
+
+
+def window_page(window: DynamicWindow, sizing: Sizing, *, stamp: Stamp = UNSTAMPED) -> str:
+    """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
+
+    Args:
+        window: As flown.
+        sizing: That flew.
+        stamp: Date of the page.
+    """
+    caption = f"Window {window.name}: speeds, pitch, bands from least to greatest, and its end at every step."
+    seen = figure(window_figure(window), "window", caption)
+    drawn = Section("What happened", figures=(seen,), tables=(_spans(window),))
+    peaks = Section("Peaks beside what is sized for", tables=tuple(_window_peaks(window)))
+    steps = Section("How it was computed", notes=tuple(_steps(window)))
+    rules = window.rules
+    event = "nothing but the mission" if rules.event == "none" else f"{rules.event} after {rules.event_at:g} s"
+    told = f"{window.trace.duration:.4g} s of {rules.phase} from {window.start:.0f} s of the mission; {event}."
+    return set_page(
+        Page("Dynamic window", f"{window.name}: {sizing.design.name}", told, _window_verdict(window), tuple(_window_numbers(window)),
+             (drawn, peaks, steps), design=sizing.design, stamp=stamp)
+    )  # fmt: skip
+
+
+def _margins(window: DynamicWindow) -> dict[str, float]:
+    """Return part -> the least margin that its peak leaves."""
+    meshes = {load.mesh: min(load.bending_margin, load.contact_margin) for load in window.meshes}
+    return meshes | {f"{load.shaft} shaft": load.margin for load in window.shafts}
+
+
+def _window_verdict(window: DynamicWindow) -> Verdict:
+    margins = _margins(window)
+    broken = smallest_first(
+        sorted((margin, part) for part, margin in margins.items() if margin < 1.0), lambda pair: pair[0]
+    )
+    said = f"{window_verdict(window)}."
+    if broken:
+        words = f"{len(broken)} of {len(margins)} meshes and shafts break a margin, most of all {broken[0][1]}."
+        return Verdict(Tone.BAD, "Fails", f"{words} {said}")
+    if window.limit_cycle is not None or (window.rules.event == "sudden-stop" and window.rest is None):
+        return Verdict(Tone.OPEN, "Holds, but does not settle", said)
+    return Verdict(Tone.GOOD, "Holds", said)
+
+
+def _window_numbers(window: DynamicWindow) -> Iterator[Number]:
+    margins = _margins(window)
+    if margins:
+        part = smallest(margins, lambda name: margins[name])
+        yield Number(f"least margin: {part}", margin_text(margins[part]), "", margins[part])
+    if window.meshes:
+        load = largest(window.meshes, lambda mesh: mesh.peak_over_mean)
+        yield Number(f"peak over mean: {load.mesh}", written(load.peak_over_mean, 3), "", load.peak_over_mean)
+        force = largest(window.meshes, lambda mesh: mesh.peak_force)
+        yield quantity(f"largest tangential force: {force.mesh}", force.peak_force, "force")
+    if window.shafts:
+        shaft = largest(window.shafts, lambda row: row.peak_torque)
+        yield quantity(f"largest torque: {shaft.shaft}", shaft.peak_torque, "torque")
+    yield quantity("flown", window.trace.duration, "time")
+
+
+def _spans(window: DynamicWindow) -> Table:
+    rows = [
+        _Span(
+            row.name,
+            shown(row.start, row.dimension),
+            shown(row.minimum, row.dimension),
+            shown(row.maximum, row.dimension),
+            shown(row.end, row.dimension),
+            unit(row.dimension),
+        )
+        for row in ranges(window)
+    ]
+    return table("Start, least, greatest and end", rows, tuple(field.name for field in fields(_Span)))
+
+
+def _window_peaks(window: DynamicWindow) -> Iterator[Table]:
+    yield table("Meshes", window.meshes, tuple(field.name for field in fields(DynamicLoad)))
+    yield table("Shafts", window.shafts, tuple(field.name for field in fields(ShaftLoad)))
+
+
+def _steps(window: DynamicWindow) -> Iterator[str]:
+    trace = window.trace
+    yield (
+        f"Steps of {trace.step * 1e6:.3g} µs, {trace.method}; {Error(trace.error, trace.rms_error).words()}; energies"
+        f" close {energy_text(trace.work.imbalance)}."
+    )
+    yield from trace.notes

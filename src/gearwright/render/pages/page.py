@@ -3,29 +3,31 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cache
 from hashlib import sha256
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from gearwright.checks import Check
 from gearwright.render import live, uplot
-from gearwright.render.grid.table import MARKS, Table
-from gearwright.render.style import theme
-from gearwright.render.style.templates import environment
+from gearwright.render import style as theme
+from gearwright.render.grid import MARKS, Table
+from gearwright.render.html import environment
 from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.render.vector.live import Numbers, live_panels
 from gearwright.render.vector.svg import style_of
-from gearwright.render.words.headline import said_of, sizing_headline
+from gearwright.render.words.design_file import Entry
+from gearwright.render.words.sizing import said_of, sizing_headline
 from gearwright.reviews import Review
 from gearwright.reviews import Verdict as Judgement
 from gearwright.sizing import Sizing
 from gearwright.spec import Design
+from gearwright.spec.read import line_in
 from gearwright.units import Origin, margin_text, number_text, shown, unit, written
 from gearwright.version import __version__
 
@@ -287,3 +289,46 @@ def _scripts(*, parallel: bool) -> tuple[str, ...]:
 
 def _capital(words: str) -> str:
     return f"{words[:1].upper()}{words[1:]}"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Appendices that pages share: what a file states and what is default, line by line.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_ENTRIES = "entries.html.j2"
+
+
+def inputs(listed: Sequence[Entry], *, of: str, lines: Mapping[str, int]) -> tuple[Section, ...]:
+    """Return what a file states, and its defaults, as two appendices.
+
+    Args:
+        listed: Entries of the file as read.
+        of: Whose file it is, in a word.
+        lines: Dotted path -> line in the file; empty where it is not known.
+    """
+    given = [entry for entry in listed if entry.is_given]
+    default = [entry for entry in listed if not entry.is_given]
+    note = f"The {of} as read. What is left out there and has no default, gearwright chose."
+    return (
+        Section(f"Inputs: the {of} file", notes=(note,), content=_table(given, f"In the {of} file", lines)),
+        Section("Defaults", content=_table(default, f"Defaults, not in the {of} file", {})),
+    )
+
+
+def _table(listed: list[Entry], caption: str, lines: Mapping[str, int]) -> Markup:
+    at = {entry.path: line_in(entry.path, lines) for entry in listed}
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for entry in listed:
+        alone = entry.path if at[entry.path] else entry.key
+        rows.setdefault((alone, entry.value, entry.meaning), []).append(entry.path)
+    merged = [_Row(tuple(paths), value, meaning) for (_, value, meaning), paths in rows.items()]
+    return Markup(environment().get_template(_ENTRIES).render(entries=merged, caption=caption, lines=at))
+
+
+class _Row(NamedTuple):
+    """Entries of one name, value and meaning, such as those of every stage; one that has a line stands alone."""
+
+    paths: tuple[str, ...]
+    value: str
+    meaning: str

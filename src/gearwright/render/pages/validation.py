@@ -1,12 +1,67 @@
-"""Every published number beside what gearwright finds, as one self-contained HTML page."""
+"""Every published number beside what gearwright finds, as tables and as one page."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import groupby
 
+from gearwright.render.grid import Cell, Table, table
 from gearwright.render.pages.page import UNSTAMPED, Number, Page, Section, Stamp, Tone, Verdict, set_page
-from gearwright.render.tables.validation import source_table, verdict
-from gearwright.validate import Checked
+from gearwright.validate import Case, Checked, check
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The validation tables: every published number beside what gearwright finds.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SHOWN = ("expected", "got", "error", "unit", "case")
+"""Columns for the terminal; the source is the title."""
+DIGITS = 7
+"""Significant digits that are shown [-]."""
+
+
+def by_source(cases: Iterable[Case]) -> Iterator[tuple[Checked, ...]]:
+    """Compute and yield the numbers of one source after the other.
+
+    Args:
+        cases: Published results, those of one source together.
+    """
+    for _, group in groupby(cases, key=lambda case: case.source):
+        yield tuple(result for case in group for result in check(case))
+
+
+def source_table(results: tuple[Checked, ...]) -> Table:
+    """Return the numbers of one source for the terminal; what is missed is said below, with its tolerance's reason.
+
+    Args:
+        results: Numbers of that source.
+    """
+    plain = table(results[0].source, results, SHOWN)
+    rows = tuple(_written(row, result) for row, result in zip(plain.rows, results, strict=True))
+    missed = "; ".join(f"{result.case} (allowed because {result.reason})" for result in results if not result.holds)
+    return replace(plain, rows=rows, note=f"Missed: {missed}." if missed else "")
+
+
+def verdict(results: Iterable[Checked]) -> str:
+    """Return how many numbers come out.
+
+    Args:
+        results: Of all sources.
+    """
+    holds = [result.holds for result in results]
+    return f"{sum(holds)} of {len(holds)} published numbers come out within their tolerance."
+
+
+def _written(row: tuple[Cell, ...], result: Checked) -> tuple[Cell, ...]:
+    expected, got, error, *words = row
+    shown = [replace(cell, text=f"{cell.value:.{DIGITS}g}") for cell in (expected, got)]
+    return (*shown, replace(error, text=f"{result.error:+.1e}{'' if result.holds else ' missed'}"), *words)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Every published number beside what gearwright finds, as one self-contained HTML page.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 def validation_page(sources: Sequence[tuple[Checked, ...]], *, stamp: Stamp = UNSTAMPED) -> str:

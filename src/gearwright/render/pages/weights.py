@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from markupsafe import Markup
 
 from gearwright.catalogue import Engine, Series, all_series
-from gearwright.render.figures.weights import figure_densities, figure_mass_over_power, figure_methods
+from gearwright.render.figures.masses import figure_densities, figure_mass_over_power, figure_methods
+from gearwright.render.html import environment
 from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, figure, quantity, set_page
 from gearwright.render.pages.page import Verdict as Judged
-from gearwright.render.style.templates import environment
 from gearwright.render.tables import weights
 from gearwright.units import RPM, Origin, text
 from gearwright.weights import (

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from gearwright.checks import Check, Status, worst_first
 from gearwright.closure import REQUIREMENTS, requirement_of
-from gearwright.render.grid.table import Table, table
+from gearwright.render.grid import Table, table
 from gearwright.render.tables.checks import Judged, judged
 from gearwright.units import Quantity
 

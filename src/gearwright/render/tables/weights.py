@@ -1,4 +1,4 @@
-"""Tables of what gearboxes weigh, for the terminal."""
+"""What gearboxes weigh: tables for the terminal, sentences about a sizing, rows for CSV."""
 
 from __future__ import annotations
 
@@ -8,7 +8,13 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.catalogue import Engine
-from gearwright.render.grid.grid import Grid
+from gearwright.render.grid import csv_text
+from gearwright.render.tables.sizing import with_band
+from gearwright.render.terminal import Grid
+from gearwright.sizing import Sizing, mass_groups
+from gearwright.sizing.mass import band_of, complete_mass, requirement_of
+from gearwright.spec.design import CONCEPT, PRELIMINARY
+from gearwright.study import Table
 from gearwright.units import RPM, text
 from gearwright.weights import (
     COLUMNS,
@@ -24,6 +30,11 @@ from gearwright.weights import (
     left_out_scatter,
     middle,
 )
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Tables of what gearboxes weigh, for the terminal.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _KW = 1e3
 _MARKS = {"included": "yes", "left out": "no", "not stated": "not stated"}
@@ -254,3 +265,125 @@ def _printed(row: CheckedEngine, column: str) -> str:
     check = row.check(column)
     mark = "*" if check in row.flagged else ""
     return "" if check.printed is None else check.printed.text + mark
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What gearboxes weigh, in words: the train by its groups, everything with its band, and beside real gearboxes.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_ROWS = ("complete_mass.low", "complete_mass.high")
+
+
+def train_mass(sizing: Sizing) -> str:
+    """Return the mass of the train as sized with its groups, which add up to it unless it is given.
+
+    Args:
+        sizing: As sized.
+    """
+    discs = {} if sizing.level in (CONCEPT, PRELIMINARY) else {"gears": "gears as discs of their pitch circles"}
+    parts = ", ".join(f"{discs.get(group, group)} {text(mass, 'mass')}" for group, mass in mass_groups(sizing).items())
+    if "gearbox.mass" in sizing.given:
+        return f"{text(sizing.mass, 'mass')}, given, in place of the {text(sizing.parts_mass, 'mass')} of {parts}"
+    return f"{text(sizing.mass, 'mass')} ({parts})"
+
+
+def complete_words(sizing: Sizing) -> str:
+    """Return the complete mass with its band, nothing at level ``concept`` or where a mass is given.
+
+    Args:
+        sizing: As sized.
+    """
+    if sizing.level == CONCEPT or "gearbox.mass" in sizing.given:
+        return ""
+    return with_band(complete_mass(sizing))
+
+
+def summary(sizing: Sizing) -> str:
+    """Return mass and power density in a few sentences; above level ``concept`` the complete mass comes first.
+
+    Args:
+        sizing: As sized.
+    """
+    complete = complete_words(sizing)
+    turning = 0.0 if "planet bearings" in mass_groups(sizing) else sizing.planet_bearing_mass
+    beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
+    told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
+    first = f"Complete mass {complete}. Train as sized " if complete else ""
+    return f"{first}{train_mass(sizing)}, {text(sizing.power_density, 'specific_power')}.{told}"
+
+
+def beside_statistics(table: Table, sizing: Sizing) -> str:
+    """Return what 61 real gearboxes say of a comparison's power and speeds, and which designs do not meet their band.
+
+    Args:
+        table: Of designs with their complete masses.
+        sizing: Any of them.
+    """
+    need = requirement_of(sizing)
+    found = None if need is None else band_of(need)
+    if found is None or any(name not in table.results for name in _ROWS):
+        return ""
+    _, low, high = found
+    limits = {row.design: [row.number(name) for name in _ROWS] for row in table.good}
+    lighter = [name for name, (_, most) in limits.items() if most < low]
+    heavier = [name for name, (least, _) in limits.items() if least > high]
+    shown = [text(value, "mass", 3) for value in found]
+    words = [f"61 real gearboxes: {shown[0]}, 68 % from {shown[1]} to {shown[2]}."]
+    if lighter:
+        words.append(f"Sums of parts below that: {', '.join(lighter)}; margins below 1 are part of the reason.")
+    if heavier:
+        words.append(f"Sums of parts above that: {', '.join(heavier)}.")
+    return " ".join(words)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What gearboxes weigh as plain rows, for CSV.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_KILOWATT = 1e3
+Row = dict[str, str | float | int | None]
+
+
+def engine_rows(rows: Iterable[CheckedEngine]) -> list[Row]:
+    """Return one flat row per engine: inputs, and each column printed, computed and judged.
+
+    Args:
+        rows: Checked rows of the catalogue.
+    """
+    return [_engine_row(row) for row in rows]
+
+
+def to_csv(rows: list[Row]) -> str:
+    """Return rows as CSV with a heading.
+
+    Args:
+        rows: Of equal keys.
+    """
+    return csv_text(rows[0], (row.values() for row in rows))
+
+
+def _engine_row(checked: CheckedEngine) -> Row:
+    engine = checked.engine
+    row: Row = {
+        "table": engine.series.table,
+        "series": engine.series.name,
+        "manufacturer": engine.series.manufacturer,
+        "kind": engine.series.kind,
+        "model": engine.model,
+        "power_kw": engine.power / _KILOWATT,
+        "engine_rpm": round(engine.engine_speed / RPM, 6),
+        "engine_rpm_rule": engine.series.reason,
+        "propeller_rpm": round(engine.propeller_speed / RPM, 6),
+        "nasa15_mass_kg": gearbox_mass(engine),
+        "engine_mass_minimum_kg": None if checked.engine_mass is None else checked.engine_mass[0],
+        "engine_mass_maximum_kg": None if checked.engine_mass is None else checked.engine_mass[1],
+    }
+    for column in COLUMNS:
+        check = checked.check(column)
+        row[f"{column}_printed"] = None if check.printed is None else check.printed.text
+        row[f"{column}_computed"] = check.computed
+        row[f"{column}_verdict"] = check.verdict.value
+        row[f"{column}_reason"] = check.reason
+    return row

@@ -1,19 +1,409 @@
-"""Where panels stand on paper: as large as numbers, names, titles and legends around them leave room for."""
+"""Where panels, legends and words stand on paper: widths of text, scales of axes, room around them, ink."""
 
 from __future__ import annotations
 
+import functools
+import json
+import math
+import re
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from importlib import resources
+from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.axis import Axis
-from gearwright.render.vector.figure import Figure
-from gearwright.render.vector.ink import Frame
-from gearwright.render.vector.keys import key_rows, key_size
-from gearwright.render.vector.marks import Words
-from gearwright.render.vector.scales import Scale, Ticks, linear_ticks, log_ticks
-from gearwright.render.vector.words import POINT, SPACING, text_width
+from gearwright.arrays import Floats
+from gearwright.render.vector import figure as m
+from gearwright.render.vector.figure import INK, Axes, Axis, Figure, Pen, Words
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Text on paper: how wide it is, and what of it stands higher or lower.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+POINT = 25.4 / 72.0
+"""One typographic point [mm]."""
+SPACING = 1.3
+"""Line height over font size [-]."""
+SMALL = 0.72
+"""Size of what stands higher or lower, over the rest [-]."""
+_EM = 2048.0
+_USUAL = 1229
+_PIECES = re.compile(r"([_^])(?:\{([^}]*)\}|(.))|([^_^]+)")
+_LETTERS = re.compile(r"[A-Za-zα-ω]")
+
+
+class Span(NamedTuple):
+    """A piece of a line of text."""
+
+    text: str
+    shift: int
+    """1 above, −1 below the line, 0 on it."""
+    italic: bool
+
+
+@functools.cache
+def _widths(face: str) -> dict[int, int]:
+    runs = json.loads(resources.files("gearwright.render.vector").joinpath("widths.json").read_text("utf-8"))[face]
+    return {int(first) + k: width for first, run in runs.items() for k, width in enumerate(run)}
+
+
+@functools.lru_cache(maxsize=4096)
+def spans(text: str, *, math: bool) -> tuple[Span, ...]:
+    """Return the pieces of a line.
+
+    Args:
+        text: The line.
+        math: True: symbols stand between dollar signs, with ``_`` and ``^`` before what is lower and higher.
+
+    >>> [span.text for span in spans("$z_2/z_1$ = 3", math=True)]
+    ['z', '2', '/z', '1', ' = 3']
+    """
+    if not math or "$" not in text:
+        return (Span(text, 0, italic=False),)
+    found: list[Span] = []
+    for k, part in enumerate(text.split("$")):
+        if k % 2 == 0:
+            found += [Span(part, 0, italic=False)] if part else []
+            continue
+        for sign, braced, single, plain in _PIECES.findall(part):
+            words = braced or single or plain
+            slanted = bool(_LETTERS.search(words)) and not sign
+            found.append(Span(words, {"_": -1, "^": 1}.get(sign, 0), slanted))
+    return tuple(found)
+
+
+@functools.lru_cache(maxsize=8192)
+def text_width(text: str, size: float, *, math: bool = False, bold: bool = True) -> float:
+    """Return the width of one line [mm], in DejaVu Sans.
+
+    Args:
+        text: The line.
+        size: Of the font [pt].
+        math: True: symbols stand between dollar signs.
+        bold: The wider face: what fits in bold fits in both.
+    """
+    table = _widths("bold" if bold else "regular")
+    total = 0.0
+    for span in spans(text, math=math):
+        total += sum(table.get(ord(letter), _USUAL) for letter in span.text) * (SMALL if span.shift else 1.0)
+    return total / _EM * size * POINT
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Scales of axes: from values to paper, and the round numbers that stand beside an axis.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PLAIN = (1e-3, 1e4)
+"""Powers of ten between these are written out."""
+ENOUGH = 6
+"""Steps that are asked for at most where fewer leave less than three numbers."""
+_STEPS = (1.0, 2.0, 5.0, 10.0)
+
+
+class Scale(NamedTuple):
+    """A straight or logarithmic way from values to places on paper."""
+
+    low: float
+    """Value at the start."""
+    high: float
+    start: float
+    """Place of the lowest value [mm]."""
+    end: float
+    log: bool = False
+
+    def places(self, values: Floats) -> Floats:
+        """Return where values stand [mm]."""
+        numbers = np.asarray(values, dtype=float)
+        if not self.log:
+            return self.start + (numbers - self.low) * ((self.end - self.start) / (self.high - self.low))
+        low, high = math.log10(self.low), math.log10(self.high)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            part = (np.log10(numbers) - low) / (high - low)
+        # What is not positive lies far below the paper, so that a curve leaves it downwards.
+        part = np.where(numbers > 0.0, part, np.where(np.isnan(numbers), np.nan, -9.0))
+        return self.start + part * (self.end - self.start)
+
+    def place(self, value: float) -> float:
+        """Return where one value stands [mm]."""
+        return float(self.places(np.array([value]))[0])
+
+
+class Ticks(NamedTuple):
+    """Marks of an axis."""
+
+    values: list[float]
+    names: list[str]
+    minor: list[float]
+    """Values of marks without a name."""
+
+
+def nice_step(span: float, most: int) -> float:
+    """Return the smallest of 1, 2, 5 times a power of ten that divides a span into no more than so many parts.
+
+    Args:
+        span: Positive.
+        most: Parts.
+
+    Source: P. S. Heckbert, Nice Numbers for Graph Labels, Graphics Gems, Academic Press 1990.
+
+    >>> nice_step(7.3, 5)
+    2.0
+    """
+    raw = span / max(most, 1)
+    power = 10.0 ** math.floor(math.log10(raw))
+    return next(step for step in _STEPS if step * power >= raw * (1.0 - 1e-9)) * power
+
+
+def linear_ticks(low: float, high: float, most: int = 7) -> Ticks:
+    """Return round numbers from low to high, at most so many steps apart.
+
+    Args:
+        low: Of the axis.
+        high: Above it.
+        most: Steps.
+
+    >>> linear_ticks(0.0, 1.0, 5).names
+    ['0.0', '0.2', '0.4', '0.6', '0.8', '1.0']
+    """
+    step = nice_step(high - low, most)
+    first, last = math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6)
+    if last - first < 2 and most < ENOUGH:
+        return linear_ticks(low, high, most + 1)
+    digits = max(0, -math.floor(math.log10(step) + 1e-9))
+    values = [step * k for k in range(first, last + 1)]
+    return Ticks(values, [_number(value, digits, step) for value in values], [])
+
+
+def _number(value: float, digits: int, step: float) -> str:
+    largest = max(abs(value), step)
+    if step >= 1e7 or (largest < 1e-4 and digits > 4):
+        return f"{value:.4g}".replace("-", "−")
+    return f"{value:.{digits}f}".replace("-", "−")
+
+
+def log_ticks(low: float, high: float, most: int = 8) -> Ticks:
+    """Return powers of ten from low to high; where they are few, 2 and 5 times them as well.
+
+    Args:
+        low: Of the axis, above zero.
+        high: Above it.
+        most: Named marks.
+
+    >>> log_ticks(0.5, 200.0).names
+    ['1', '10', '100']
+    """
+    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    stride = max(1, -(-(last - first + 1) // most))
+    powers = list(range(first, last + 1, stride))
+    between = [factor * 10.0**power for power in range(first - 1, last + 1) for factor in range(2, 10)]
+    minor = [value for value in between if low <= value <= high] if stride == 1 and last - first <= 5 else []
+    if len(powers) >= 3 or math.log10(high / low) > 2.0:
+        return Ticks([10.0**power for power in powers], [_power(power, powers) for power in powers], minor)
+    values = [factor * 10.0**power for power in range(first - 1, last + 1) for factor in (1.0, 2.0, 5.0)]
+    values = [value for value in values if low * (1.0 - 1e-9) <= value <= high * (1.0 + 1e-9)]
+    if len(values) < 2:
+        return linear_ticks(low, high, min(most, 5))
+    return Ticks(values, [f"{value:.6g}" for value in values], minor)
+
+
+def _power(power: int, every: Sequence[int]) -> str:
+    if PLAIN[0] <= 10.0 ** every[0] and 10.0 ** every[-1] <= PLAIN[1]:
+        return f"{10.0**power:.6g}"
+    return f"$10^{{{power}}}$".replace("-", "−")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a writer puts on paper: paths, discs, words and pictures, in mm from the lower left corner.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+Frame = tuple[float, float, float, float]
+"""Left, low, right, high [mm]."""
+
+
+@dataclass(frozen=True)
+class Path:
+    """Lines, or a filled shape."""
+
+    pieces: tuple[Floats, ...]
+    """Each of shape (points, 2) [mm]."""
+    pen: Pen | None = None
+    fill: str = ""
+    alpha: float = 1.0
+    """Of the fill."""
+    closed: bool = False
+    cubic: bool = False
+    hatched: bool = False
+    clip: Frame | None = None
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A filled circle."""
+
+    x: float
+    y: float
+    radius: float
+    """[mm]"""
+    fill: str
+    edge: str = ""
+    edge_width: float = 0.0
+    alpha: float = 1.0
+    clip: Frame | None = None
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of text from its base line."""
+
+    x: float
+    y: float
+    spans: tuple[Span, ...]
+    size: float
+    """[pt]"""
+    colour: str
+    anchor: str
+    """``start``, ``middle`` or ``end``."""
+    turned: float = 0.0
+    """[°]"""
+    bold: bool = False
+
+
+@dataclass(frozen=True)
+class Image:
+    """Cells of colours."""
+
+    frame: Frame
+    pixels: np.ndarray
+
+
+Ink = Path | Disc | Line | Image
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Legends: which marks have a name, how much room the names take, and what stands before each.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SWATCH, BEFORE, BETWEEN = 6.0, 1.5, 4.0
+"""Width of a sample, room after it, and room between columns [mm]."""
+
+
+def key_rows(axes: Axes) -> list[m.Mark]:
+    """Return the first mark of every name, in the order of drawing.
+
+    Args:
+        axes: The panel, with that on its right.
+    """
+    named: dict[str, m.Mark] = {}
+    for mark in (*axes.marks, *(axes.twin.marks if axes.twin else ())):
+        if mark.label:
+            named.setdefault(mark.label, mark)
+    return list(named.values())
+
+
+def _columns(rows: list[m.Mark], columns: int, size: float) -> tuple[int, list[float]]:
+    count = math.ceil(len(rows) / max(columns, 1)) or 1
+    groups = [rows[k : k + count] for k in range(0, len(rows), count)]
+    return count, [
+        SWATCH + BEFORE + max(text_width(row.label, size, math=False, bold=False) for row in group) for group in groups
+    ]
+
+
+def key_size(rows: list[m.Mark], columns: int, size: float, title: str = "") -> tuple[float, float]:
+    """Return width and height of a legend [mm].
+
+    Args:
+        rows: Marks with a name.
+        columns: At most.
+        size: Of the font [pt].
+        title: Above them.
+    """
+    if not rows:
+        return 0.0, 0.0
+    count, widths = _columns(rows, columns, size)
+    wide = max(sum(widths) + BETWEEN * (len(widths) - 1), text_width(title, size, bold=True))
+    return wide, (count + bool(title)) * size * SPACING * POINT
+
+
+def key_ink(rows: list[m.Mark], columns: int, size: float, *, at: tuple[float, float], title: str = "") -> list[Ink]:
+    """Return the ink of a legend.
+
+    Args:
+        rows: Marks with a name.
+        columns: At most.
+        size: Of the font [pt].
+        at: Its upper left corner [mm].
+        title: Above the names.
+    """
+    if not rows:
+        return []
+    count, widths = _columns(rows, columns, size)
+    high = size * SPACING * POINT
+    left, top = at
+    ink: list[Ink] = []
+    if title:
+        ink.append(Line(left, top - 0.72 * high, spans(title, math=False), size, INK, "start", bold=True))
+        top -= high
+    for k, row in enumerate(rows):
+        column, place = divmod(k, count)
+        x = left + sum(widths[:column]) + BETWEEN * column
+        y = top - (place + 0.5) * high
+        ink += _sample(row, x, y)
+        ink.append(Line(x + SWATCH + BEFORE, y - 0.27 * high, spans(row.label, math=False), size, INK, "start"))
+    return ink
+
+
+def _sample(row: m.Mark, x: float, y: float) -> list[Ink]:
+    if isinstance(row, m.Curve):
+        ends = np.array([(x, y), (x + SWATCH, y)])
+        line: list[Ink] = [Path((ends,), replace(row.pen, alpha=1.0))] if row.pen.dash else []
+        return line + ([marker_ink(row, x + SWATCH / 2.0, y, None)] if row.marker else [])
+    if isinstance(row, m.Dots):
+        radius = min(2.0, math.sqrt(float(row.area[0]) / math.pi) * POINT)
+        return [Disc(x + SWATCH / 2.0, y, radius, row.faces[0], row.edge, row.edge_width, row.alpha)]
+    fill = row.fill if isinstance(row, m.Box | m.Shape) else row.colour if isinstance(row, m.Fill) else INK
+    alpha = row.alpha if isinstance(row, m.Box | m.Fill | m.Shape) else 1.0
+    corners = np.array([(x, y - 0.9), (x + SWATCH, y - 0.9), (x + SWATCH, y + 0.9), (x, y + 0.9)])
+    return [Path((corners,), None, fill, alpha, closed=True)]
+
+
+_CORNERS = {
+    "s": [(-1, -1), (1, -1), (1, 1), (-1, 1)], "^": [(-1, -1), (1, -1), (0, 1)], "v": [(-1, 1), (1, 1), (0, -1)],
+    "<": [(1, -1), (1, 1), (-1, 0)], ">": [(-1, -1), (-1, 1), (1, 0)],
+    "D": [(0, -1), (1, 0), (0, 1), (-1, 0)],
+    "P": [(-1, -0.4), (-0.4, -0.4), (-0.4, -1), (0.4, -1), (0.4, -0.4), (1, -0.4), (1, 0.4), (0.4, 0.4), (0.4, 1),
+          (-0.4, 1), (-0.4, 0.4), (-1, 0.4)],
+}  # fmt: skip
+
+
+def marker_ink(curve: m.Curve, x: float, y: float, clip: Frame | None) -> Ink:
+    """Return the ink of one mark of a curve.
+
+    Args:
+        curve: Whose.
+        x: Place [mm].
+        y: Place [mm].
+        clip: What it must not leave.
+    """
+    radius = curve.size * POINT / 2.0
+    if curve.marker == "_":
+        return Path((np.array([(x - radius, y), (x + radius, y)]),), m.Pen(curve.face, 1.4, "-", curve.pen.alpha))
+    if curve.marker in _CORNERS:
+        corners = np.array(_CORNERS[curve.marker]) * radius * 0.9 + (x, y)
+        pen = m.Pen(curve.edge, curve.edge_width) if curve.edge else None
+        return Path((corners,), pen, curve.face, curve.pen.alpha, closed=True, clip=clip)
+    radius *= 0.5 if curve.marker == "." else 1.0
+    return Disc(x, y, radius, curve.face, curve.edge, curve.edge_width, curve.pen.alpha, clip)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Where panels stand on paper: as large as numbers, names, titles and legends around them leave room for.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 EDGE, GAP = 1.5, 2.5
 """Free room at the edge of the paper and between panels [mm]."""

@@ -18,15 +18,10 @@ from typing import Any
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.render.vector import marks as m
-from gearwright.render.vector.axes import Axes
-from gearwright.render.vector.axis import Axis
-from gearwright.render.vector.figure import Figure, Parallel, Slot
-from gearwright.render.vector.ink import Frame
-from gearwright.render.vector.keys import key_rows
-from gearwright.render.vector.layout import laid_out, scales_of, words_overhang
-from gearwright.render.vector.palette import NAMES, css_value
-from gearwright.render.vector.thinning import COLUMN, extremes
+from gearwright.render.vector import figure as m
+from gearwright.render.vector.figure import NAMES, Axes, Axis, Figure, Parallel, Slot, css_value
+from gearwright.render.vector.layout import Frame, key_rows, laid_out, scales_of, words_overhang
+from gearwright.render.vector.svg import COLUMN, extremes
 
 LEAST = 8
 """Points of a curve that is worth a pointer."""

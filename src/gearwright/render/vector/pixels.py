@@ -12,11 +12,9 @@ from matplotlib.figure import Figure as Plotted
 from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path as Outline
 
-from gearwright.render.vector.figure import Figure
-from gearwright.render.vector.ink import Disc, Image, Ink, Line, Path
-from gearwright.render.vector.painting import painted
-from gearwright.render.vector.palette import MUTED, PAPER
-from gearwright.render.vector.words import Span
+from gearwright.render.vector.figure import MUTED, PAPER, Figure
+from gearwright.render.vector.layout import Disc, Image, Ink, Line, Path, Span
+from gearwright.render.vector.svg import painted
 
 INCH = 25.4
 """[mm]"""

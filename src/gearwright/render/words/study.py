@@ -1,4 +1,4 @@
-"""What a study says in sentences: which design wins, by how much, and how sure that is."""
+"""What a study, a search and an enumeration of architectures say in sentences."""
 
 from __future__ import annotations
 
@@ -6,28 +6,24 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from gearwright.arrays import largest_first, smallest_first
+from gearwright.enumeration import Ranking, lighter
 from gearwright.errors import SolveError
-from gearwright.ranking import largest_first, smallest_first
-from gearwright.render.tables.study.limits import chance, likeliest_words
-from gearwright.render.tables.study.lists import letter
-from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent, reasons
+from gearwright.optimum import Optimum
+from gearwright.render.tables.study import chance, letter, likeliest_words, teeth_text
+from gearwright.render.tables.variants import FLAT, heading, numeric_axis, percent, reasons
 from gearwright.spec import Study
 from gearwright.spec.studies import RELIABILITY
-from gearwright.study import Row, Table
-from gearwright.study.answers import (
-    Verdict,
-    bound,
-    confidence,
-    front_table,
-    kept,
-    quantiles,
-    scenarios,
-    sensitivity,
-    verdict,
-    violations,
-)
-from gearwright.study.running import reliability
-from gearwright.units import written
+from gearwright.study import EqualLife, Row, Table
+from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict
+from gearwright.study.reliability import reliability
+from gearwright.study.tables import front_table, quantiles, violations
+from gearwright.units import text, written
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a study says in sentences: which design wins, by how much, and how sure that is.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 DRAWN = 3
 """Designs of a front that are shown: its ends and the one between them."""
@@ -305,3 +301,108 @@ def chosen(study: Study, table: Table, outcome: Verdict | None) -> Iterator[tupl
         for k in sorted({0, len(rows) // 2, len(rows) - 1})[:DRAWN]:
             name = f"{letter(k)}: " if len(rows) > 1 else ""
             yield f"{name}{rows[k].design}{at(table, rows[k])}", rows[k]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a search found, in sentences.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def optimum_sentences(optimum: Optimum) -> Iterator[str]:
+    """Yield what is best, how much was looked at, and how sure the choice is.
+
+    Args:
+        optimum: From `optimise`.
+    """
+    best, counts = optimum.best, optimum.counts
+    results = best.row.results
+    said = ", ".join(
+        f"{heading(name)} {text(best.row.number(name), results[name].dimension)}".strip() for name in optimum.objectives
+    )
+    teeth = f"; teeth {teeth_text(best)}" if teeth_text(best) else ""
+    inputs = ", ".join(f"{path} = {_written(best.inputs[path])}" for path in optimum.study.axes)
+    yield f"Chosen of {len(optimum.front)} on the front: {said}, with {best.row.design}: {inputs}{teeth}."
+    generations = f"{counts.generations} generation{_s(counts.generations)}"
+    looked = f"{counts.screened:,} designs screened, {counts.bred:,} in {generations}"
+    ended = "the hypervolume stands still" if optimum.still else "the evaluations ran out while the hypervolume grew"
+    yield f"Looked at: {looked}, {counts.polished:,} in the polish; {ended}."
+    if optimum.regrets:
+        own = optimum.regrets[0]
+        yield (
+            f"Under what is uncertain it is the best of the front in {percent(own.best)} of the samples; in 95 % of"
+            f" them it is worse than the best by no more than {percent(own.late)} of the span of the front."
+        )
+        yield f"Built as it is, it keeps every constraint in {percent(own.keeps)} of them."
+
+
+def _s(count: int) -> str:
+    return "" if count == 1 else "s"
+
+
+def _written(value: object) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What an enumeration of architectures comes to, in sentences.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def ranking_sentences(ranking: Ranking) -> Iterator[str]:
+    """Yield how many there are, which is the lightest and how sure that is, and what it is lighter than.
+
+    Args:
+        ranking: From `architectures`.
+    """
+    count, refused = len(ranking.candidates), ranking.refused
+    yield f"{count} architectures can give the ratio; {refused} of them are refused, each with its reason."
+    if ranking.unborne:
+        fatigued = sum(row.design is not None for row in ranking.candidates)
+        yield (
+            f"In {ranking.unborne} of the {fatigued} that were sized against fatigue planets have no bearing that lives"
+            " as long, ratios chosen anew or not."
+        )
+    passing = ranking.passing
+    if not passing:
+        looked = f"of {len(ranking.closed)} that were closed" if ranking.closed else "as none was closed"
+        yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}, {looked}."
+        return
+    best = passing[0]
+    yield lightest_sentence(ranking)
+    if len(passing) > 1:
+        yield f"The next, {ranking.called(passing[1])}, {_behind(best, passing[1])}"
+    others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
+    if others:
+        yield f"The lightest of those compared with it, {ranking.called(others[0])}, {_behind(best, others[0])}"
+
+
+def lightest_sentence(ranking: Ranking) -> str:
+    """Return which is the lightest, with its band.
+
+    Args:
+        ranking: Of which one passes.
+    """
+    best = ranking.passing[0]
+    life = text(ranking.life, "life", 3)
+    return f"The lightest that passes its review for {life}: {ranking.called(best)}, {_weighs(best)}."
+
+
+def _behind(best: EqualLife, other: EqualLife) -> str:
+    """Say by how much another gearbox is heavier, and how sure that is."""
+    ahead = (other.with_machines or 0.0) - (best.with_machines or 0.0)
+    most = (best.heaviest or 0.0) + (best.machines or 0.0)
+    within = "within" if (other.with_machines or 0.0) <= most else "beyond"
+    alike, apart = (f"{min(100.0 * lighter(best, other, apart=one), 99.9):.3g} %" for one in (False, True))
+    return (
+        f"is {text(ahead, 'mass', 3)} heavier, {within} the band of the first; the first is lighter with"
+        f" a probability of {alike} if the rules of mass err of both alike, part by part, and of {apart} if they err of"
+        " each by itself."
+    )
+
+
+def _weighs(row: EqualLife) -> str:
+    band = ""
+    if row.lightest is not None and row.heaviest is not None:
+        band = f" ({text(row.lightest, 'mass', 3)} to {text(row.heaviest, 'mass', 3)})"
+    beside = f" and machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
+    return f"{text(row.complete_mass or 0.0, 'mass', 3)}{band}{beside}"

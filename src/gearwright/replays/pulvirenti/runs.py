@@ -9,8 +9,8 @@ from functools import cache
 from gearwright.shipped import shipped_design, shipped_study
 from gearwright.sizing import Sizing, size
 from gearwright.spec import Study, read, read_study
-from gearwright.study.answers import Row
 from gearwright.study.running import run
+from gearwright.study.tables import Row
 
 THESIS, NDARC = "thesis", "ndarc"
 """Laws of the motor's mass: the thesis's own, and the one that gearwright takes by default."""

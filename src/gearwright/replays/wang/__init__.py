@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def _paper(sizing: Sizing) -> Paper | None:
-    from gearwright.replays.wang.figures import paper
+    from gearwright.replays.wang.claims import paper
 
     return paper(sizing)
 

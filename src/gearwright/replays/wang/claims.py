@@ -1,33 +1,142 @@
-"""The claims of Wang, Zhao, Tao, Jia & Guo on the face-gear split torque held against what gearwright computes.
-
-Every verdict is that of the numbers, which come from the given sizing; the paper leaves masses, stiffnesses and the
-hand of the layout open, so that some of its claims hold only under a condition.
-"""
+"""Claims of Wang, Zhao, Tao, Jia and Guo on the face-gear split torque, with tables and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from rich.console import RenderableType
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import steady_forces
 from gearwright.dynamics.sharing import (
     SIDEBANDS,
+    TRANSIENT,
     LoadSharing,
     SharingProblem,
     influences,
     load_sharing,
+    parallel_meshes,
     shaft_displacement,
     sharing_problem,
     tooth_cycle_means,
 )
-from gearwright.replays.verdict import Verdict
-from gearwright.replays.wang.split_torque import SplitTorque
+from gearwright.identity import Role, gear_part
+from gearwright.render.figures.sharing import displacement_figure, one_turn, sharing_figure, single_error_figure
+from gearwright.render.grid import table
+from gearwright.render.pages.sharing import ClaimRow, Drawn, Paper
+from gearwright.render.words.sizing import table_text
+from gearwright.replays.replay import Verdict
 from gearwright.sizing import Sizing, size
+from gearwright.spec import Design, Pair
 from gearwright.spec.design import ShaftLayout
+from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The face-gear split torque of Wang, Zhao, Tao, Jia & Guo, known by its train and its data, whatever its names are.
+#
+# A pinion between two face gears drives two layshafts, whose pinions drive one wheel.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FIRST_FIGURE = 8
+"""Number of the paper's first figure on one error alone."""
+
+
+class SplitTorque(NamedTuple):
+    """Names of its parts."""
+
+    face: str
+    """Pair of the pinion with the two face gears."""
+    joining: str
+    """Pair at which the paths join."""
+    pinion: str
+    """Shaft 1, which floats."""
+    paths: tuple[str, str]
+    """Shafts 2 and 3."""
+    output: str
+    """Shaft 4."""
+
+    @property
+    def gears(self) -> tuple[str, ...]:
+        """Bodies of gears 1 to 6."""
+        left, right = self.paths
+        gears = (
+            gear_part(self.face, Role.PINION),
+            gear_part(self.face, Role.WHEEL, left),
+            gear_part(self.face, Role.WHEEL, right),
+            gear_part(self.joining, Role.PINION, left),
+            gear_part(self.joining, Role.PINION, right),
+            gear_part(self.joining, Role.WHEEL),
+        )
+        return tuple(map(str, gears))
+
+    @property
+    def shafts(self) -> tuple[str, ...]:
+        """Shafts 1 to 4."""
+        return (self.pinion, *self.paths, self.output)
+
+    @property
+    def single_errors(self) -> dict[str, str]:
+        """Error -> the paper's figure on it alone."""
+        eccentric = [f"{part} eccentricity" for part in (*self.gears, self.pinion, *self.paths)]
+        axial = [f"{shaft} axial" for shaft in self.paths]
+        return {error: f"Fig. {number}" for number, error in enumerate([*eccentric, *axial], start=FIRST_FIGURE)}
+
+
+@verb
+def split_torque(design: Design) -> SplitTorque | None:
+    """Return the parts of a face-gear split torque that has the support and the errors of the paper's figures.
+
+    Args:
+        design: Any.
+
+    Returns:
+        None if the train is another one, or if shaft 1 has no support or a part not the error that a figure shows.
+
+    Source: Wang, Zhao, Tao, Jia & Guo, "Floating shaft load sharing method for face gear split torque transmission
+        system".
+    """
+    parts = _parts(design)
+    return parts if parts is not None and parts.pinion in design.supports and _has_errors(design, parts) else None
+
+
+def _parts(design: Design) -> SplitTorque | None:
+    if len(design.stages) != 2 or len(design.pairs) != 2:
+        return None
+    for face, joining in (tuple(design.pairs), tuple(design.pairs)[::-1]):
+        first, second = design.pairs[face], design.pairs[joining]
+        if first.kind == "face" and second.kind == "cylindrical" and not second.internal:
+            return _joined(face, joining, first, second)
+    return None
+
+
+def _joined(face: str, joining: str, first: Pair, second: Pair) -> SplitTorque | None:
+    if not (isinstance(first.pinion, str) and isinstance(second.wheel, str)):
+        return None
+    if isinstance(first.wheel, str) or len(first.wheel) != 2 or sorted(first.wheel) != sorted(second.pinion):
+        return None
+    left, right = first.wheel
+    return SplitTorque(face, joining, first.pinion, (left, right), second.wheel)
+
+
+def _has_errors(design: Design, parts: SplitTorque) -> bool:
+    eccentric = all(
+        part in design.errors and design.errors[part].eccentricity for part in (*parts.gears, *parts.shafts)
+    )
+    return eccentric and all(design.errors[shaft].axial for shaft in parts.paths)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The claims of Wang, Zhao, Tao, Jia & Guo on the face-gear split torque held against what gearwright computes.
+#
+# Every verdict is that of the numbers, which come from the given sizing; the paper leaves masses, stiffnesses and the
+# hand of the layout open, so that some of its claims hold only under a condition.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 RIGID, FLOATING = 2e9, 1e7
 """Support stiffness of the pinion's shaft without floating, as of the other shafts, and of table 1 [N/m]."""
@@ -250,3 +359,69 @@ def _one_error(effects: dict[str, float]) -> SplitClaim:
     part = max(effects.values()) / sum(effects.values())
     why = f"the largest is {part:.0%} of the sum of all"
     return SplitClaim("Cutting one error alone does not help much", "conclusion", _verdict(always=part < 0.25), why)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The claims of the paper as a table for the terminal.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def claims_table(claims: Sequence[ClaimRow]) -> RenderableType:
+    """Return what the paper says, what becomes of it, and why.
+
+    Args:
+        claims: Of the paper.
+    """
+    return table_text(table("Claims of the paper", claims, ("place", "printed", "verdict", "why")))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Counterparts of the paper's figures 3 to 18, with the claims, as its part of the page on load sharing.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SIGNS = {Verdict.HOLDS: "yes", Verdict.CONDITION: "partly", Verdict.FAILS: "no"}
+
+
+def paper(sizing: Sizing) -> Paper | None:
+    """Return the paper's figures and claims for a face-gear split torque; None for any other train.
+
+    Args:
+        sizing: Of any design.
+    """
+    parts = split_torque(sizing.design)
+    if parts is None:
+        return None
+    claims = split_torque_claims(sizing, parts)
+    rows = (
+        ClaimRow(claim.place, claim.printed, claim.verdict.value, _SIGNS[claim.verdict], claim.why) for claim in claims
+    )
+    return Paper(paper_figures(sizing, parts), tuple(rows))
+
+
+def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[Drawn]:
+    """Yield the counterparts of the paper's figures 3 to 18, with captions.
+
+    Args:
+        sizing: Of the shipped design ``face-gear-split-torque``, or of another of this kind.
+        parts: Its parts, from `split_torque`.
+
+    Source: Wang, Zhao, Tao, Jia & Guo, "Floating shaft load sharing method for face gear split torque transmission
+        system".
+    """
+    for stiffness, number in ((RIGID, "Figure 3"), (HALF, "Figure 4"), (FLOATING, "Figure 6")):
+        softer = with_support(sizing, parts.pinion, stiffness)
+        problems = {stage: sharing_problem(softer, stage) for stage in parallel_meshes(softer)}
+        yield f"{number}: load sharing, support of shaft 1 {stiffness:.0e} N/m", sharing_figure(_solved(problems))
+    soft = {stiffness: with_support(sizing, parts.pinion, stiffness) for stiffness in (HALF, FLOATING)}
+    problems = {f"{stiffness:.0e} N/m": sharing_problem(softer) for stiffness, softer in soft.items()}
+    words = "Figures 5 and 7: displacement of shaft 1 by slow errors, without tooth ripple"
+    yield words, displacement_figure(problems, parts.pinion, one_turn(problems))
+    alone = sharing_problem(sizing)
+    span = (TRANSIENT, TRANSIENT + float(one_turn({"": alone})[-1]))
+    words = "Figures 8 to 18: one error at a time, and those that the paper leaves out"
+    yield words, single_error_figure(alone, span, parts.single_errors)
+
+
+def _solved(problems: Mapping[str, SharingProblem]) -> dict[str, LoadSharing]:
+    return {name: load_sharing(problem.system, problem.lines, method="sidebands") for name, problem in problems.items()}

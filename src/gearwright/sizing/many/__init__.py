@@ -3,9 +3,7 @@
 Each row is what `size` gives of it alone.
 """
 
-from gearwright.sizing.many.columns import in_lanes
-from gearwright.sizing.many.size_many import size_many
-from gearwright.sizing.many.sizings import Sizings, Structure, structure_of
+from gearwright.sizing.many.sizings import Sizings, Structure, in_lanes, size_many, structure_of
 
 __all__ = [
     "Sizings",

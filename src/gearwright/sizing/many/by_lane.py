@@ -1,21 +1,137 @@
-"""What the twins of sizing compute for every lane by the function of one design: searches, and places in arrays."""
+"""Batch sizing steps computed design by design: searches, positions and planet bearings."""
 
 from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from gearwright.lanes import Diverged, Lanes, change_twins, chosen, lanes_of
+from gearwright.arrays import Ints
+from gearwright.catalogue import bearing_friction
+from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, each, lanes_of
 from gearwright.lanes.twins import PREFIX
-from gearwright.sizing.many.planet_bearings import friction, lives, of_catalogue
+from gearwright.parts.bearings import THINNEST, life_modification
+from gearwright.sizing.many.twinned import gathered
+from gearwright.sizing.planets import on_rollers
 from gearwright.spec import Record
 from gearwright.spec.edit import replaced
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the twins of sizing do otherwise for bearings of planets: each lane takes its own of the catalogue.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Names(str):
+    """The names of what each lane has; as a text the first of them, as words are for one design alone."""
+
+    __slots__ = ("kinds", "place")
+    kinds: tuple[str, ...]
+    """Every name that occurs."""
+    place: Ints
+    """Of every lane, which of them it has."""
+
+    @classmethod
+    def of(cls, kinds: Sequence[str], place: Ints) -> Names:
+        """Return the names of lanes.
+
+        Args:
+            kinds: Every name that occurs.
+            place: Of every lane, which of them it has.
+        """
+        made = cls(kinds[0])
+        made.kinds, made.place = tuple(kinds), place
+        return made
+
+
+def each_of(records: Sequence[Any], place: Ints) -> Any:
+    """Return a record with the numbers that every lane has of one of some records of a kind.
+
+    Args:
+        records: Records, numbers, or texts.
+        place: Of every lane, which of them it has.
+    """
+    first = records[0]
+    if all(record == first for record in records):
+        return first
+    if isinstance(first, str):
+        return Names.of(records, place)
+    if is_dataclass(first) and not isinstance(first, type):
+        own = {part.name: each_of([getattr(record, part.name) for record in records], place) for part in fields(first)}
+        return replace(first, **own)
+    return gathered(list(records), place.tolist())
+
+
+def of_catalogue(module: ModuleType) -> None:
+    """Try the bearings of the catalogue in all lanes: those that have theirs wait for the others.
+
+    Args:
+        module: Twin of the choice of bearings.
+    """
+    alone: Callable[..., Any] = module._of_catalogue
+
+    def in_lanes(task: Any) -> Any:
+        if type(task.room) is not Lanes:
+            return alone(task)
+        kind, count = task.asked.kind, task.asked.side_by_side
+        sizes, best, place = module.cylindrical(), lanes_of(-np.inf), lanes_of(0)
+        for k, size in enumerate(sizes):
+            fits = lanes_of(best < 1.0) & lanes_of(module.fits(task, size))
+            if fits.data.any():
+                nearness = lanes_of(module.min_margin(task, on_rollers(kind, size, count)))
+                better = fits & (nearness > best)
+                best, place = lanes_of(chosen(better, nearness, best)), lanes_of(chosen(better, k, place))
+        if bool(best == -np.inf):
+            raise Unsupported("planets without room for a bearing")
+        taken, own = np.unique(place.data, return_inverse=True)
+        return each_of([on_rollers(kind, sizes[k], count) for k in taken.tolist()], own)
+
+    module._of_catalogue = in_lanes  # type: ignore[attr-defined]
+
+
+def friction(module: ModuleType) -> None:
+    """Look the friction of the series of every lane's bearing up.
+
+    Args:
+        module: Twin of the oil of bearings.
+    """
+
+    def friction_of(bearing: Any) -> Any:
+        names = bearing.designation
+        if not isinstance(names, Names):
+            return bearing_friction(bearing)
+        found = [bearing_friction(replace(bearing, designation=name)) for name in names.kinds]
+        return gathered(found, names.place.tolist())
+
+    module.bearing_friction = friction_of  # type: ignore[attr-defined]
+
+
+def lives(module: ModuleType) -> None:
+    """Find the modification of the life of every lane by itself: its ranges differ.
+
+    Args:
+        module: Twin of modified lives.
+    """
+    alone: Callable[..., Any] = module.life_modification
+
+    def modified(clean_share: Any, viscosity_ratio: Any, kind: Any) -> Any:
+        if type(clean_share) is not Lanes and type(viscosity_ratio) is not Lanes:
+            return alone(clean_share, viscosity_ratio, kind)
+        thin = lanes_of(viscosity_ratio < THINNEST)
+        if bool(thin):  # which has no life
+            raise Unsupported("oil that is too thin")
+        return Lanes(each(lambda share, ratio: life_modification(share, ratio, kind), clean_share, viscosity_ratio))
+
+    module.life_modification = modified  # type: ignore[attr-defined]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the twins of sizing compute for every lane by the function of one design: searches, and places in arrays.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 def each_lane(function: Callable[..., Any], usual: Callable[..., Any]) -> Callable[..., Any]:
@@ -360,20 +476,20 @@ def _unordered(module: ModuleType) -> None:
 
 change_twins((
     ("gearwright.sizing.rating.context", _alone_known),
-    ("gearwright.sizing.stages.stage_sizes", _whole),
-    ("gearwright.sizing.arrangement.ordering", _orders),
+    ("gearwright.sizing.stage_sizes", _whole),
+    ("gearwright.sizing.axis_order", _orders),
     ("gearwright.sizing.places.room", _rooms),
-    ("gearwright.parts.gears.transverse_form", _outlines),
-    ("gearwright.parts.iso6336.root", _roots),
-    ("gearwright.parts.iso6336.steels.life", _lives),
-    ("gearwright.parts.iso6336.steels.damage", _damages),
-    ("gearwright.sizing.rating.widths", _widths),
+    ("gearwright.parts.gears.tooth_form", _outlines),
+    ("gearwright.parts.iso6336.tooth_root", _roots),
+    ("gearwright.parts.iso6336.steels", _lives),
+    ("gearwright.parts.iso6336.steels", _damages),
+    ("gearwright.sizing.rating.geometry", _widths),
     ("gearwright.sizing.rating.search", _rated),
-    ("gearwright.sizing.planets.choice", of_catalogue),
-    ("gearwright.catalogue.bearing_oil", friction),
-    ("gearwright.parts.bearings.modified_life", lives),
+    ("gearwright.sizing.planets", of_catalogue),
+    ("gearwright.catalogue.bearing_choice", friction),
+    ("gearwright.parts.bearings.life", lives),
     ("gearwright.sizing.mass.record", _unordered),
-    ("gearwright.sizing.casing.shell", _in_each_lane("_around")),
-    ("gearwright.sizing.casing.ring_seats", _in_each_lane("_module", "spline", "_pieces")),
-    ("gearwright.sizing.loads.forces", _in_each_lane("_worst_direction", "_at")),
+    ("gearwright.sizing.housing_shell", _in_each_lane("_around")),
+    ("gearwright.sizing.casing", _in_each_lane("_module", "spline", "_pieces")),
+    ("gearwright.sizing.loads", _in_each_lane("_worst_direction", "_at")),
 ))  # fmt: skip

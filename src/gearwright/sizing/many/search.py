@@ -1,26 +1,24 @@
-"""The search for teeth of many designs of one structure: one front of choices, each with the row that it belongs to.
-
-Stage after stage it takes the steps of the search for one design (`sizing.teeth`), by the same functions of arrays; the
-row of a choice stands among its teeth, so that choices of different rows never leave the same to what comes after them.
-"""
+"""Search for the tooth numbers of many designs with the same structure, and their preliminary sizings."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.lanes import Lanes, Unsupported
-from gearwright.sizing.many.batch import ROW, Batch, batch_of, rows_of
-from gearwright.sizing.many.by_lane import holds_lanes
+from gearwright.lanes import Lanes, Unsupported, lanes_of
+from gearwright.sizing.many.by_lane import holds_lanes, of_lane
 from gearwright.sizing.many.twinned import twinned
 from gearwright.sizing.rating import ELEMENTWISE
+from gearwright.sizing.teeth import StageTeeth, Trying, stage_teeth
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
 from gearwright.sizing.teeth.forbidden import clear
-from gearwright.sizing.teeth.front import Front
+from gearwright.sizing.teeth.front import EQUAL, Front, Needs, needs_of, ranks_of, states_of
 from gearwright.sizing.teeth.masses import aligned
 from gearwright.sizing.teeth.search import MANY, Chosen, carried_over, is_ready
 from gearwright.sizing.teeth.stage import (
@@ -32,8 +30,142 @@ from gearwright.sizing.teeth.stage import (
     tooth_ratio,
     weighed_front,
 )
-from gearwright.sizing.teeth.states import EQUAL, Needs, needs_of, ranks_of, states_of
 from gearwright.spec import Design
+from gearwright.spec.edit import replaced
+
+__all__ = ["Chosen", "Lanes"]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the search for teeth reads of many designs of one structure at once: tasks of every choice, and of every row.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+ROW = "\0row"
+"""Under which name the row of a choice stands among its teeth."""
+NUMBERS = ("torque", "speed", "rolling", "steady", "fastest")
+"""Numbers of a task that may differ from row to row."""
+
+
+def rows_of(value: Any, count: int) -> Any:
+    """Return a number of every row.
+
+    Args:
+        value: Lanes, or a number that all rows have.
+        count: Rows [-].
+    """
+    return np.broadcast_to(lanes_of(value).data, (count,))
+
+
+def _spread(rating: Any, row: Ints) -> Any:
+    """Return rules whose numbers that are lanes are those of the row of every choice."""
+    rules, material = rating.rules, rating.material
+    own = {name: value for name, value in rules.__dict__.items() if type(value) is Lanes}
+    steel = {name: value for name, value in vars(material).items() if type(value) is Lanes}
+    if own:
+        rules = replaced(rules, {(name,): rows_of(value, len(value.data))[row] for name, value in own.items()})
+    if steel:
+        material = replace(material, **{name: value.data[row] for name, value in steel.items()})
+    factor = rating.load_factor
+    if type(factor) is Lanes:
+        factor = rows_of(factor, len(factor.data))[row]
+    elif not own and not steel:
+        return rating
+    return replace(rating, rules=rules, material=material, load_factor=factor)
+
+
+def _banned(ban: Any, row: Ints) -> Any:
+    """Return a ban whose numbers that are lanes are those of the row of every choice."""
+    ends: dict[tuple[str, ...], Any] = {
+        (name,): end.data[row] for name in ("lowest", "highest") if type(end := getattr(ban.band, name)) is Lanes
+    }
+    band = replaced(ban.band, ends) if ends else ban.band
+    factors = lanes_of(ban.factor).data
+    return ban._replace(band=band, factor=factors[row] if len(factors) > 1 else float(factors[0]))
+
+
+class Batch(NamedTuple):
+    """What the search of a batch reads."""
+
+    design: Design
+    """As the case holds it that asks for the speeds; its numbers may be lanes."""
+    tasks: Sequence[Any]
+    nominal: Any
+    speeds: Mapping[str, Floats]
+    """Shaft -> asked speed in every row [rad/s]."""
+    asked: Mapping[str, Floats]
+    """Machine -> asked speed in every row [rad/s]."""
+    numbers: Mapping[str, Mapping[str, Floats]]
+    """Stage -> `NUMBERS` of its task in every row."""
+    alone: dict[tuple[str, int], Any]
+    """Stage and row -> its task there, as far as asked for."""
+    kept: frozenset[str]
+    """Shafts whose speed is kept."""
+
+    def task(self, task: Any, front: Front) -> Any:
+        """Return a task with the numbers of every choice of a front."""
+        row = front.teeth[ROW]
+        numbers = {name: values[row] for name, values in self.numbers[task.name].items()}
+        bans = tuple(_banned(ban, row) for ban in task.bans)
+        rating = _spread(task.rating, row)
+        return replace(task, **numbers, rating=rating, bans=bans)
+
+    def row(self, task: Any, row: int) -> Any:
+        """Return a task with the numbers of one row."""
+        if (task.name, row) not in self.alone:
+            numbers = {name: float(values[row]) for name, values in self.numbers[task.name].items()}
+            self.alone[task.name, row] = replace(of_lane(task, row), **numbers, known={}, closed={})
+        return self.alone[task.name, row]
+
+    def targets(self, front: Front) -> Any:
+        """Return the asked speeds of every choice of a front."""
+        row = front.teeth[ROW]
+        return replace(self.nominal, speeds={shaft: speed[row] for shaft, speed in self.speeds.items()})
+
+
+def batch_of(design: Design, train: Any, count: int, search: Any) -> Batch:
+    """Return what the search of a design with lanes reads.
+
+    Args:
+        design: With lanes.
+        train: Its graph.
+        count: Rows [-].
+        search: Twin of the search.
+
+    Raises:
+        Unsupported: If its rows have to be searched one by one.
+    """
+    rules = design.teeth
+    if rules.sized != 1 or rules.split != "equal" or rules.ring_deviation:
+        raise Unsupported("teeth that are searched in another way")
+    nominal = search.targets(design)
+    if any(not is_given(stage) and nominal.tooth_ratios[name] <= 1.0 for name, stage in design.planetaries.items()):
+        raise Unsupported("a ring no larger than its sun")
+    flow, known = search.nominal_flow(design, train, nominal)
+    given_design, design = design, nominal.design
+    tasks = [search.task_of(name, design, train, nominal, flow) for name in design.simple_stages]
+    bans = search.banned(tasks, given_design, train, nominal, flow)
+    if bans.whole:
+        raise Unsupported("bands of frequencies that only whole trains are held against")
+    tasks = search.with_twins(bans.tasks, design, nominal)
+    return Batch(
+        design, tasks, nominal,
+        {shaft: rows_of(speed, count) for shaft, speed in nominal.speeds.items()},
+        {name: rows_of(machine.asked_speed, count) for name, machine in design.machines.items()
+         if machine.asked_speed is not None},
+        {task.name: {name: rows_of(getattr(task, name), count) for name in NUMBERS} for task in tasks},
+        {}, frozenset(known),
+    )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The search for teeth of many designs of one structure: one front of choices, each with the row that it belongs to.
+#
+# Stage after stage it takes the steps of the search for one design (`sizing.teeth`), by the same functions of arrays;
+# the row of a choice stands among its teeth, so that choices of different rows never leave the same to what comes
+# after them.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 AT_ONCE = 128
 """Rows that are searched at once, so that memory is bounded [-]."""
@@ -259,4 +391,89 @@ def _several(front: Front, state: Ints, mass: Floats, kept: int) -> Front:
     return front if light.all() else front.take(np.sort(order[light]))
 
 
-__all__ = ["Chosen", "Considered", "Lanes", "Rows", "choose_rows", "consider_rows"]
+# ----------------------------------------------------------------------------------------------------------------------
+# Preliminary sizings of many rows: each looks at its lightest combinations as one design does, all of them at once.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Looked(NamedTuple):
+    """What came of one combination of some rows."""
+
+    nearness: Mapping[str, Any]
+    """Stage -> least value over limit of its checks, in lanes [-]."""
+    heaviness: Mapping[str, Any]
+    """Stage -> volume of its gears over that by which they were found, in lanes [-]."""
+    mass: Any
+    """What the gears weigh, in lanes [kg]."""
+
+
+Look = Callable[[Ints, Rows], Iterator[tuple[Ints, Looked]]]
+"""Some rows and their teeth -> what came of them, of those that can be computed at once."""
+
+
+def _teeth_at(train: Any, considered: Considered, first: int, place: int) -> frozenset[StageTeeth]:
+    """Return the teeth of the stages of a combination of a row."""
+    at = first + place
+    teeth = {gear: int(numbers[at]) for gear, numbers in considered.teeth.items()}
+    planets = {stage: int(counts[at]) for stage, counts in considered.planets.items()}
+    return stage_teeth(train, Chosen(teeth, planets))
+
+
+def nearest_rows(train: Any, considered: Considered, look: Look, *, count: int) -> Rows:
+    """Return the teeth of every row whose gears come nearest to meeting everything, the lightest of equals.
+
+    Args:
+        train: Graph of the design.
+        considered: Combinations of every row.
+        look: What sizes the gears of one combination of some rows.
+        count: Rows [-].
+    """
+    first = np.searchsorted(considered.row, np.arange(count + 1))
+    courses = [
+        Trying(partial(_teeth_at, train, considered, start), considered.mass[start:end].tolist())
+        for start, end in pairwise(first.tolist())
+    ]
+    left = np.arange(count)
+    while len(left):
+        places = [courses[row].next() for row in left.tolist()]
+        going = np.array([place is not None for place in places], dtype=bool)
+        left = left[going]
+        at = np.array([place for place in places if place is not None], dtype=np.int64)
+        lost = np.ones(len(left), dtype=bool)
+        for some, looked in look(left, _rows(considered, first[left] + at)):
+            _note(courses, left[some], at[some], looked)
+            lost[some] = False
+        for row in left[lost].tolist():
+            courses[row].tried.clear()
+        left = left[~lost]
+    found = np.array([bool(course.tried) for course in courses], dtype=bool)
+    best = [course.ranked()[0].place if course.tried else 0 for course in courses]
+    return _rows(considered, np.minimum(first[:-1] + best, len(considered.row) - 1))._replace(found=found)
+
+
+def _rows(considered: Considered, place: Ints) -> Rows:
+    """Return the teeth of some combinations."""
+    return Rows(
+        {gear: numbers[place] for gear, numbers in considered.teeth.items()},
+        {stage: counts[place] for stage, counts in considered.planets.items()},
+        np.ones(len(place), dtype=bool),
+    )
+
+
+def _note(courses: Sequence[Trying], rows: Ints, places: Ints, looked: Looked) -> None:
+    """Note what came of a combination of every row."""
+    count = len(rows)
+    nearness, heaviness = (_columns(ratios, count) for ratios in (looked.nearness, looked.heaviness))
+    mass = _column(looked.mass, count)
+    for k, (row, place) in enumerate(zip(rows.tolist(), places.tolist(), strict=True)):
+        near, heavy = ({stage: ratios[k] for stage, ratios in of.items()} for of in (nearness, heaviness))
+        courses[row].note(place, near, heavy, mass=mass[k])
+
+
+def _columns(lanes: Mapping[str, Any], count: int) -> dict[str, list[float]]:
+    return {name: _column(values, count) for name, values in lanes.items()}
+
+
+def _column(values: Any, count: int) -> list[float]:
+    column: list[float] = np.broadcast_to(lanes_of(values).data, (count,)).tolist()
+    return column

@@ -11,10 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Ints
+from gearwright.arrays import ALIKE, Ints
 from gearwright.checks import ROUNDING, Status
 from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, lanes_of, twin
-from gearwright.ranking import ALIKE
 from gearwright.spec.design import stage_shifts
 
 KEPT = 20_000
@@ -297,13 +296,13 @@ DIGITS = 9
 
 
 change_twins((
-    ("gearwright.sizing.answers.named", _named),
-    ("gearwright.sizing.stages.tooth_checks", _tooth_checks),
+    ("gearwright.sizing.answers", _named),
+    ("gearwright.sizing.stages", _tooth_checks),
     ("gearwright.sizing.teeth.search", _search),
-    ("gearwright.parts.gears.internal_interference", _interference),
+    ("gearwright.parts.gears.gear_pair", _interference),
     ("gearwright.spec.design.teeth.profile_shifts", _by_teeth),
-    ("gearwright.train.algebra.memory", _memory),
-    ("gearwright.sizing.answers.gate", _gate),
+    ("gearwright.train.algebra", _memory),
+    ("gearwright.sizing.result", _gate),
     ("gearwright.checks", _checks),
 ))  # fmt: skip
 

@@ -3,22 +3,26 @@
 The mass of gears, shafts and carriers by which designs are chosen is `Sizing.mass`; statistics are `weights`'s.
 """
 
-from gearwright.sizing.mass.beside import Statistics, band_of, requirement_of, statistics_beside
 from gearwright.sizing.mass.bodies import (
+    BRIDGE,
+    Bridge,
+    Cage,
+    Plate,
+    as_made,
+    bell_name,
     bevel_cones,
     bevel_dish,
     bevel_hub,
     bevel_web,
+    cage_of,
     gear_blanks,
     pinion_of,
+    refuse_dishes,
     ring_outside,
+    seat_names,
     tooth_of,
 )
-from gearwright.sizing.mass.cages import BRIDGE, Bridge, Cage, Plate, cage_of
-from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
-from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.dishes import refuse_dishes
-from gearwright.sizing.mass.gears import bell_name, seat_names
+from gearwright.sizing.mass.complete import complete_mass, oil_flow, summed
 from gearwright.sizing.mass.housing import (
     MOUNTS,
     RIBS,
@@ -30,9 +34,19 @@ from gearwright.sizing.mass.housing import (
     weighed_flanges,
     weighed_wall,
 )
-from gearwright.sizing.mass.made import as_made
-from gearwright.sizing.mass.oil_system import oil_flow
-from gearwright.sizing.mass.record import GROUPS, TRAIN, CompleteMass, MassGroup, MassItem
+from gearwright.sizing.mass.record import (
+    CALIBRATED,
+    GROUPS,
+    TRAIN,
+    Calibration,
+    CompleteMass,
+    MassGroup,
+    MassItem,
+    Statistics,
+    band_of,
+    requirement_of,
+    statistics_beside,
+)
 
 __all__ = [
     "BRIDGE",

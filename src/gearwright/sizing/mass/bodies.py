@@ -1,17 +1,18 @@
-"""The bodies of gears as they are made: teeth of the true tool over a rim, a web, a hub and the bore of their seat.
-
-What weighs them and what draws them take them from here.
-"""
+"""Masses and bodies of gears, shafts and carriers as manufactured."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
+
 from gearwright.catalogue import key_for_shaft
+from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
-from gearwright.parts.bevel import WEB, BevelPair, bevel_volume, lightened_web
+from gearwright.parts.bevel_geometry import WEB, BevelPair, bevel_dishes, bevel_volume, lightened_web
 from gearwright.parts.gears import (
     Blank,
     SeatHub,
@@ -22,14 +23,30 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.sizing.blanks import PLANET_HUB, blank_by_rules, external_tooth, ring_radii, turned_out
-from gearwright.sizing.mass.duties import seat_duties
-from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
-from gearwright.sizing.places import BOSS
-from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, rating_of, standard_teeth
-from gearwright.sizing.result import GearSizing, Sizing
-from gearwright.sizing.tooth_shape import cylindrical_gear
+from gearwright.sizing.casing import ring_seats
+from gearwright.sizing.gear_geometry import (
+    PLANET_HUB,
+    blank_by_rules,
+    cylindrical_gear,
+    external_tooth,
+    ring_radii,
+    turned_out,
+)
+from gearwright.sizing.mass.bearings import PlanetBore, named_bores, planet_bores, seat_duties
+from gearwright.sizing.mass.record import MassItem
+from gearwright.sizing.places import BOSS, IN_LINE, Run, along_body, bells, planets_span, plates_of, runs
+from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, rating_of
+from gearwright.sizing.rating import geometry as standard_teeth
+from gearwright.sizing.result import PRELIMINARY, Body, GearSizing, Sizing
+from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec.design import Pair
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The bodies of gears as they are made: teeth of the true tool over a rim, a web, a hub and the bore of their seat.
+#
+# What weighs them and what draws them take them from here.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 HUBS = {"": 1.25, "integral": 1.0, "spline": 1.3, "key": 1.8, "press-fit": 1.8}
 """Joint -> outside of the hub over the shaft's diameter [-]; estimates within what machine-element tables give for
@@ -281,3 +298,392 @@ def _lightened(blank: Blank, share: float, thinnest: float) -> Blank:
     blank = blank._replace(rim_radius=inside)
     left = (target - blank_volume(blank._replace(web_width=0.0))) / (math.pi * (inside**2 - blank.hub_radius**2))
     return blank._replace(web_width=max(left, min(web, THINNEST_WEB * blank.width)))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Gears as they are made: true teeth, a rim, a web and a hub; rings with their wall, bells of turning ones.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SOLID = "A_z b ρ + annuli; A_z = z ∫ 2 ψ r dr"
+_SOURCE = "outline of the true tool; AGMA 2001-D04 (backup ratio 1.2); geometry"
+_BELL, _SHEAR = "wall; disc, t = 2 T/(π d² τ) at its hub, a cone to t/3", "equilibrium of a disc in shear (Tresca)"
+_SPLINE = "DIN 5480-1"
+SURE = 0.10
+"""One standard deviation of gears over their value, an estimate: bores, webs, holes that lighten [-]."""
+SURE_BELL = 0.3
+"""One standard deviation of bells over their value, an estimate: holes, joints, stiffness [-]."""
+
+
+def gear_items(sizing: Sizing, bores: Mapping[str, PlanetBore]) -> Iterator[MassItem]:
+    """Yield every gear, and the bell that joins a ring to its shaft where it turns.
+
+    Args:
+        sizing: As sized.
+        bores: Planet -> what it turns on.
+    """
+    seats = Seats(bores, shaft_diameters(sizing))
+    for gear in sizing.gears:
+        given = sizing.given.get(f"{gear.name}.mass")
+        if given is not None:
+            yield MassItem(gear.name, "gears", gear.bodies, given.value, 0.02, "given", given.origin or "the design")
+            continue
+        yield gear_item(sizing, gear, seats)
+    density = sizing.design.shaft_material.density
+    for bell in bells(sizing):
+        if f"{bell.ring.name}.mass" not in sizing.given:  # a ring's given mass is with its bell
+            yield MassItem(bell_name(bell.ring), "gears", 1, bell.volume * density, SURE_BELL, _BELL, _SHEAR)
+    for seat in ring_seats(sizing):
+        if f"{seat.ring.name}.mass" not in sizing.given:
+            steel = sizing.design.gear_material(seat.ring.stage).density
+            teeth, keeper = seat_names(seat.ring)
+            yield MassItem(teeth, "gears", 1, seat.teeth_volume * steel, SURE, "half of the height of splines", _SPLINE)
+            yield MassItem(keeper, "gears", 1, seat.keeper_volume * density, SURE_BELL, "section", "estimate")
+
+
+def bell_name(ring: GearSizing) -> str:
+    """Return what the bell of a ring is called.
+
+    Args:
+        ring: That turns.
+    """
+    return f"{ring.name} bell"
+
+
+def seat_names(ring: GearSizing) -> tuple[str, str]:
+    """Return what the splines of a ring are called, and what keeps it in the housing.
+
+    Args:
+        ring: That stands in it.
+    """
+    return f"{ring.name} splines", f"{ring.name} keeper"
+
+
+def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
+    """Return one gear as it is made.
+
+    Args:
+        sizing: As sized.
+        gear: Of it.
+        seats: What gears sit on.
+    """
+    density = sizing.design.gear_material(gear.stage).density
+    formula = "(A_z + π (r_o² − r_f²)) b ρ" if gear.rim else _SOLID
+    return MassItem(gear.name, "gears", gear.bodies, gear_volume(sizing, gear, seats) * density, SURE, formula, _SOURCE)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def as_made(sizing: Sizing) -> Sizing:
+    """Return a preliminary sizing with gears as they are made: teeth, rims, webs, hubs, bores; any other as it is.
+
+    Args:
+        sizing: With shafts and what planets turn on.
+    """
+    if sizing.level != PRELIMINARY:
+        return sizing
+    seats = Seats(_bores(sizing), shaft_diameters(sizing))
+    return replace(sizing, gears=tuple(_made(sizing, gear, seats) for gear in sizing.gears))
+
+
+def _made(sizing: Sizing, gear: GearSizing, seats: Seats) -> GearSizing:
+    """Return a gear with the mass of its body; its inertia goes with the mass, as rims lie outside and hubs inside."""
+    if f"{gear.name}.mass" in sizing.given:
+        return gear
+    mass = gear_item(sizing, gear, seats).each
+    inertia = gear.inertia if f"{gear.name}.inertia" in sizing.given else gear.inertia * (mass / gear.mass)
+    return replace(gear, mass=mass, inertia=inertia)
+
+
+def _bores(sizing: Sizing) -> Mapping[str, PlanetBore]:
+    """Return what planets turn on; of those on films, and where nothing fits, what their loads ask for."""
+    named = named_bores(sizing)
+    planets = {gear.name for gear in sizing.gears if gear.role is Role.PLANET}
+    return named if planets <= named.keys() else planet_bores(sizing, tuple(seat_duties(sizing)))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How far webs of wheels may stand aside at their hubs; a design whose webs stand further is refused by its sizing.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def refuse_dishes(sizing: Sizing) -> None:
+    """Refuse every web that does not meet rim and hub with all of its thickness, and a dish of a wheel without a web.
+
+    Args:
+        sizing: With shafts.
+
+    Raises:
+        DesignError: With where the dish is written, how far the web may lean, and what to write.
+    """
+    if any(sizing.design.rules(name).web_dish for name in sizing.design.pairs):
+        seats = Seats({}, shaft_diameters(sizing))
+        wheels = [gear for gear in sizing.gears if gear.role is Role.WHEEL and gear.stage in sizing.design.pairs]
+        refuse(problem for wheel in wheels for problem in _dish_problems(sizing, wheel, seats))
+
+
+def _dish_problems(sizing: Sizing, wheel: GearSizing, seats: Seats) -> Iterator[Problem]:
+    """Yield what is wrong with the dish of one wheel."""
+    dish, path = sizing.design.rules(wheel.stage).web_dish, sizing.design.key_of(wheel.stage, "gears.web_dish")
+    own = path != "gears.web_dish"
+    limits = _dishes(sizing, wheel, seats)
+    if not dish:
+        return
+    if limits is None:
+        if own:
+            yield Problem(path, f"{dish:g} given; {wheel.name} has no web between rim and hub: leave it out")
+        return
+    low, high = _inwards(limits)
+    if low <= dish <= high:
+        return
+    lean = "must be 0" if low >= high else f"must be from {low:g} to {high:g}"
+    why = f"{lean}, so that the web of {wheel.name} meets rim and hub with all of its thickness"
+    fix = "lean it less" if own or len(sizing.design.pairs) == 1 else (
+        f"lean it less, or write another web_dish in [pairs.{wheel.stage}.gears]"
+    )  # fmt: skip
+    yield Problem(path, f"{dish:g} given; {why}: {fix}")
+
+
+def _dishes(sizing: Sizing, wheel: GearSizing, seats: Seats) -> tuple[float, float] | None:
+    """Return the least and the largest dish of a wheel; None of one without a web."""
+    if wheel.rim:
+        return None
+    blank = gear_blank(sizing, wheel, seats)
+    if kind_of(sizing, wheel) == "bevel":
+        bore = blank.bore_radius
+        web, hub = bevel_web(sizing, wheel, bore), bevel_hub(sizing, wheel, bore)
+        return bevel_dishes(bevel_cones(sizing, wheel.stage), 1, bore, web, hub)
+    height, halves = blank.rim_radius - blank.hub_radius, max(wheel.bodies // max(len(wheel.shafts), 1), 1)
+    joint = sizing.design.joints.get(wheel.name)
+    if height <= 0.0 or (joint is not None and joint.kind == "integral"):
+        return None
+    most = halves * (blank.width - blank.web_width) / 2.0 / height
+    return -most, most
+
+
+def _inwards(limits: tuple[float, float]) -> tuple[float, float]:
+    """Return limits with four decimals, either of which is allowed itself."""
+    low, high = (math.ceil(1e4 * limits[0]) / 1e4, math.floor(1e4 * limits[1]) / 1e4)
+    return low, high
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Carriers as they are made: a plate on both sides of the planets, hollow pins through them, bridges with room.
+#
+# What weighs them and what draws them take them from here.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PIN_BORE = 0.6
+"""Bore of planet pins over their diameter [-], an estimate: held on both sides, a pin as thick as a cantilever one
+bears a quarter of the moment, for which a bore of 0.93 would do."""
+BRIDGE = 0.5
+"""Depth of a carrier's bridge over a planet's diameter [-], an estimate from drawings of two-plate carriers."""
+BESIDE = 1e-3
+"""Room between a bridge and each planet beside it [m], an assumption."""
+CLEAR = 1.08
+"""Hole of a plate over a shaft that goes through it without being tied to it, an assumption [-]."""
+WIDEST = 0.8
+"""Hole of a plate over its outer radius, at most [-]."""
+
+
+class Plate(NamedTuple):
+    """One plate of a carrier."""
+
+    body: Body
+    """Where it stands."""
+    bore: float
+    """Radius of the hole for the shafts that go through it [m]."""
+    fill: float
+    """Share of its disc that is left, the hole for shafts among what is taken, holes for pins not [-]."""
+
+    @property
+    def volume(self) -> float:
+        """With its holes for pins closed [m³]."""
+        radius = self.body.radius
+        return math.pi * min(self.fill * radius**2, radius**2 - self.bore**2) * self.body.length
+
+
+class Bridge(NamedTuple):
+    """What joins both plates between two planets; lengths [m]."""
+
+    width: float
+    """Around the axis."""
+    depth: float
+    """Away from the axis."""
+    radius: float
+    """Of its middle, on the chord between neighbouring pins."""
+
+
+class Cage(NamedTuple):
+    """A carrier as it is made."""
+
+    plates: tuple[Plate, ...]
+    """One, or two where the second has room."""
+    span: tuple[float, float]
+    """From the inner face of one plate to that of the other, or to the far end of the planets, along the first plate's
+    axis from its origin [m]."""
+    whole: tuple[float, float]
+    """Where pins begin and end: flush with the outer faces of their plates; as `span` [m]."""
+    pin_diameter: float
+    """[m]"""
+    eye_wall: float
+    """Metal of plates outside the holes for pins [m]."""
+    pin_bore: float
+    """[m]"""
+    pins: int
+    """[-]"""
+    bridge: Bridge | None
+    """None where planets leave no room."""
+    bridges: int
+    """[-]"""
+
+    @property
+    def volume(self) -> float:
+        """[m³]"""
+        length, pin = self.span[1] - self.span[0], math.pi / 4.0 * self.pin_diameter**2
+        bridges = 0.0 if self.bridge is None else self.bridges * self.bridge.width * self.bridge.depth
+        pins = self.pins * (pin * length - math.pi / 4.0 * self.pin_bore**2 * (self.whole[1] - self.whole[0]))
+        return sum(plate.volume for plate in self.plates) + pins + bridges * length
+
+
+def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage:
+    """Return a carrier as it is made.
+
+    Args:
+        sizing: As sized.
+        carrier: Of it.
+        runs: Shafts from end to end.
+    """
+    planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
+    pins = {gear.shafts[0]: gear.bodies for gear in planets}
+    bore = PIN_BORE * carrier.pin_diameter if carrier.pin_bore is None else carrier.pin_bore
+    bodies = plates_of(sizing, carrier.stage)
+    fill = sizing.design.carriers.fill
+    plates = tuple(Plate(body, plate_bore(sizing, body, runs), fill) for body in bodies)
+    bridge = bridge_between(sizing, carrier, planets) if len(plates) > 1 else None
+    span = _between(sizing, bodies)
+    ends = [end for body in bodies for end in along_body(bodies[0], body)]
+    whole = (min(span[0], *ends), max(span[1], *ends))
+    return Cage(
+        plates, span, whole, carrier.pin_diameter, carrier.eye_wall, bore, sum(pins.values()), bridge,
+        max(pins.values()),
+    )  # fmt: skip
+
+
+def _between(sizing: Sizing, plates: Sequence[Body]) -> tuple[float, float]:
+    """Return where pins begin and end along the axis of the first plate, from its origin [m]."""
+    first = plates[0]
+    if len(plates) > 1:
+        low, high = along_body(first, plates[1])
+        far = low if low > 0.0 else high
+    else:
+        low, high = planets_span(sizing, first)
+        far = high if low > 0.0 else low
+    return (first.length, far) if far > 0.0 else (far, 0.0)
+
+
+def bridge_between(sizing: Sizing, carrier: CarrierSizing, planets: Sequence[GearSizing]) -> Bridge | None:
+    """Return a bridge, as wide as neighbouring planets leave on their chord; None where they leave nothing.
+
+    Args:
+        sizing: As sized.
+        carrier: Of it.
+        planets: On its pins.
+
+    Source: chord 2 r sin(π/N) less the tip diameter; between the tips of suns and rings away from the axis.
+    """
+    if len({gear.shafts[0] for gear in planets}) > 1:
+        return None
+    widest = max(planets, key=lambda gear: gear.pitch_diameter)
+    tip = 2.0 * _tip(sizing, widest)
+    width = 2.0 * carrier.radius * math.sin(math.pi / widest.bodies) - tip - 2.0 * BESIDE
+    own = [gear for gear in sizing.gears if gear.stage == carrier.stage]
+    suns = [_tip(sizing, gear) for gear in own if gear.role is Role.SUN]
+    rings = [_tip(sizing, gear) for gear in own if gear.rim]
+    middle = carrier.radius * math.cos(math.pi / widest.bodies)
+    inner = max([middle - BRIDGE * tip / 2.0, *(radius + BESIDE for radius in suns)])
+    within = [math.sqrt(max((radius - BESIDE) ** 2 - width**2 / 4.0, 0.0)) for radius in rings]
+    outer = min([middle + BRIDGE * tip / 2.0, *within])
+    if width <= 0.0 or outer <= inner or widest.bodies == 1:
+        return None
+    return Bridge(width, outer - inner, (outer + inner) / 2.0)
+
+
+def _tip(sizing: Sizing, gear: GearSizing) -> float:
+    return tooth_of(sizing, gear).tip_radius
+
+
+def plate_bore(sizing: Sizing, plate: Body, runs: Sequence[Run]) -> float:
+    """Return the radius of the hole that a plate has for the shafts that go through it [m].
+
+    Args:
+        sizing: As sized.
+        plate: Its envelope.
+        runs: Shafts from end to end.
+    """
+    return min(max((_through(sizing, run, plate) for run in runs), default=0.0), WIDEST * plate.radius)
+
+
+def _through(sizing: Sizing, run: Run, plate: Body) -> float:
+    """Return the radius of the hole that a shaft needs in a plate; 0 where it does not reach it [m]."""
+    frame = sizing.arrangement.frames[run.shaft]
+    axis, middle = np.asarray(frame.along), np.asarray(plate.origin) + plate.length / 2.0 * np.asarray(plate.direction)
+    place = float((middle - np.asarray(frame.origin)) @ axis)
+    beside = float(np.linalg.norm(middle - np.asarray(frame.origin) - place * axis))
+    if beside > IN_LINE or abs(abs(float(np.asarray(plate.direction) @ axis)) - 1.0) > IN_LINE:
+        return 0.0
+    half = plate.length / 2.0
+    radii = [radius for low, high, radius in run.steps if low < place + half and place - half < high]
+    return max(radii, default=0.0) * (1.0 if run.shaft == plate.shaft else CLEAR)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Shafts and carriers as they are made: whole shafts through their gears, carriers of two plates with bridges.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SURE_SHAFT = 0.25
+"""One standard deviation of shafts over their value, an estimate: lengths before everything has its place [-]."""
+SURE_CARRIER = 0.30
+"""One standard deviation of carriers over their value, an estimate [-]."""
+
+
+def shaft_items(sizing: Sizing) -> Iterator[MassItem]:
+    """Yield every shaft from end to end, through its gears, whose bodies are bored here, as far as its place asks.
+
+    Args:
+        sizing: As sized.
+    """
+    built = {shaft.name for shaft in sizing.built_shafts}
+    density, (reaches, _) = sizing.design.shaft_material.density, runs(sizing)
+    for shaft in sizing.shafts:
+        given = sizing.given.get(f"{shaft.name}.mass")
+        if given is not None:
+            yield MassItem(shaft.name, "shafts", 1, given.value, 0.02, "given", given.origin or "the design")
+            continue
+        volume = sum(run.volume for run in reaches if run.shaft == shaft.name)
+        if volume == 0.0:  # the cage of planets, which is weighed as their carrier
+            continue
+        sure, source = (0.08, "its steps") if shaft.name in built else (SURE_SHAFT, "its place on its axis")
+        yield MassItem(shaft.name, "shafts", 1, density * volume, sure, "Σ π/4 (d² − d_i²) l ρ", source)
+
+
+def carrier_items(sizing: Sizing) -> Iterator[MassItem]:
+    """Yield every carrier: a plate on both sides, hollow pins between them, and bridges.
+
+    Args:
+        sizing: As sized.
+    """
+    density, (reaches, _) = sizing.design.shaft_material.density, runs(sizing)
+    for carrier in sizing.carriers:
+        formula, source = "hollow pins; two plates; bridges", "first sizing; geometry"
+        given = sizing.given.get(f"{carrier.part}.mass")
+        if given is not None:
+            yield MassItem(str(carrier.part), "carriers", 1, given.value, 0.02, "given", given.origin or "the design")
+            continue
+        mass = density * cage_of(sizing, carrier, reaches).volume
+        yield MassItem(str(carrier.part), "carriers", 1, mass, SURE_CARRIER, formula, source)

@@ -6,30 +6,27 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from gearwright.arrays import largest_first
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.identity import Role
 from gearwright.latest import of_latest
 from gearwright.parts.bearings import BearingKind
-from gearwright.ranking import largest_first
-from gearwright.sizing.arranged import Direction
 from gearwright.sizing.casing import (
     BOSS,
     Carried,
     Flanges,
-    Shell,
     bosses_of,
     carried_bosses,
     flanges_of,
     housed,
     lands_of,
     screw_volume,
-    section_across,
     shell_of,
 )
-from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
-from gearwright.sizing.mass.record import MassItem
-from gearwright.sizing.mounted import BearingSizing
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.housing_shell import Shell, section_across
+from gearwright.sizing.mass.record import CALIBRATED, Calibration, MassItem
+from gearwright.sizing.result import Direction, Sizing
+from gearwright.sizing.shaft_results import BearingSizing
 from gearwright.sizing.shafts import holders_of
 
 SURE = 0.35

@@ -3,18 +3,47 @@
 Axes in the cross-section and places along shafts, which loads need before shafts are sized, are for `arrangement`.
 """
 
-from gearwright.sizing.arrangement import PLATE_GAP
-from gearwright.sizing.places.bells import Bell, bells, ring_torque
-from gearwright.sizing.places.bodies import Parts, bodies_of, placed
-from gearwright.sizing.places.coaxial import CLAUSE, axes_among, coaxial_checks, of_one_set
-from gearwright.sizing.places.keep_out import keep_out_checks
-from gearwright.sizing.places.orders import hollow_checks, order_checks
-from gearwright.sizing.places.pins import pin_checks
-from gearwright.sizing.places.plates import along_body, planets_span, plates_of
-from gearwright.sizing.places.reaches import IN_LINE, Run, runs
-from gearwright.sizing.places.room import BOSS, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
-from gearwright.sizing.places.settle import ROUNDS, Settled, settle
-from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
+from gearwright.sizing.axis_order import PLATE_GAP
+from gearwright.sizing.places.bodies import (
+    IN_LINE,
+    Bell,
+    Parts,
+    Run,
+    along_body,
+    bells,
+    bodies_of,
+    placed,
+    planets_span,
+    plates_of,
+    ring_torque,
+    runs,
+)
+from gearwright.sizing.places.positioning import ROUNDS, Settled, settle
+from gearwright.sizing.places.room import (
+    BOSS,
+    Meeting,
+    Rules,
+    beside_checks,
+    hollow_checks,
+    keep_out_checks,
+    meetings,
+    order_checks,
+    pin_checks,
+    room_checks,
+    rules_of,
+)
+from gearwright.sizing.places.solids import (
+    CLAUSE,
+    Room,
+    Solid,
+    axes_among,
+    box_of,
+    coaxial_checks,
+    of_one_set,
+    room_between,
+    solid_of,
+    solid_room,
+)
 
 __all__ = [
     "BOSS",

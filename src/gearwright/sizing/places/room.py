@@ -1,9 +1,4 @@
-"""Whether bodies have room beside each other, as checks: distance of middles over what both bodies need.
-
-Bodies of two shafts are held against each other unless they mesh or belong to one planetary set; those that share an
-axis, where not both shafts are built, by `coaxial_checks`. On one shaft, where seats are kept apart as they are
-sized, the blank of a bevel or face gear is held against the bearings and the other gears: it reaches beyond its seat.
-"""
+"""Clearance checks: neighbouring bodies, keep-out volumes, orders on an axis, and planet pins."""
 
 from __future__ import annotations
 
@@ -13,15 +8,40 @@ from dataclasses import dataclass, field
 from itertools import combinations
 from typing import NamedTuple
 
+import numpy as np
+
+from gearwright.arrays import smallest
 from gearwright.checks import Check
-from gearwright.identity import GEARBOX, Kind, PartId
-from gearwright.sizing.arranged import Arrangement, Body
-from gearwright.sizing.mounted import JointSizing
-from gearwright.sizing.places.coaxial import CLAUSE, axes_among, of_one_set, owner
-from gearwright.sizing.places.solids import Room, room_between
-from gearwright.sizing.rating import Context
-from gearwright.sizing.result import GearSizing
-from gearwright.spec import GROUND
+from gearwright.identity import GEARBOX, Kind, PartId, Role
+from gearwright.sizing.arrangement import axles_in
+from gearwright.sizing.axis_order import Axle, best_way
+from gearwright.sizing.gear_geometry import cylindrical_gear, root_diameter
+from gearwright.sizing.places.solids import (
+    CLAUSE,
+    Room,
+    Solid,
+    axes_among,
+    box_of,
+    of_one_set,
+    owner,
+    room_between,
+    solid_of,
+    solid_room,
+)
+from gearwright.sizing.rating import BACKUP, TOOTH_HEIGHT, Context
+from gearwright.sizing.result import Arrangement, Body, GearSizing
+from gearwright.sizing.shaft_results import CarrierSizing, JointSizing
+from gearwright.spec import GROUND, Design
+from gearwright.spec.design import KeepOut
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Whether bodies have room beside each other, as checks: distance of middles over what both bodies need.
+#
+# Bodies of two shafts are held against each other unless they mesh or belong to one planetary set; those that share an
+# axis, where not both shafts are built, by `coaxial_checks`. On one shaft, where seats are kept apart as they are
+# sized, the blank of a bevel or face gear is held against the bearings and the other gears: it reaches beyond its seat.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 BOSS = 1.4
 """Diameter of a bevel or face gear's hub over that of its bore, where its body is not sized [-]."""
@@ -192,3 +212,147 @@ def _sphere(body: Body) -> tuple[list[float], float]:
 def _apart(one: tuple[list[float], float], other: tuple[list[float], float]) -> float:
     """Return the room between the spheres around two bodies [m]: never more than between the bodies."""
     return math.dist(one[0], other[0]) - (one[1] + other[1])
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Whether the gearbox stays out of the space that the design keeps free.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Entry:
+    """The body that is nearest to a keep-out, or farthest inside it."""
+
+    name: str
+    """Of the keep-out."""
+    reason: str
+    body: Body
+    room: Room
+
+
+def entries(design: Design, bodies: Sequence[Body]) -> Iterator[Entry]:
+    """Yield the nearest body of every keep-out.
+
+    Args:
+        design: With its keep-outs.
+        bodies: At their places.
+    """
+    for name, keep in design.keep_out.items():
+        space = _space(keep)
+        rooms = [(body, solid_room(solid_of(body), space, enough=0.0)) for body in bodies]
+        if rooms:
+            body, room = smallest(rooms, lambda pair: pair[1].gap)
+            yield Entry(name, keep.reason, body, room)
+
+
+def keep_out_checks(design: Design, bodies: Sequence[Body]) -> Iterator[Check]:
+    """Yield whether all bodies stay out of every keep-out.
+
+    Args:
+        design: With its keep-outs.
+        bodies: At their places.
+    """
+    for entry in entries(design, bodies):
+        gap = entry.room.gap
+        into = f"{-1e3 * gap:.3g} mm into it, " if gap < 0.0 else ""
+        yield Check(
+            GEARBOX, f"keep-out {entry.name}", CLAUSE, max(entry.room.apart, 0.0), entry.room.needed,
+            "length", exponent=None, place=entry.body.name, why=f"{into}{entry.reason}",
+        )  # fmt: skip
+
+
+def _space(keep: KeepOut) -> Solid:
+    ends = [(spot.x, spot.y, spot.z) for spot in (keep.start, keep.end)]
+    if keep.radius is None:
+        return box_of(*ends)
+    axis = np.array(ends[1]) - np.array(ends[0])
+    return Solid(axis / np.linalg.norm(axis), np.array(ends), np.full(2, keep.radius), 0.0)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Axes on which no order gives all that stands there room, and gears that are hollow around another shaft.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def order_checks(context: Context, arrangement: Arrangement) -> Iterator[Check]:
+    """Yield every axis on which nothing was found that lets all its shafts turn, and what would help.
+
+    Args:
+        context: What sizing reads.
+        arrangement: Its axes and plans.
+    """
+    if not arrangement.unordered:
+        return
+    for axle in axles_in(context):
+        if best_way(axle) is None:
+            yield Check(
+                PartId(Kind.SHAFT, axle.shafts[0]),
+                "order along its axis",
+                CLAUSE,
+                0.0,
+                1.0,
+                exponent=None,
+                why=_help(axle),
+            )
+
+
+def _help(axle: Axle) -> str:
+    """Return what would make an order."""
+    free = best_way(axle._replace(wished=()))
+    if free is not None:
+        names = ", ".join(axle.tokens[k].name for k in free.order)
+        return f"no order that keeps to [layout] lets all shafts pass each other; without order and places: {names}"
+    helps = [token.name for k, token in enumerate(axle.tokens) if token.kind != "set" and _without(axle, k)]
+    if helps:
+        return f"no order lets all shafts pass each other; one does without {' or without '.join(helps)}: move it"
+    return "no order lets all shafts pass each other; join other members of the sets, or use a layshaft"
+
+
+def _without(axle: Axle, left: int) -> bool:
+    """Tell whether there is an order without one of the tokens."""
+    tokens = (*axle.tokens[:left], *axle.tokens[left + 1 :])
+    return best_way(Axle(axle.shafts, tokens, (), ())) is not None
+
+
+def hollow_checks(context: Context, gears: Sequence[GearSizing], arrangement: Arrangement) -> Iterator[Check]:
+    """Yield the rim of every gear of a hollow shaft around another one, over the height of its teeth.
+
+    Args:
+        context: What sizing reads.
+        gears: As sized.
+        arrangement: With its bodies.
+    """
+    hollow = {outer for _, outer in arrangement.within}
+    for gear in gears if hollow else ():
+        if gear.rim or gear.role is Role.PLANET or hollow.isdisjoint(gear.shafts):
+            continue
+        own = {gear.part, *(gear.body(shaft) for shaft in gear.shafts)}
+        bore = max((body.bore for body in arrangement.bodies if body.part in own), default=0.0)
+        rim = root_diameter(context, gear) / 2.0 - bore
+        yield Check(
+            gear.part, "rim around its bore", "ISO 6336-3:2019, Y_B", rim / (TOOTH_HEIGHT * gear.module), BACKUP,
+            exponent=None, symbol="s_R/h_t",
+        )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Whether the pins of a carrier fit inside the planets on them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def pin_checks(design: Design, gears: Mapping[str, GearSizing], carriers: Sequence[CarrierSizing]) -> Iterator[Check]:
+    """Yield whether the pin of every planet is thinner than the planet's root circle.
+
+    Args:
+        design: With the rules of its stages.
+        gears: By name.
+        carriers: As sized.
+    """
+    pins = {carrier.stage: carrier.pin_diameter for carrier in carriers}
+    for gear in gears.values():
+        if gear.role is Role.PLANET and gear.stage in pins:
+            root = 2.0 * cylindrical_gear(design, gear).root_radius
+            yield Check(
+                gear.part, "pin in its bore", "ISO 21771, d_f", pins[gear.stage], root, "length",
+                at_most=True, exponent=None,
+            )  # fmt: skip

@@ -10,20 +10,51 @@ from gearwright.sizing.rating.context import (
     bore_of,
     context_of,
     demands_of,
+    rate_row,
     remembered,
     remembering,
     reverse_parts,
     row_ask,
+    row_reserve,
+    scuffing_ratio,
     worn_torque,
 )
-from gearwright.sizing.rating.factors import Factor, factor_rows
+from gearwright.sizing.rating.geometry import (
+    BACKUP,
+    CORRECTIONS,
+    JUST,
+    LEAST_RING,
+    RIMMED,
+    STANDARD_MODULES,
+    THINNEST_RIM,
+    TOOTH_HEIGHT,
+    Gap,
+    bevel_module,
+    bevel_pair,
+    bevel_push,
+    bevel_width,
+    body_inside,
+    cone_ratio,
+    cylindrical_mesh,
+    fewest_virtual_teeth,
+    mean_module,
+    narrowest,
+    next_standard,
+    overlap_width,
+    push_angle,
+    rim_below_roots,
+    strong_enough,
+    under_spectrum,
+    whole,
+    working_radii,
+)
 from gearwright.sizing.rating.lewis_hertz import width_ratio
-from gearwright.sizing.rating.load_sharing import LoadSharing, load_sharing
 from gearwright.sizing.rating.methods import ELEMENTWISE, METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
     ClassDamage,
     Damage,
+    Factor,
     Load,
     LoadedMesh,
     Making,
@@ -31,42 +62,9 @@ from gearwright.sizing.rating.protocol import (
     MeshSpectrum,
     Method,
     Unloaded,
+    factor_rows,
 )
-from gearwright.sizing.rating.rims import (
-    BACKUP,
-    LEAST_RING,
-    RIMMED,
-    THINNEST_RIM,
-    TOOTH_HEIGHT,
-    body_inside,
-    rim_below_roots,
-)
-from gearwright.sizing.rating.rows import rate_row, row_reserve, scuffing_ratio
-from gearwright.sizing.rating.rules import Ask, Made, Rating, rating_of
-from gearwright.sizing.rating.standard_teeth import (
-    bevel_pair,
-    bevel_push,
-    cone_ratio,
-    cylindrical_mesh,
-    fewest_virtual_teeth,
-    mean_module,
-    push_angle,
-    working_radii,
-)
-from gearwright.sizing.rating.widths import (
-    CORRECTIONS,
-    JUST,
-    STANDARD_MODULES,
-    Gap,
-    bevel_module,
-    bevel_width,
-    narrowest,
-    next_standard,
-    overlap_width,
-    strong_enough,
-    under_spectrum,
-    whole,
-)
+from gearwright.sizing.rating.rules import Ask, LoadSharing, Made, Rating, load_sharing, rating_of
 
 __all__ = [
     "BACKUP",

@@ -3,37 +3,32 @@
 What holds parts and bearings along sized shafts is the room `holding`.
 """
 
+from gearwright.sizing.bearings import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.building import Built
 from gearwright.sizing.shafts.carriers import size_carriers
-from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
-from gearwright.sizing.shafts.holding import (
-    ENDS,
-    Groove,
+from gearwright.sizing.shafts.ends import (
     Held,
-    Holder,
-    Retention,
     Sealed,
-    Thread,
     case_hardened,
-    cut_steps,
-    ends,
-    groove_checks,
-    grooves,
     held_rings,
     holders_of,
     holding_checks,
-    retention_checks,
-    retentions,
     seal_checks,
     sealed_exits,
-    threads,
     unsealed_exits,
 )
-from gearwright.sizing.shafts.pressure_centres import centred_bearings, pressure_centre_checks
-from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
-from gearwright.sizing.shafts.sections import Section, Strength, strengths
-from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
-from gearwright.sizing.shafts.undercuts import Cut, undercuts_of
+from gearwright.sizing.shafts.grooves import Groove, Thread, cut_steps, groove_checks, grooves, threads
+from gearwright.sizing.shafts.retention import ENDS, Holder, Retention, ends, retention_checks, retentions
+from gearwright.sizing.shafts.sections import Cut, Section, Strength, strengths, undercuts_of
+from gearwright.sizing.shafts.shafts import (
+    built_checks,
+    carrier_checks,
+    refuse_bores,
+    refuse_idle_shafts,
+    shaft_checks,
+    shaft_material,
+    size_shafts,
+)
 
 __all__ = [
     "ENDS",

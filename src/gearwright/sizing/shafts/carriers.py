@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from gearwright.arrays import largest
 from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import (
     eye_stress,
@@ -19,13 +20,11 @@ from gearwright.parts.planetary import (
     plate_mass,
     plate_shear_stress,
 )
-from gearwright.ranking import largest
-from gearwright.sizing.blanks import external_tooth
-from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.gear_geometry import external_tooth, pin_circle, planet_push, set_pins
 from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.rolling import pin_circle, planet_push, set_pins
+from gearwright.sizing.shaft_results import CarrierSizing, ShaftSizing
 from gearwright.sizing.shafts.shafts import shaft_material
 
 ROUNDING = 1e-9

@@ -27,7 +27,7 @@ from gearwright.parts.joints import (
     spline_length,
     spline_pressure,
 )
-from gearwright.sizing.mounted import JointSizing
+from gearwright.sizing.shaft_results import JointSizing
 from gearwright.spec.design import Joint
 from gearwright.units import apart, text
 

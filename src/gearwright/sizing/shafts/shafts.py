@@ -1,14 +1,17 @@
-"""Shafts of a sized train: of one diameter, or built where the design gives them bearings."""
+"""Shafts of a sized train, uniform, stepped or concentric, and checks of shafts, carriers and joints."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import largest, smallest
+from gearwright.checks import Check, stressed
 from gearwright.errors import DesignError, Problem, refuse
+from gearwright.identity import Kind, PartId
 from gearwright.parts import Material
 from gearwright.parts.shafts import (
     shaft_diameter,
@@ -18,17 +21,125 @@ from gearwright.parts.shafts import (
     shaft_stress,
     torsional_stiffness,
 )
-from gearwright.ranking import largest
-from gearwright.sizing.arranged import Arrangement, ShaftPlan
-from gearwright.sizing.carrying import BearingLoad, ShaftDiagram, ShaftSizing
+from gearwright.sizing.bearings import life_check, limit_checks
 from gearwright.sizing.loads import ShaftForces, pure_torques, shaft_forces
-from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import GearSizing
+from gearwright.sizing.result import Arrangement, GearSizing, ShaftPlan
+from gearwright.sizing.shaft_results import (
+    BearingLoad,
+    BearingSizing,
+    BuiltShaft,
+    CarrierSizing,
+    JointSizing,
+    SectionStrength,
+    ShaftDiagram,
+    ShaftSizing,
+)
+from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE
 from gearwright.sizing.shafts.building import Built, build_shaft
-from gearwright.sizing.shafts.nested import THINNEST_WALL, inner_first, least_bore
-from gearwright.sizing.shafts.refusals import MOST_HOLLOW
+from gearwright.spec import Design
 from gearwright.spec.design import NOTHING_GIVEN
+from gearwright.units import text
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Shafts that go through one another: the inner ones are sized first, the outer ones around them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+THINNEST_WALL = 0.9
+"""Bore over diameter of a shaft around another one that strength alone would make thinner, an assumption [-]."""
+
+
+def inner_first(arrangement: Arrangement) -> Sequence[str]:
+    """Return the shafts in the order of the design, but every one behind those that go through it.
+
+    Args:
+        arrangement: With what goes through what.
+    """
+    if not arrangement.within:
+        return tuple(arrangement.plans)
+    found = list[str]()
+    while len(found) < len(arrangement.plans):
+        waiting = {outer for inner, outer in arrangement.within if inner not in found}
+        found += [name for name in arrangement.plans if name not in found and name not in waiting]
+    return found
+
+
+def least_bore(context: Context, arrangement: Arrangement, shafts: Sequence[ShaftSizing], outer: str) -> float:
+    """Return the bore that a shaft needs around those that go through it; 0 where none does [m].
+
+    Args:
+        context: What sizing reads.
+        arrangement: With what goes through what.
+        shafts: Sized so far, the inner ones among them.
+        outer: Name of the shaft.
+    """
+    inner = {first for first, second in arrangement.within if second == outer}
+    if not inner:
+        return 0.0
+    thickest = max((shaft.diameter for shaft in shafts if shaft.name in inner), default=0.0)
+    return thickest + 2.0 * context.design.shafting.radial_gap
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Shafts that come out without a diameter, as no load case loads them, or with too thin a wall: refused.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+NOTHING = 1e-9
+"""Load over the largest one below which it is rounding [-]."""
+MOST_HOLLOW = 0.95
+"""Largest bore over diameter, as for bore_ratio [-]."""
+
+
+def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
+    """Raise where nothing loads a shaft whose diameter is not given.
+
+    Args:
+        shafts: As sized.
+
+    Raises:
+        DesignError: For every such shaft, with what to give.
+    """
+    sized = list(shafts)
+    load = {shaft.name: math.hypot(shaft.torque, shaft.bending_moment) for shaft in sized}
+    largest, thickest = max(load.values()), max(shaft.diameter for shaft in sized)
+    problems = [
+        Problem(
+            f"layout.{shaft.name}.diameter_mm",
+            f"no load case loads the shaft {shaft.name!r}, so that strength asks for no diameter; give one, such as"
+            f" {1e3 * thickest:.3g}, or a case that loads it",
+        )
+        for shaft in sized
+        if load[shaft.name] <= NOTHING * largest and shaft.diameter <= math.cbrt(NOTHING) * thickest
+    ]
+    refuse(problems)
+
+
+def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
+    """Raise where a given bore leaves too thin a wall in a shaft.
+
+    Args:
+        shafts: As sized.
+
+    Raises:
+        DesignError: With the bore and the diameter of every such shaft.
+    """
+    problems = [
+        Problem(
+            f"layout.{shaft.name}.bore_mm",
+            f"the bore {text(shaft.bore, 'length')} leaves too thin a wall in a shaft of"
+            f" {text(shaft.diameter, 'length')}; it may be {MOST_HOLLOW:.0%} of the diameter: give a smaller bore",
+        )
+        for shaft in shafts
+        if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
+    ]
+    refuse(problems)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Shafts of a sized train: of one diameter, or built where the design gives them bearings.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 def shaft_material(context: Context) -> Material:
@@ -229,3 +340,113 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
 
 def _tresca(section: SectionStrength, bore: float) -> float:
     return shaft_stress(section.bending_moment, section.torque, section.diameter, bore=bore)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Every check of shafts, carriers, bearings and joints against its limit.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LEAST_CRITICAL = 2.0
+"""First critical speed over the highest speed [-] (Shigley, 10th ed., §7-6)."""
+THICKEST_RIM = 1.2
+"""Rim under the teeth over their height from which on it does not weaken them [-] (ISO 6336-3:2019, Y_B = 1)."""
+_CLAUSES = {"key": "DIN 6892:2012, C", "spline": "DIN 5480, first sizing", "press-fit": "DIN 7190-1"}
+
+
+def shaft_checks(shaft: ShaftSizing) -> Iterator[Check]:
+    """Yield the check of a shaft of one diameter, or of the section of a built one that its stress is of.
+
+    Args:
+        shaft: As sized.
+    """
+    part, clause = PartId(Kind.SHAFT, shaft.name), "Pulvirenti 2023, eq. 2.47"
+    yield stressed(part, "Tresca", clause, shaft.stress, shaft.margin, case=shaft.case)
+
+
+def carrier_checks(carrier: CarrierSizing) -> Iterator[Check]:
+    """Yield the checks of a carrier's pins, of the plate around them and, where it turns, of the plate at its hub.
+
+    Args:
+        carrier: As sized.
+    """
+    part, case = carrier.part, carrier.case
+    yield stressed(part, "pin bending", "cantilever", carrier.pin_stress, carrier.pin_margin, case=case)
+    yield stressed(part, "pin in its hole", "p = F/(d t)", carrier.hole_pressure, carrier.hole_margin, case=case)
+    yield stressed(part, "eye shear", "tear-out, Tresca", carrier.eye_stress, carrier.eye_margin, case=case)
+    if carrier.plate_margin is not None:
+        yield stressed(part, "plate shear", "Tresca", carrier.plate_stress, carrier.plate_margin, case=case)
+
+
+def built_checks(built: Built, design: Design) -> Iterator[Check]:
+    """Yield every check of a built shaft, its bearings and its joints.
+
+    Args:
+        built: The shaft.
+        design: With its limits.
+    """
+    yield from _strength(built.shaft, design)
+    yield from _stiffness(built.shaft, design)
+    for bearing in built.bearings:
+        yield from _bearing(bearing, design)
+    for joint in built.joints:
+        yield from _joint(joint)
+    yield from built.fits
+
+
+_LAWS = {"asme": "DE-ASME", "goodman": "DE-Goodman", "gerber": "DE-Gerber", "soderberg": "DE-Soderberg"}
+"""Criterion -> as tables name it."""
+
+
+def _strength(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
+    service, part = design.service, PartId(Kind.SHAFT, shaft.name)
+    tired, strained = shaft.weakest, smallest(shaft.sections, lambda section: section.yield_safety)
+    law = _LAWS[design.shafting.fatigue]
+    yield Check(
+        part, "fatigue", f"{law}, Shigley ch. 7", tired.fatigue_safety, service.shaft_fatigue_safety,
+        symbol="n_f", place=tired.place, case=tired.case,
+    )  # fmt: skip
+    yield Check(
+        part, "yield", "Shigley eq. 7-16", strained.yield_safety, service.shaft_yield_safety,
+        symbol="n_y", place=strained.place, case=strained.case,
+    )  # fmt: skip
+
+
+def _stiffness(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
+    part = PartId(Kind.SHAFT, shaft.name)
+    for place, slope in shaft.slopes:
+        limit = _slope_limit(place, design)
+        if limit is not None and slope > 0.0:
+            yield Check(part, "slope", "Shigley table 7-2", slope, limit, "slope", at_most=True, place=place)
+    if shaft.critical_speed is not None:
+        first, asked = shaft.critical_speed, LEAST_CRITICAL * shaft.highest_speed
+        yield Check(part, "first critical speed", "Shigley §7-6", first, asked, "speed", exponent=None)
+
+
+def _slope_limit(place: str, design: Design) -> float | None:
+    """Return what is allowed at a gear or a bearing [rad]."""
+    return BEARING_SLOPES.get(design.bearings[place].kind) if place in design.bearings else GEAR_SLOPE
+
+
+def _bearing(bearing: BearingSizing, design: Design) -> Iterator[Check]:
+    part, place, taken = PartId(Kind.BEARING, bearing.name), bearing.designation, bearing.bearing
+    yield life_check(part, taken, bearing.life, bearing.oiled, bearing.wanted_life, design)
+    yield Check(
+        part, "static safety", "ISO 76:2006", bearing.static_safety, bearing.wanted_static_safety,
+        symbol="s_0", place=place, case=bearing.case,
+    )  # fmt: skip
+    yield from limit_checks(part, taken, bearing.running, design)
+
+
+def _joint(joint: JointSizing) -> Iterator[Check]:
+    if joint.kind == "integral":
+        return
+    part, clause = PartId(Kind.JOINT, joint.part, branch=joint.shaft), _CLAUSES[joint.kind]
+    pressure, allowed = joint.pressure, joint.allowed_pressure
+    yield Check(part, f"{joint.kind} pressure", clause, pressure, allowed, "stress", at_most=True)
+    if joint.kind == "press-fit" and joint.speed:
+        running, needed = joint.running_pressure, joint.needed_pressure
+        yield Check(part, "press-fit pressure at speed", "DIN 7190-1", running, needed, "stress", symbol="p")
+    if joint.rim is not None and joint.rim > 0.0:
+        clause = "ISO 6336-3:2019, Y_B"
+        yield Check(part, "rim under the teeth", clause, joint.rim, THICKEST_RIM, exponent=None, symbol="s_R/h_t")

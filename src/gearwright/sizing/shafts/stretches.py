@@ -19,9 +19,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
+from gearwright.arrays import largest
 from gearwright.catalogue import Bearing
 from gearwright.errors import DesignError, Problem
-from gearwright.ranking import largest
 from gearwright.units import apart, text
 
 SHOULDER = 0.175

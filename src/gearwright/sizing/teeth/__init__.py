@@ -3,11 +3,10 @@
 How large the teeth become is for `stages`.
 """
 
+from gearwright.sizing.teeth.front import EQUAL
 from gearwright.sizing.teeth.masses import made_share
-from gearwright.sizing.teeth.refusal import refuse_contradictions
-from gearwright.sizing.teeth.search import Chosen, choose_teeth
-from gearwright.sizing.teeth.states import EQUAL
-from gearwright.sizing.teeth.trying import CONSIDERED, StageTeeth, Trying, stage_teeth
+from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, Trying, choose_teeth, stage_teeth
+from gearwright.sizing.teeth.stage import refuse_contradictions
 
 __all__ = [
     "CONSIDERED",

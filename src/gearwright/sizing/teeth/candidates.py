@@ -1,22 +1,115 @@
-"""Tooth numbers that a stage may have: near its ratio, free of undercut, able to be put together."""
+"""Candidate tooth numbers of a stage: ratio, undercut, assembly condition and profile shifts."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
+from gearwright.errors import DesignError
+from gearwright.identity import Role
 from gearwright.parts.gears import transverse_pressure_angle
-from gearwright.parts.planetary import assembles, neighbours_clear
+from gearwright.parts.planetary import assembles, nearest_positions, neighbours_clear, tip_gap
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
-from gearwright.sizing.teeth.closing import closed, is_shifted
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
-from gearwright.spec.design import SUN_LIMITS
+from gearwright.spec.design import SET_ROLES, SUN_LIMITS, StageShifts, stage_shifts
 from gearwright.train import gears_of, teeth_of
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Which open teeth of a planetary set its profile shifts close: those given, a centre distance, or a rule of balance.
+#
+# Where no shift is asked for, z_r = z_s + 2 z_p closes every set. Else sun, planet and ring are tried as sizing takes
+# them: shifts within their limits, no undercut, no pointed tip, no interference in the ring, planets beside each other.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FARTHEST = 4.0
+"""Modules by which no shifts bring a given centre distance nearer to that of teeth without shift [-]."""
+
+
+def ring_variants(task: Task, design: Design) -> tuple[Task, ...]:
+    """Return a stage with every number of teeth by which a chosen ring may differ from z_s + 2 z_p, the least first.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+    """
+    most = design.teeth.ring_deviation
+    if not most or not isinstance(task.stage, Planetary) or task.stage.known_teeth is not None:
+        return (task,)
+    return tuple(replace(task, deviation=teeth) for teeth in sorted(range(-most, most + 1), key=abs))
+
+
+def is_shifted(task: Task, design: Design) -> bool:
+    """Tell whether the teeth of a planetary set have shifts that its design asks for, beyond those of all its gears.
+
+    Args:
+        task: The stage.
+        design: With its rules.
+    """
+    stage = task.stage
+    if not isinstance(stage, Planetary):
+        return False
+    shifts = (stage.sun_shift, stage.planet_shift, stage.ring_shift)
+    asked = stage.centre_distance is not None or any(shift is not None for shift in shifts)
+    return asked or task.deviation != 0 or design.rules(task.name).balanced_shifts is not None
+
+
+def closed(task: Task, design: Design, small: Ints, large: Ints, ring: Ints, *, planets: int) -> Bools:
+    """Tell which teeth of a planetary set with shifts close, so that planets pass each other.
+
+    Args:
+        task: The stage.
+        design: With its rules.
+        small: Of the sun [-].
+        large: Of planets [-].
+        ring: Of the ring [-].
+        planets: Number of planets [-].
+    """
+    good = _near(task, small + large) & _near(task, ring - large)
+    triples, place = np.unique(np.stack([small, large, ring])[:, good], axis=1, return_inverse=True)
+    fits = [_stands(task, design, (int(z_s), int(z_p), int(z_r)), planets) for z_s, z_p, z_r in triples.T]
+    good[good] = np.array(fits, dtype=bool)[place.ravel()]
+    return good
+
+
+def _near(task: Task, total: Ints) -> Bools:
+    """Tell which sums of teeth stand near enough to the given centre distance for a look; all, where none is given."""
+    stage = task.stage
+    if stage.centre_distance is None or stage.module is None:
+        return np.ones(total.shape, dtype=bool)
+    return np.asarray(np.abs(stage.centre_distance / stage.module - total / 2.0) <= FARTHEST)
+
+
+def _stands(task: Task, design: Design, teeth: tuple[int, int, int], planets: int) -> bool:
+    """Tell whether one set closes and its planets pass each other."""
+    if teeth not in task.closed:
+        task.closed[teeth] = _shifts(task.name, design, teeth)
+    shifts = task.closed[teeth]
+    if shifts is None:
+        return False
+    sun, planet, ring = teeth
+    centre = 0.5 * (sun + planet) if shifts.centre is None else shifts.centre
+    tip = 0.5 * planet + 1.0 + sum(shifts.of(Role.PLANET))
+    return tip_gap(centre, tip, nearest_positions(sun, ring, planets)) > 0.0
+
+
+def _shifts(name: str, design: Design, teeth: tuple[int, int, int]) -> StageShifts | None:
+    """Return the shifts that close a set; None where none do."""
+    try:
+        return stage_shifts(design, name, dict(zip(SET_ROLES, teeth, strict=True)))
+    except DesignError:
+        return None
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Tooth numbers that a stage may have: near its ratio, free of undercut, able to be put together.
+# ----------------------------------------------------------------------------------------------------------------------
 
 
 class Reach(NamedTuple):
@@ -285,3 +378,100 @@ def _reached(stage: Pair, small: Ints, large: Ints, *, helix: float) -> Bools:
     total = large - small if stage.internal else large + small
     gained = stage.centre_distance / stage.module - total / (2.0 * math.cos(helix))
     return np.asarray((gained >= NEAREST_CENTRES[0]) & (gained <= NEAREST_CENTRES[1]))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Which teeth of planetary sets can be put together, tabulated once: the search looks them up for every ratio asked.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+LARGEST = 4096
+"""Teeth of planets that are tabulated; sets of larger ones are looked at one by one [-]."""
+_KEPT = 64
+"""Tables that are kept [-]."""
+_KNOWN: dict[tuple[Any, ...], Any] = {}
+
+
+def admitted(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
+    """Tell which teeth some number of planets admits.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+        small: Teeth of pinion or sun.
+        large: Teeth of wheel or planet.
+    """
+    fits = [admissible(task, design, small, large, planets=n) for n in planet_counts(task.name, design)]
+    return fits[0] if len(fits) == 1 else np.any(fits, axis=0)
+
+
+def admitted_candidates(
+    front: Front, task: Task, design: Design, target: Floats, *, reach: Reach
+) -> tuple[Ints, Ints, Ints]:
+    """Return the candidates for every ratio asked that some number of planets admits.
+
+    Args:
+        front: Choices of the stages before.
+        task: The stage.
+        design: With the rules of the search.
+        target: Tooth ratio asked of every choice [-].
+        reach: How far it looks.
+
+    Returns:
+        Choice that each extends, teeth of pinion and wheel, or of sun and planet.
+    """
+    stage, rules = task.stage, design.teeth
+    given = not isinstance(stage, Planetary) or stage.sun_teeth or stage.planet_teeth or stage.ring_teeth
+    if not (given or is_shifted(task, design)):
+        suns = np.arange(rules.sun_minimum, rules.largest_sun(reach.largest_sun) + 1)
+        low = whole_below((target[:, None] - 1.0) * suns / 2.0)
+        size = 1 << int(low.max(initial=255)).bit_length()
+        if size <= LARGEST:
+            windows = _windows(task, design, suns, size=size, around=reach.around)
+            return _looked_up(windows, low, suns, reach.around)
+    parent, small, large = candidates(front, task, design, target, reach=reach)
+    fits = admitted(task, design, small, large)
+    return parent[fits], small[fits], large[fits]
+
+
+def _windows(task: Task, design: Design, suns: Ints, *, size: int, around: int) -> Any:
+    """Return of every sun and planet, bit for bit, which of the planets around that one are admitted.
+
+    Args:
+        task: A planetary set of which no teeth are given, and none are shifted.
+        design: With the rules of the search.
+        suns: Teeth of suns that are looked at [-].
+        size: Teeth beyond those of the largest planet [-].
+        around: Tooth numbers on either side [-].
+    """
+    rules, counts = design.teeth, tuple(planet_counts(task.name, design))
+    key = (counts, rules.planet_minimum, rules.hunting, len(suns), *suns[:1].tolist(), size, around)
+    if key not in _KNOWN:
+        if len(_KNOWN) >= _KEPT:
+            _KNOWN.clear()
+        planets = np.arange(size + around)
+        grid = (np.broadcast_to(axis, (len(suns), len(planets))) for axis in (suns[:, None], planets))
+        fits = admitted(task, design, *grid).astype(np.uint8)
+        windows = np.zeros((len(suns), size), dtype=np.uint8)
+        for bit in range(2 * around):
+            windows |= fits[:, np.maximum(planets[:size] + 1 - around + bit, 1)] << np.uint8(bit)
+        _KNOWN[key] = windows
+    return _KNOWN[key]
+
+
+def _looked_up(windows: Any, low: Ints, suns: Ints, around: int) -> tuple[Ints, Ints, Ints]:
+    """Return the choice that each candidate extends, and the teeth of sun and planet.
+
+    Args:
+        windows: From `_windows`.
+        low: (choices, suns) teeth of the planet below the wanted one [-].
+        suns: Their teeth [-].
+        around: Tooth numbers on either side [-].
+    """
+    count, size = windows.shape
+    codes = windows.ravel()[low + size * np.arange(count)].ravel()
+    some = np.flatnonzero(codes)
+    owner, bit = np.nonzero(np.unpackbits(codes[some, None], axis=1, count=2 * around, bitorder="little"))
+    place = some[owner]
+    parent = place // count
+    return parent, suns[place - parent * count], np.maximum(low.ravel()[place] + 1 - around + bit, 1)

@@ -1,13 +1,9 @@
-"""Forbidden bands of frequencies in the search: which teeth of a stage pass at none, in every case that turns alike.
-
-A case turns as the search does where the same machine keeps its speed and the same clutches hold: all its speeds are
-then those of the search times one factor, whatever the teeth. What other cases do only whole trains tell.
-"""
+"""Forbidden frequency bands in the search for tooth numbers, by stage and for whole trains."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,10 +12,29 @@ import numpy as np
 from gearwright.arrays import Bools, Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing.teeth.front import Ban, Front, Task
-from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
+from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, edited
 from gearwright.spec.design import ForbiddenBand, cases_forbidding
-from gearwright.train import PowerFlow, Targets, Train, asked_speeds, gears_of, members_of
+from gearwright.train import (
+    PowerFlow,
+    Targets,
+    Train,
+    Turning,
+    asked_speeds,
+    build_train,
+    gears_of,
+    members_of,
+    passes,
+    power_flow,
+)
 from gearwright.units import text
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Forbidden bands of frequencies in the search: which teeth of a stage pass at none, in every case that turns alike.
+#
+# A case turns as the search does where the same machine keeps its speed and the same clutches hold: all its speeds are
+# then those of the search times one factor, whatever the teeth. What other cases do only whole trains tell.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _STILL = 1e-9
 """Part of the largest speed below which a shaft stands still [-]."""
@@ -201,3 +216,71 @@ def _problem(path: str, task: Task, front: Front, name: str, teeth: int) -> Prob
         f" {passing} at {low} to {high}; narrow the band, limit its cases, or allow more in [teeth] or in the speeds"
     )
     return Problem(f"teeth.forbidden.{name}", message)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Whole trains against forbidden bands of frequencies that no stage alone can be held against.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+Teeth = tuple[Mapping[str, int], Mapping[str, int]]
+"""Gear -> tooth number, and planetary set -> number of planets where the design leaves it open [-]."""
+TRIED = 2_000
+"""Trains that are held against them [-]."""
+
+
+def clear_places(
+    design: Design, train: Train, bands: Set[str], trains: Iterable[tuple[int, Teeth]], *, wanted: int,
+) -> list[int]:  # fmt: skip
+    """Return the places of the first trains that pass at no frequency of some bands, as many as are wanted.
+
+    Args:
+        design: With its cases.
+        train: Its graph.
+        bands: Names of bands.
+        trains: Place and teeth of each, the lightest first.
+        wanted: How many [-].
+
+    Raises:
+        DesignError: If none of those that are tried is clear, with the bands.
+    """
+    clear, tried = list[int](), 0
+    for place, (teeth, planets) in trains:
+        if len(clear) == wanted or tried == TRIED:
+            break
+        tried += 1
+        if _is_clear(design, train, bands, teeth, planets):
+            clear.append(place)
+    if not clear:
+        raise DesignError(_problems(design, bands, tried))
+    return clear
+
+
+def _is_clear(
+    design: Design, train: Train, bands: Set[str], teeth: Mapping[str, int], planets: Mapping[str, int]
+) -> bool:
+    """Tell whether a train passes at no frequency of some bands in any of their cases."""
+    if planets:
+        design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in planets.items()})
+        train = build_train(design)
+    turning = Turning(design, train, teeth)
+    for name in bands:
+        band = design.teeth.forbidden[name]
+        for case in cases_forbidding(design, band):
+            flow = power_flow(design, train, teeth, case, turning=turning)
+            frequencies = [frequency for _, frequency in passes(design, train, teeth, flow, band.of)]
+            if taken(band, np.array(frequencies)).any():
+                return False
+    return True
+
+
+def _problems(design: Design, bands: Set[str], tried: int) -> Iterator[Problem]:
+    most = "" if tried < TRIED else " lightest"
+    for name in sorted(bands):
+        band = design.teeth.forbidden[name]
+        message = (
+            f"none of the {tried}{most} trains that the rules of [teeth] allow keeps out of {ends_of(band)} in every"
+            " case, with what else is forbidden; narrow the band, limit its cases, or allow more in [teeth] or in the"
+            " speeds"
+        )
+        yield Problem(f"teeth.forbidden.{name}", message)

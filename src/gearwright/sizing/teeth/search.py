@@ -1,40 +1,38 @@
-"""Choose the tooth numbers: every admissible combination counts, and the lightest gears win.
-
-Stages are taken from the kept machines outwards, so that a stage's target is what the teeth chosen so far leave of the
-asked speeds. A front holds all partial choices at once as arrays; each stage multiplies it by its candidates, and of
-those that leave the same to the stages after them the lightest is kept (`states`). Where they are still many, those go
-that cannot become lighter than a train that is found already (`bounds`).
-"""
+"""Search for the tooth numbers of the lightest gears, with lower bounds of mass and trial sizings."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools
+from gearwright.arrays import Bools, Floats, largest
+from gearwright.checks import ROUNDING
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
-from gearwright.ranking import largest
-from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
-from gearwright.sizing.result import PRELIMINARY
-from gearwright.sizing.teeth.bevels import bevel_rows
-from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
-from gearwright.sizing.teeth.candidates import given_teeth, is_given, planet_counts
-from gearwright.sizing.teeth.forbidden import banned
-from gearwright.sizing.teeth.front import Front, Task
-from gearwright.sizing.teeth.masses import aligned
-from gearwright.sizing.teeth.refusal import refusal
-from gearwright.sizing.teeth.stage import extend
-from gearwright.sizing.teeth.states import EQUAL, needs_of, ranks_of
-from gearwright.sizing.teeth.twins import with_twins
-from gearwright.sizing.teeth.whole import clear_places
+from gearwright.sizing.result import PRELIMINARY, TeethSearch
+from gearwright.sizing.teeth.candidates import (
+    Reach,
+    admissible,
+    assembled,
+    candidates,
+    given_teeth,
+    is_given,
+    is_shifted,
+    planet_counts,
+    ring_variants,
+)
+from gearwright.sizing.teeth.forbidden import banned, clear_places
+from gearwright.sizing.teeth.front import EQUAL, Front, Task, needs_of, ranks_of, with_twins
+from gearwright.sizing.teeth.masses import aligned, bevel_rows, weigh
+from gearwright.sizing.teeth.stage import extend, refusal, tooth_ratio
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
-from gearwright.spec.design import RATINGS, module_owners
+from gearwright.spec.design import RATINGS, SUN_LIMITS, module_owners
 from gearwright.train import (
     PowerFlow,
     Targets,
@@ -49,6 +47,164 @@ from gearwright.train import (
     teeth_of,
     ties_of,
 )
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the stages that are still to come weigh at the least, so that choices which cannot win are left out.
+#
+# A stage and all that it drives weigh what they do by the speed of the shaft that leads to it. That is tabulated from
+# the last stages backwards over steps of that speed, each with the least load and the most choices that any speed in
+# it has.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+STEP = 1e-4
+"""Of a speed in the tables, in its logarithm [-]."""
+_STEPS = 280
+"""Steps on either side of a nominal speed; beyond them nothing is known [-]."""
+_WIDE = 1.0 + 1e-9
+"""Factor that keeps the ends of a range inside it, whatever the rounding [-]."""
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A stage and all that is reached through it."""
+
+    source: str
+    """Shaft that leads to it."""
+    nominal: float
+    """Speed asked of that shaft [rad/s]."""
+    least: Floats
+    """Least mass of its gears and of all beyond it, step of the source's speed after step [kg]."""
+
+    def at(self, speed: Floats) -> Floats:
+        """Return the least mass at speeds of its source [kg].
+
+        Args:
+            speed: [rad/s].
+        """
+        step = np.floor(np.log(np.maximum(speed, 1e-300) / self.nominal) / STEP + 1e-6).astype(np.int64) + _STEPS
+        inside = (step > 0) & (step < 2 * _STEPS - 1)
+        return np.where(inside, np.minimum(self.least[step * inside], self.least[step * inside - 1]), 0.0)
+
+
+def branches_of(front: Front, later: Sequence[Task], design: Design, nominal: Targets) -> list[Branch]:
+    """Return what is reached from the shafts that a front knows, as far as it can be bounded.
+
+    Args:
+        front: Choices of the stages before.
+        later: The stages to come, in order.
+        design: With the rules of the search.
+        nominal: Asked speeds.
+    """
+    by, ordered, waiting = dict.fromkeys(front.speeds, ""), list[tuple[Task, str]](), list(later)
+    while task := next((task for task in waiting if _source(task, by, design)), None):
+        waiting.remove(task)
+        ordered.append((task, _source(task, by, design)))
+        by = {**dict.fromkeys(_ends(task), task.name), **by}
+    branches = list[Branch]()
+    for task, source in reversed(ordered):
+        beyond = [branch for branch in branches if by[branch.source] == task.name]
+        branches.append(_branch(task, source, design, nominal, beyond))
+    return [branch for branch in branches if not by[branch.source]]
+
+
+def rest_of(front: Front, branches: Sequence[Branch]) -> Floats:
+    """Return a mass that the gears of the stages still to come cannot be below, for every choice of a front [kg].
+
+    Args:
+        front: Choices of the stages before.
+        branches: From `branches_of`.
+    """
+    rest = np.zeros(len(front))
+    for branch in branches:
+        rest += branch.at(front.speeds[branch.source])
+    return rest
+
+
+def _ends(task: Task) -> tuple[str, ...]:
+    return () if task.edge is None else (*task.edge.fast, *task.edge.slow)
+
+
+def _source(task: Task, reached: Collection[str], design: Design) -> str:
+    """Return the shaft that leads to a stage that can be bounded; nothing where there is none, or more than one."""
+    shares = isinstance(task.stage, Pair) and any(task.stage.shared(side) for side in SIDES)
+    if task.edge is None or shares or design.teeth.split != "equal":
+        return ""
+    sides = [next((shaft for shaft in side if shaft in reached), "") for side in (task.edge.fast, task.edge.slow)]
+    return "" if all(sides) else sides[0] or sides[1]
+
+
+def _branch(task: Task, source: str, design: Design, nominal: Targets, beyond: Sequence[Branch]) -> Branch:
+    """Return the table of a stage whose stages beyond it have theirs."""
+    edge, known = task.edge, nominal.speeds[source]
+    assert edge is not None
+    drives = source in edge.fast
+    other, fast = nominal.speeds[(edge.slow if drives else edge.fast)[0]], nominal.speeds[edge.fast[0]]
+    speeds = known * np.exp(STEP * (np.arange(2 * _STEPS + 1) - _STEPS))
+    asked = [edge.tooth_ratio(speed / other if drives else other / speed) for speed in speeds.tolist()]
+    if not all(0.0 < ratio < math.inf for ratio in asked):
+        return Branch(source, known, np.zeros(2 * _STEPS))
+    teeth, mass = _candidates(task, design, _near(task, design, (min(asked), max(asked))), fast)
+    ratio = np.array([edge.ratio(value) for value in teeth.tolist()])
+    least = np.zeros(2 * _STEPS)
+    for step, ends in enumerate(pairwise(asked)):
+        span = _near(task, design, (min(ends), max(ends)))
+        first, last = np.searchsorted(teeth, span[0]), np.searchsorted(teeth, span[1], side="right")
+        own, low, high = ratio[first:last], speeds[step], speeds[step + 1]
+        if len(own):
+            weight = mass[first:last] * (fast / (high if drives else high * own))
+            for branch in beyond:
+                passed = (low / own, high / own) if drives else (low * own, high * own)
+                weight = weight + np.minimum(branch.at(passed[0]), branch.at(passed[1]))
+            least[step] = weight.min()
+    return Branch(source, known, np.where(np.isfinite(least), least, 0.0))
+
+
+def _near(task: Task, design: Design, asked: tuple[float, float]) -> tuple[float, float]:
+    """Return the least and the largest tooth ratio that is near enough to some of a range; all of given teeth."""
+    if is_given(task.stage):
+        return 0.0, math.inf
+    part, tolerance = (1.0 if isinstance(task.stage, Planetary) else 0.0), design.teeth.stage_tolerance * _WIDE
+    return (part + asked[0]) * (1.0 - tolerance) - part, (part + asked[1]) * (1.0 + tolerance) - part
+
+
+def _candidates(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
+    """Return every tooth ratio in a range, the least first, and the mass of its gears at a speed of the fast shaft."""
+    parts = [_of_variant(variant, design, allowed, speed) for variant in ring_variants(task, design)]
+    ratio, masses = (np.concatenate(columns) for columns in zip(*parts, strict=True))
+    order = np.argsort(ratio, kind="stable")
+    return ratio[order], masses[order]
+
+
+def _of_variant(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
+    """Return the tooth ratios and masses of a stage; of shifted teeth those too that shifts may not close."""
+    assert task.edge is not None
+    low, high = allowed if allowed[1] < math.inf else (1.0, 1.0)
+    largest = max(design.teeth.largest_sun(SUN_LIMITS[-1]), design.teeth.pinion_maximum)
+    targets = np.linspace(low, high, math.ceil((high - low) * largest) + 2)  # next to every whole number between
+    front = Front({}, {task.edge.fast[0]: np.full(len(targets), speed)}, {}, {})
+    _, small, large = candidates(front, task, design, targets, reach=Reach(1, SUN_LIMITS[-1]))
+    small, large = np.unique(np.stack([small, large]), axis=1)
+    masses = np.full(len(small), np.inf)
+    possible = assembled if is_shifted(task, design) else admissible
+    for planets in planet_counts(task.name, design):
+        fits = possible(task, design, small, large, planets=planets)
+        alone = Front({}, {task.edge.fast[0]: np.full(int(fits.sum()), speed)}, {}, {})
+        if fits.any():
+            weighed = weigh(alone, task, small[fits], large[fits], planets=planets).mass
+            masses[fits] = np.minimum(masses[fits], weighed)
+    return tooth_ratio(task, small, large), masses
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Choose the tooth numbers: every admissible combination counts, and the lightest gears win.
+#
+# Stages are taken from the kept machines outwards, so that a stage's target is what the teeth chosen so far leave of
+# the asked speeds. A front holds all partial choices at once as arrays; each stage multiplies it by its candidates,
+# and of those that leave the same to the stages after them the lightest is kept (`states`). Where they are still
+# many, those go that cannot become lighter than a train that is found already (`bounds`).
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 MANY = 5_000
 """Choices of a front beyond which those that cannot win are looked for [-]."""
@@ -358,3 +514,110 @@ def carried_over(design: Design, front: Front) -> Front:
             if here in speeds and there not in speeds:
                 speeds[there] = speeds[here]
     return replace(front, speeds=speeds)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Which of the lightest combinations of teeth a preliminary sizing looks at, one after the other, and which it takes.
+#
+# The search weighs gears before their modules are rounded. What rounding does, by standard modules and by speeds near
+# a resonance of the mesh, shows when gears are sized and rated. So they are, of one combination after the other: none
+# with teeth of a stage that failed or grew heavy before, and no more once one that passes is about as light as the
+# next.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+CONSIDERED = 60
+"""Combinations of the lightest gears among which a preliminary sizing looks [-]."""
+LOOKED_AT = 12
+"""How many of them it sizes at most [-]."""
+PROMISING = 1.05
+"""Gears that pass over the estimate for the next combination, below which that one is not looked at [-]."""
+
+StageTeeth = tuple[str, tuple[int, ...]]
+"""Stage, and its teeth with its number of planets where that is open."""
+
+
+def stage_teeth(train: Train, choice: Chosen) -> frozenset[StageTeeth]:
+    """Return the teeth of every stage of a combination.
+
+    Args:
+        train: The graph.
+        choice: The combination.
+    """
+    own = dict[str, tuple[int, ...]]()
+    for gear in train.gears:
+        own[gear.stage] = (*own.get(gear.stage, ()), choice.teeth[gear.name])
+    return frozenset((stage, (*teeth, choice.planets.get(stage, 0))) for stage, teeth in own.items())
+
+
+class Tried(NamedTuple):
+    """A combination whose gears are sized."""
+
+    place: int
+    """Among those that are considered [-]."""
+    nearness: float
+    """How near its gears come to all that is asked of them [-]: 1 where they meet it."""
+    mass: float
+    """What they weigh [kg]."""
+
+
+@dataclass
+class Trying:
+    """The course of looking at combinations."""
+
+    stages: Callable[[int], frozenset[StageTeeth]]
+    """Place of a combination, those of the lightest gears first -> its teeth."""
+    masses: Sequence[float]
+    """What the gears of every combination weigh by the estimate of the search [kg]."""
+    tried: list[Tried] = field(default_factory=list)
+    poor: set[StageTeeth] = field(default_factory=set)
+    """Teeth of stages whose gears failed, or became heavier than the search took them for."""
+    at: int = 0
+    """Combinations that are looked at or passed over [-]."""
+    looked: int = 0
+    """Combinations that are looked at [-]."""
+
+    def next(self) -> int | None:
+        """Return the combination to look at; None where enough are known."""
+        while self.looked < LOOKED_AT and self.at < len(self.masses):
+            place = self.at
+            if self.tried and self._is_light_enough(place):
+                return None
+            self.at += 1
+            if not self.stages(place) & self.poor:
+                self.looked += 1
+                return place
+        return None
+
+    def _is_light_enough(self, place: int) -> bool:
+        best = self.ranked()[0]
+        return best.nearness >= 1.0 - EQUAL and best.mass <= PROMISING * self.masses[place]
+
+    def note(self, place: int, nearness: Mapping[str, float], heaviness: Mapping[str, float], *, mass: float) -> None:
+        """Note what came of a combination.
+
+        Args:
+            place: Of it.
+            nearness: Stage -> least value over limit of its checks [-].
+            heaviness: Stage -> volume of its gears over that by which they were found [-].
+            mass: What its gears weigh [kg].
+        """
+        met = {stage: min(ratio / (1.0 - ROUNDING), 1.0) for stage, ratio in nearness.items()}
+        poor = {stage for stage, ratio in met.items() if ratio < 1.0}
+        poor |= {stage for stage, ratio in heaviness.items() if ratio > PROMISING}
+        self.poor |= {teeth for teeth in self.stages(place) if teeth[0] in poor}
+        self.tried.append(Tried(place, min(met.values(), default=1.0), mass))
+
+    def ranked(self) -> list[Tried]:
+        """Return what was tried, the nearest first, of equals the lightest, of these the first."""
+        left, order = list(self.tried), list[Tried]()
+        while left:
+            best = left[0]
+            for one in left[1:]:
+                as_near = one.nearness >= best.nearness - EQUAL
+                lighter = one.mass < best.mass * (1.0 - EQUAL)
+                if one.nearness > best.nearness + EQUAL or (as_near and lighter):
+                    best = one
+            left.remove(best)
+            order.append(best)
+        return order

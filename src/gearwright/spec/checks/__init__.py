@@ -3,11 +3,10 @@
 Bounds of single fields stand with the fields.
 """
 
-from gearwright.spec.checks.bearings import bearing_problems
 from gearwright.spec.checks.design import reference_problems, table_of
-from gearwright.spec.checks.materials import STEEL_KEYS
-from gearwright.spec.checks.mounting import APART, KINDS, MOST_HOLLOW
-from gearwright.spec.checks.sharing import relief_problem
+from gearwright.spec.checks.epicyclics import relief_problem
+from gearwright.spec.checks.gears import STEEL_KEYS
+from gearwright.spec.checks.mounting import APART, KINDS, MOST_HOLLOW, bearing_problems
 
 __all__ = [
     "APART",

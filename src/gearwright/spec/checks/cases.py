@@ -1,4 +1,4 @@
-"""What can be wrong with load cases: who does what, who balances, how long each lasts, what is engaged."""
+"""Checks of load cases and of forbidden frequency bands."""
 
 from __future__ import annotations
 
@@ -19,6 +19,11 @@ from gearwright.spec.design import (
     shares_of,
 )
 from gearwright.units import text
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What can be wrong with load cases: who does what, who balances, how long each lasts, what is engaged.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 WHOLE = 1e-6
 """How far from 1 the sum of the shares may be [-]."""
@@ -202,3 +207,28 @@ def _service_shares(design: Design, said: set[str]) -> Iterator[Problem]:
 def _has_lives(design: Design) -> bool:
     """Tell whether something is rated for a life: gears by a standard, or bearings."""
     return bool(design.bearings) or any(RATINGS[design.rating(stage)].fatigue for stage in design.stages)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What can be wrong with forbidden bands of frequencies: reversed ends, cases and planets that are not there.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def band_problems(design: Design) -> Iterator[Problem]:
+    """Yield what is wrong with the bands of frequencies that teeth shall not pass at.
+
+    Args:
+        design: As typed.
+    """
+    for name, band in design.teeth.forbidden.items():
+        path = f"teeth.forbidden.{name}"
+        if band.highest <= band.lowest:
+            ends = f"{text(band.highest, 'frequency')} is not above lowest, {text(band.lowest, 'frequency')}"
+            yield Problem(f"{path}.highest", f"{ends}; give the upper end here, or leave the band out")
+        for case in band.cases or []:
+            if case not in cases_of(design):
+                yield Problem(f"{path}.cases", f"there is no case {case!r}; {near(case, cases_of(design))}")
+        if band.cases == []:
+            yield Problem(f"{path}.cases", "is empty, so that the band holds nowhere; name a case, or leave it out")
+        if band.of == "planet-pass" and not design.sets:
+            yield Problem(f"{path}.of", "'planet-pass', but the design has no planets; write \"mesh\"")

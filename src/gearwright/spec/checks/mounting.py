@@ -1,16 +1,32 @@
-"""What can be wrong with bearings and joints: names that point nowhere, shafts that are not held."""
+"""Checks of bearings, shaft-hub joints, supports and manufacturing errors."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
-from gearwright.catalogue import Bearing, bearings
-from gearwright.errors import Problem, near
+from gearwright.catalogue import Bearing, bearing, bearings
+from gearwright.errors import DesignError, Problem, near
+from gearwright.identity import MEMBERS
 from gearwright.parts.joints import MODULES
-from gearwright.parts.shafts import RELIABILITY_DEVIATES
-from gearwright.spec.design import LOCATES, NOTHING_GIVEN, BearingSeat, Design, Given, Joint, given_values
+from gearwright.parts.shaft_fatigue import RELIABILITY_DEVIATES
+from gearwright.spec.design import (
+    LOCATES,
+    NOTHING_GIVEN,
+    BearingSeat,
+    Design,
+    Epicyclic,
+    Given,
+    Joint,
+    PlanetBearing,
+    given_values,
+)
 from gearwright.units import apart
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What can be wrong with bearings and joints: names that point nowhere, shafts that are not held.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 KINDS = {
     "deep-groove": "deep-groove ball",
@@ -37,7 +53,7 @@ def mounting_problems(design: Design) -> Iterator[Problem]:
     for name, seat in design.bearings.items():
         yield from _seat(name, seat, design, given)
     for shaft in dict.fromkeys(seat.shaft for seat in design.bearings.values()):
-        yield from _held(shaft, design)
+        yield from _held_shaft(shaft, design)
     yield from _as_given(design, given)
     yield from _strength(design)
     for part, joint in design.joints.items():
@@ -127,7 +143,7 @@ def _designated(path: str, seat: BearingSeat, bearing: Bearing | None) -> Iterat
         yield Problem(f"{path}.largest_outer_diameter", message)
 
 
-def _held(shaft: str, design: Design) -> Iterator[Problem]:
+def _held_shaft(shaft: str, design: Design) -> Iterator[Problem]:
     """Find shafts that do not rest on two bearings, or are held along their axis twice."""
     seats = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft}
     for (first_name, first), (second_name, second) in combinations(seats.items(), 2):
@@ -196,7 +212,7 @@ def _strength(design: Design) -> Iterator[Problem]:
 
 
 def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
-    path, parts = f"joints.{part}", [*_gears(design), *design.machines]
+    path, parts = f"joints.{part}", [*_seated_gears(design), *design.machines]
     if part not in parts:
         quoted = "; a name with a point stands in quotes" if "." in near(part, parts) else ""
         yield Problem(path, f"there is no gear or machine {part!r}; {near(part, parts)}{quoted}")
@@ -219,7 +235,7 @@ def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
         yield Problem(f"{path}.module", message)
 
 
-def _gears(design: Design) -> Iterator[str]:
+def _seated_gears(design: Design) -> Iterator[str]:
     """Yield every gear that a shaft can carry."""
     for name, pair in design.pairs.items():
         for side in ("pinion", "wheel"):
@@ -227,3 +243,198 @@ def _gears(design: Design) -> Iterator[str]:
                 yield f"{name}.{side}"
     yield from (f"{name}.sun" for name in design.planetaries)
     yield from (f"{name}.{sun}" for name, epicyclic in design.epicyclics.items() for sun in epicyclic.suns)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What can be wrong with bearings: some that nothing reads, unknown designations, halves of a rating, places.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def bearing_problems(design: Design) -> Iterator[Problem]:
+    """Yield bearings without effect, shafts whose bearings stand in two places, and bearings of planets that are not.
+
+    Args:
+        design: As typed.
+    """
+    moves = design.dynamics.fidelity == "translational"
+    for name, planetary in design.planetaries.items():
+        path = f"planetaries.{name}.bearings"
+        if "bearings" in planetary.model_fields_set and not moves:
+            message = (
+                'has no effect on sets in rigid bearings; write dynamics.fidelity = "translational", or leave it out'
+            )
+            yield Problem(path, message)
+        for member in MEMBERS:
+            shaft = getattr(planetary, member)
+            if moves and shaft in design.supports:
+                yield Problem(f"supports.{shaft}", f"{name}.{member} has bearings in {path} too; keep one of the two")
+    yield from _planet_bearings(design)
+
+
+def _planet_bearings(design: Design) -> Iterator[Problem]:
+    for name, stage in design.planetaries.items():
+        if stage.planet_bearing is not None:
+            path = f"planetaries.{name}"
+            yield from _planet_bearing(f"{path}.planet_bearing", stage.planet_bearing)
+            yield from _on_pin(path, f"{path}.planet_bearing", stage.pin_diameter, stage.planet_bearing)
+    for name, epicyclic in design.epicyclics.items():
+        path = f"epicyclics.{name}"
+        for planet, gear in epicyclic.planets.items():
+            if gear.bearing is not None and gear.bearing.designation is None:
+                message = "is not chosen in compound sets; give the designation of a bearing of the catalogue"
+                yield Problem(f"{path}.planets.{planet}.bearing", message)
+            elif gear.bearing is not None:
+                yield from _planet_bearing(f"{path}.planets.{planet}.bearing", gear.bearing)
+                yield from _on_pin(path, f"{path}.planets.{planet}.bearing", epicyclic.pin_diameter, gear.bearing)
+        for body in dict.fromkeys(epicyclic.body(planet) for planet in epicyclic.planets):
+            yield from _held_planets(
+                path, epicyclic, [step for step in epicyclic.planets if epicyclic.body(step) == body]
+            )
+        yield from _without_place(path, epicyclic)
+
+
+def _on_pin(path: str, where: str, pin: float | None, asked: PlanetBearing) -> Iterator[Problem]:
+    """Yield a bearing that is given and does not go over a pin that is; a thinner pin may carry a sleeve."""
+    fitted = bearings().get(asked.designation or "")
+    if pin is not None and fitted is not None and pin > fitted.bore + APART:
+        message = (
+            f"{fitted.designation} has a bore of {1e3 * fitted.bore:g} mm, and {path}.pin_diameter_mm is {1e3 * pin:g};"
+            f" allowed: a pin of up to {1e3 * fitted.bore:g} mm; give a larger bearing, or leave the pin's diameter out"
+        )
+        yield Problem(f"{where}.designation", message)
+
+
+_OF_FILMS = ("clearance", "least_film", "oil_temperature")
+"""Keys of a plain bearing that are left out unless given."""
+_BY_KIND = ("diameter", "width", "roller_diameter", "clearance", "least_film", "oil_temperature")
+"""Keys that a bearing which is named has from the catalogue, or not at all."""
+
+
+def _idle_keys(path: str, asked: PlanetBearing) -> Iterator[Problem]:
+    """Yield keys without effect on a planet bearing of its kind."""
+    given = [key for key in _BY_KIND if getattr(asked, key) is not None]
+    if asked.designation is not None:
+        if not asked.is_fitted:
+            why = f"{asked.designation} is of the catalogue, and the kind {asked.kind} is made; keep one of the two"
+            yield Problem(f"{path}.designation", why)
+        yield from (Problem(f"{path}.{key}", "has no effect on a bearing of the catalogue") for key in given)
+        return
+    if asked.dynamic_rating is not None:
+        yield Problem(path, "ratings of a maker belong to a designation; give that, too, or leave them out")
+    if asked.spacing is not None:
+        yield Problem(f"{path}.spacing", "has no effect without a designation; leave it out, or give that")
+    if asked.kind == "plain" and asked.side_by_side > 1:
+        yield Problem(f"{path}.side_by_side", "a film stands alone; leave it out, or take rolling bearings")
+    idle = {"plain": ("roller_diameter",), "cylindrical": ("width", "roller_diameter", *_OF_FILMS)}
+    for key in given:
+        if key in idle.get(asked.kind, _OF_FILMS):
+            yield Problem(f"{path}.{key}", f"has no effect on the kind {asked.kind}; leave it out")
+
+
+def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
+    if (asked.dynamic_rating is None) != (asked.static_rating is None):
+        yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
+    yield from _idle_keys(path, asked)
+    if asked.oil_temperature is not None and asked.oil_temperature >= asked.largest_temperature:
+        enters, leaves = apart(asked.oil_temperature, asked.largest_temperature, "temperature")
+        message = f"oil enters at {enters}, and may leave at {leaves} at most"
+        yield Problem(f"{path}.oil_temperature", f"{message}; give cooler oil, or a higher largest_temperature")
+    if asked.designation is None:
+        return
+    try:
+        width = bearing(asked.designation).width
+    except DesignError as error:
+        yield from (Problem(f"{path}.designation", problem.message) for problem in error.problems)
+        return
+    if asked.spacing is not None and asked.side_by_side == 1:
+        yield Problem(f"{path}.spacing", "has no effect on one bearing; leave it out, or give side_by_side")
+    elif asked.spacing is not None and asked.spacing < width:
+        message = (
+            f"{1e3 * asked.spacing:.4g} mm puts bearings of {1e3 * width:g} mm into each other; allowed: that and more"
+        )
+        yield Problem(f"{path}.spacing", message)
+
+
+def _held_planets(path: str, epicyclic: Epicyclic, steps: Sequence[str]) -> Iterator[Problem]:
+    """Find bodies with places of some steps only, and such that their bearings cannot hold by statics."""
+    places = {step: epicyclic.planets[step].place for step in steps}
+    unplaced = [step for step, place in places.items() if place is None]
+    fitted = {step: asked for step in steps if (asked := epicyclic.planets[step].bearing) is not None}
+    if len(fitted) > 1 and unplaced:
+        message = f"{' and '.join(fitted)} hold one planet by a bearing each: what each bears follows from the places"
+        yield Problem(f"{path}.planets.{unplaced[0]}.place", f"{message} of its steps; give place_mm of every step")
+    elif 0 < len(unplaced) < len(steps):
+        message = "the other steps of this planet have a place; give place_mm of every step, or of none"
+        yield Problem(f"{path}.planets.{unplaced[0]}.place", message)
+    mates = {gear for pair in epicyclic.mesh_pairs if set(pair) & set(steps) for gear in pair}
+    apart = {place for gear in mates if (place := epicyclic.toothed[gear].place) is not None}
+    for step, asked in fitted.items():
+        if len(fitted) == asked.side_by_side == 1 and not unplaced and len(apart) > 1:
+            message = "one bearing cannot hold a planet whose meshes lie in several planes, which tilt it"
+            fix = "give side_by_side = 2 with a spacing_mm, or a bearing in another step, too"
+            yield Problem(f"{path}.planets.{step}.bearing", f"{message}; {fix}")
+
+
+def _without_place(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    """Find suns and rings with a place beside planets that have none."""
+    for table, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings)):
+        for name, gear in gears.items():
+            mates = {mate for pair in epicyclic.mesh_pairs if name in pair for mate in pair if mate != name}
+            if gear.place is not None and all(epicyclic.planets[mate].place is None for mate in mates):
+                message = (
+                    f"has no effect while {' and '.join(sorted(mates))} have no place; give theirs, or leave it out"
+                )
+                yield Problem(f"{path}.{table}.{name}.place", message)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What can be wrong with supports and errors: names that point nowhere.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def motion_problems(design: Design) -> Iterator[Problem]:
+    """Yield what is wrong with a design's supports and errors.
+
+    Args:
+        design: As typed.
+    """
+    for shaft in design.supports:
+        if shaft not in design.shafts:
+            yield Problem(f"supports.{shaft}", f"there is no shaft {shaft!r}; {near(shaft, design.shafts)}")
+    yield from _errors(design)
+
+
+def _errors(design: Design) -> Iterator[Problem]:
+    gears, planets = set(_central_gears(design)), set(_planets(design))
+    for name, part in design.errors.items():
+        path, known = f"errors.{name}", gears | planets | set(design.shafts)
+        if name not in known:
+            quoted = "" if "." not in near(name, known) else "; a name with a point stands in quotes"
+            yield Problem(path, f"there is no such gear, shaft or planet; {near(name, known)}{quoted}")
+        elif name not in planets and (part.pin_radial or part.pin_tangential):
+            yield Problem(path, f"only planets have pins; {near(name, planets)}")
+        elif name in design.shafts and (part.tooth_thickness or part.clocking):
+            yield Problem(path, f"tooth_thickness and clocking belong to a gear; {near(name, gears)}")
+
+
+def _central_gears(design: Design) -> Iterator[str]:
+    """Yield the name of every gear body but planets."""
+    for name, pair in design.pairs.items():
+        for side in ("pinion", "wheel"):
+            shafts = [pair.pinion, pair.wheel][side == "wheel"]
+            names = [shafts] if isinstance(shafts, str) else shafts
+            if len(names) > 1:
+                yield from (f"{name}.{side}.{shaft}" for shaft in names)
+            elif "." not in "".join(names):
+                yield f"{name}.{side}"
+    for name in design.planetaries:
+        yield from (f"{name}.sun", f"{name}.ring")
+    yield from (f"{name}.{gear}" for name, epicyclic in design.epicyclics.items() for gear in epicyclic.centrals)
+
+
+def _planets(design: Design) -> Iterator[str]:
+    for name, stage in design.planetaries.items():
+        yield from (f"{name}.planet-{k + 1}" for k in range(stage.planets))
+    for name, epicyclic in design.epicyclics.items():
+        bodies = dict.fromkeys(map(epicyclic.body, epicyclic.planets))
+        yield from (f"{name}.{body}-{k + 1}" for body in bodies for k in range(epicyclic.sets))

@@ -3,7 +3,28 @@
 What can be wrong with it beyond its types is in `checks`.
 """
 
-from gearwright.spec.design.design import GROUND, Design
+from gearwright.spec.design.design import (
+    BUILT,
+    CONCEPT,
+    FATIGUE,
+    GROUND,
+    NO_ORIGIN,
+    PRELIMINARY,
+    RATED,
+    STATIC,
+    WEIGHED,
+    Design,
+    Given,
+    case_named,
+    cases_forbidding,
+    cases_of,
+    drives_of,
+    given_values,
+    levels_of,
+    module_owners,
+    shares_of,
+    split_levels,
+)
 from gearwright.spec.design.duty import (
     MACHINES,
     Accessory,
@@ -25,11 +46,6 @@ from gearwright.spec.design.duty import (
     allowed_for,
     allowed_in_case,
 )
-from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
-from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
-from gearwright.spec.design.implied import BUILT, CONCEPT, FATIGUE, PRELIMINARY, STATIC
-from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
-from gearwright.spec.design.paths import split_levels
 from gearwright.spec.design.rules import (
     GRADE_KEYS,
     INTERNAL,
@@ -59,18 +75,28 @@ from gearwright.spec.design.rules import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.shafts import NOTHING_GIVEN, SIDE_ANGLES, KeepOut, ShaftLayout, ShaftRules, Support
-from gearwright.spec.design.sharing import module_owners
-from gearwright.spec.design.spectrum import (
-    RATED,
-    case_named,
-    cases_forbidding,
-    cases_of,
-    drives_of,
-    levels_of,
-    shares_of,
+from gearwright.spec.design.shafts import (
+    LOCATES,
+    NOTHING_GIVEN,
+    SIDE_ANGLES,
+    BearingSeat,
+    Joint,
+    KeepOut,
+    ShaftLayout,
+    ShaftRules,
+    Support,
 )
-from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, PlanetBearing, gear_named
+from gearwright.spec.design.stages import (
+    CentralGear,
+    Clutch,
+    Damper,
+    Epicyclic,
+    Pair,
+    Planetary,
+    PlanetBearing,
+    PlanetGear,
+    gear_named,
+)
 from gearwright.spec.design.teeth import (
     PAIR_ROLES,
     SET_ROLES,

@@ -1,24 +1,27 @@
-"""The design: what a user writes of a transmission, typed and in SI.
-
-Every default lives with the types of this folder, once. A field that is None is a freedom: gearwright chooses it.
-"""
+"""The design record in SI, its level, overrides, load spectrum, parallel load paths and shared gears."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Literal, Self
+import math
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import wraps
+from typing import Any, Literal, NamedTuple, Self, TypeVar
 
 from pydantic import Field, model_validator
 
 from gearwright.catalogue import material_of, materials
+from gearwright.errors import Problem, near
+from gearwright.identity import SIDES, Role
 from gearwright.parts import Material
 from gearwright.showing import Shown
-from gearwright.spec.bounds import Name
+from gearwright.spec.bounds import Name, range_of
 from gearwright.spec.design.duty import (
     MACHINES,
     Accessory,
     Airscrew,
     Case,
+    Drive,
     Generator,
     Load,
     Machine,
@@ -30,15 +33,13 @@ from gearwright.spec.design.duty import (
     SpeedRules,
     Turbine,
 )
-from gearwright.spec.design.epicyclics import Epicyclic
-from gearwright.spec.design.implied import implied_bearings, implied_level, implied_rules
-from gearwright.spec.design.latest import of_the_latest
-from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.rules import (
     GRADE_KEYS,
+    RATINGS,
     WARMTH_KEYS,
     BearingRules,
     DynamicsRules,
+    ForbiddenBand,
     GearRules,
     HousingRules,
     LossRules,
@@ -48,10 +49,119 @@ from gearwright.spec.design.rules import (
     TeethRules,
     method_of,
 )
-from gearwright.spec.design.shafts import CarrierRules, KeepOut, ShaftLayout, ShaftRules, Support
-from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
-from gearwright.spec.record import Record
-from gearwright.units import Mass
+from gearwright.spec.design.shafts import (
+    NOTHING_GIVEN,
+    BearingSeat,
+    CarrierRules,
+    Joint,
+    KeepOut,
+    ShaftLayout,
+    ShaftRules,
+    Support,
+)
+from gearwright.spec.design.stages import Clutch, Damper, Epicyclic, Pair, Planetary, PlanetBearing
+from gearwright.spec.record import Key as Written
+from gearwright.spec.record import Record, keys_of
+from gearwright.units import Mass, suffix_unit
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a design implies that states no level: one by what stands in it, and what this level asks for.
+#
+# What is implied is no entry of the design: texts leave it out, and it follows anew from every change.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+CONCEPT, PRELIMINARY, BUILT = "concept", "preliminary", "built"
+STATIC, FATIGUE = "lewis-hertz", "iso6336"
+"""Methods that rate where the design names none: by static strength, and at level preliminary against fatigue."""
+_OF_STATIC = frozenset(RATINGS[STATIC].reads) - frozenset(RATINGS[FATIGUE].reads)
+"""Rules that only the static method reads, so that it is meant where they stand."""
+R = TypeVar("R", bound=Record)
+
+
+def implied_level(rules: Iterable[GearRules], *, bearings: bool) -> str:
+    """Return the level of a design that states none: built with bearings, concept where static strength is asked for.
+
+    Args:
+        rules: Of [gears], and of every stage that has its own.
+        bearings: Whether its shafts have bearings.
+    """
+    if bearings:
+        return BUILT
+    return CONCEPT if any(map(_asks_for_static, rules)) else PRELIMINARY
+
+
+def implied_rules(rules: GearRules, level: str) -> GearRules:
+    """Return [gears] with the method of a level, where they name none.
+
+    Args:
+        rules: Of the design.
+        level: That it has.
+    """
+    return _implying(rules, "rating", FATIGUE if level == PRELIMINARY else STATIC)
+
+
+def implied_bearings(planetaries: Mapping[str, Planetary], level: str) -> dict[str, Planetary]:
+    """Return planetary sets whose planets turn on bearings of the catalogue at level preliminary, where they name none.
+
+    Args:
+        planetaries: Of the design, by name.
+        level: That it has.
+    """
+    bearing = PlanetBearing() if level == PRELIMINARY else None
+    return {name: _implying(stage, "planet_bearing", bearing) for name, stage in planetaries.items()}
+
+
+def _asks_for_static(rules: GearRules) -> bool:
+    """Tell whether rules name a method that knows no fatigue, or give what only it reads."""
+    stated = rules.model_fields_set
+    return ("rating" in stated and not RATINGS[rules.rating].fatigue) or bool(_OF_STATIC & stated)
+
+
+def _implying(record: R, key: str, value: Any) -> R:
+    """Return a record with a value that its user leaves open, which does not count as given."""
+    if key in record.model_fields_set or getattr(record, key) == value:
+        return record
+    copy = record.model_copy()
+    copy.__dict__[key] = value
+    return copy
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Remember what follows from the latest designs: many steps in a row ask the same of one.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+Asked = TypeVar("Asked")
+Result = TypeVar("Result")
+
+
+def of_the_latest(function: Callable[[Asked], Result]) -> Callable[[Asked], Result]:
+    """Return a function of a design that keeps what it gave of the latest two, which is not to be written to.
+
+    Args:
+        function: Its result depends on the design alone, which is frozen.
+    """
+    kept: list[tuple[Asked, Result]] = []
+
+    @wraps(function)
+    def looked_up(design: Asked) -> Result:
+        for known, result in kept:
+            if known is design:
+                return result
+        result = function(design)
+        kept[:] = [(design, result), *kept[:1]]
+        return result
+
+    return looked_up
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The design: what a user writes of a transmission, typed and in SI.
+#
+# Every default lives with the types of this folder, once. A field that is None is a freedom: gearwright chooses it.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 GROUND = "ground"
 """The shaft that stands still."""
@@ -314,3 +424,440 @@ def _overlaid(rules: GearRules, stage_rules: GearRules) -> GearRules:
             own = {key: getattr(written, key) for key in written.model_fields_set}
             update[name] = getattr(rules, name).model_copy(update=own)
     return rules.model_copy(update=update)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Gears that several pairs share, and which stages therefore have one module.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def gear_owner(design: Design, pair: str, side: Role) -> str:
+    """Return the pair that owns the gear on one side of a pair: itself, or the one that it names.
+
+    Args:
+        design: With its pairs.
+        pair: Name of the pair.
+        side: Pinion or wheel.
+    """
+    owner, _ = design.pairs[pair].shared(side) or (pair, side)
+    return owner if owner in design.pairs else pair
+
+
+@of_the_latest
+def module_owners(design: Design) -> dict[str, str]:
+    """Return stage -> the stage whose module it has: of all that gears join, the first that shares no gear of another.
+
+    Args:
+        design: As typed.
+    """
+    shares = {name: {gear_owner(design, name, side) for side in SIDES} - {name} for name in design.pairs}
+    group = {name: {name} for name in design.simple_stages}
+    for name, owners in shares.items():
+        joined = set[str]().union(group[name], *(group[owner] for owner in owners))
+        group |= dict.fromkeys(joined, joined)
+    order = list(design.simple_stages)
+    return {
+        name: min(joined, key=lambda stage: (bool(shares.get(stage)), order.index(stage)))
+        for name, joined in group.items()
+    }
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Values that the user gives in place of computed ones: by path in [overrides], or by a key in the table of their part.
+#
+# Both places say the same. What can be given is seen from the design; sizing reads one table of it, path -> value.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+NO_ORIGIN = "user's design file"
+"""Origin of a value that the user gave without saying where it comes from."""
+_OF_PAIRS = {
+    "module": "module", "outer_module": "outer_module", "face_width": "face_width",
+    "pinion_mass": "pinion.mass", "pinion_inertia": "pinion.inertia",
+    "wheel_mass": "wheel.mass", "wheel_inertia": "wheel.inertia",
+}  # fmt: skip
+"""Key of a pair -> end of the path."""
+_OF_SETS = {
+    "module": "module", "face_width": "face_width",
+    "sun_mass": "sun.mass", "sun_inertia": "sun.inertia", "planet_mass": "planet.mass",
+    "planet_inertia": "planet.inertia", "ring_mass": "ring.mass", "ring_inertia": "ring.inertia",
+    "pin_diameter": "pin_diameter", "plate_thickness": "plate_thickness", "eye_wall": "eye_wall",
+    "carrier_mass": "carrier.mass", "carrier_inertia": "carrier.inertia",
+}  # fmt: skip
+"""Key of a planetary set -> end of the path."""
+_OF_CARRIERS = ("pin_diameter", "plate_thickness", "eye_wall", "carrier_mass", "carrier_inertia")
+"""Those of them that compound sets have, too."""
+_OF_COMPOUND_GEARS = ("module", "face_width", "mass", "inertia")
+"""Keys of a gear of a compound set."""
+_OF_SHAFTS = ("length", "diameter", "mass")
+"""Keys of a shaft's layout."""
+WEIGHED = ("motors", "generators", "accessories")
+"""Tables of machines that have a mass."""
+
+
+class Key(NamedTuple):
+    """A computed value that can be given."""
+
+    path: str
+    """Its name in [overrides], without the unit: ``first.carrier.mass``."""
+    table: str
+    """Table of the design file that has a key for it: ``planetaries.first``."""
+    field: str
+    """Of that table: ``carrier_mass``."""
+    record: Record
+    """What stands in that table; an empty one where the file has no such table."""
+
+    @property
+    def written(self) -> float | None:
+        """What stands in its own table [SI]."""
+        value: float | None = getattr(self.record, self.field)
+        return value
+
+    @property
+    def entries(self) -> Mapping[str, Written]:
+        """Name in [overrides] -> how a value is written under it."""
+        stem = self.path.removesuffix(self.field)
+        keys = {key: meant for key, meant in keys_of(type(self.record)).items() if meant.field == self.field}
+        named = {key: meant for key, meant in keys.items() if meant.inverse}
+        suffixed = {f"{self.path}_{meant.suffix}": meant for meant in keys.values() if not meant.inverse}
+        return suffixed | {f"{stem}{key}": meant for key, meant in named.items()}
+
+
+class _Entry(NamedTuple):
+    """A name that [overrides] may have."""
+
+    key: Key
+    meant: Written
+
+
+class Given(NamedTuple):
+    """A value that the user gives in place of a computed one."""
+
+    value: float
+    """In SI."""
+    entry: str
+    """Where it stands: a path of [overrides], or a key with its table, each with a unit."""
+    amount: float
+    """In the unit of that entry."""
+    origin: str = NO_ORIGIN
+    """Where the user has it from."""
+
+
+class GivenValues(NamedTuple):
+    """Everything that a design gives in place of computed values."""
+
+    values: Mapping[str, Given]
+    """By path, without the unit."""
+    problems: tuple[Problem, ...]
+    """What names nothing, is given twice, or is none that a part has."""
+
+
+@of_the_latest
+def given_values(design: Design) -> GivenValues:
+    """Return what a design gives in place of computed values, from both places.
+
+    Args:
+        design: As typed.
+    """
+    keys = list(givable(design))
+    values = {key.path: _own(key, key.written) for key in keys if key.written is not None}
+    problems = [*_without_effect(design)]
+    if design.overrides or design.origins:
+        entries = {name: _Entry(key, meant) for key in keys for name, meant in key.entries.items()}
+        problems += _add_overrides(design, entries, values)
+        problems += _add_origins(design, entries, values)
+    return GivenValues(values, tuple(problems))
+
+
+def _add_overrides(design: Design, entries: Mapping[str, _Entry], values: dict[str, Given]) -> Iterator[Problem]:
+    """Put what [overrides] gives among the values, and yield what is wrong with it."""
+    for entry, amount in design.overrides.items():
+        fault = _fault(entry, amount, entries, values)
+        if fault:
+            yield Problem(f"overrides.{entry}", fault)
+        else:
+            key, meant = entries[entry]
+            values[key.path] = Given(meant.si(amount), entry, amount)
+
+
+def _add_origins(design: Design, entries: Mapping[str, _Entry], values: dict[str, Given]) -> Iterator[Problem]:
+    """Put where values come from beside them, and yield what belongs to none."""
+    for entry, origin in design.origins.items():
+        path = entries[entry].key.path if entry in entries else ""
+        if path in values:
+            values[path] = values[path]._replace(origin=origin)
+        elif entry not in design.overrides:
+            known = [name for name, (key, _) in entries.items() if key.path in values]
+            yield Problem(f"origins.{entry}", f"nothing of this name is given; {near(entry, known)}")
+
+
+def _own(key: Key, value: float) -> Given:
+    meant = next(iter(key.entries.values()))
+    return Given(value, f"{key.table}.{key.field}_{meant.suffix}", meant.written(value))
+
+
+def _fault(entry: str, amount: float, entries: Mapping[str, _Entry], values: Mapping[str, Given]) -> str | None:
+    """Return what is wrong with an entry of [overrides], if anything is."""
+    if entry not in entries:
+        usual = {key.path: name for name, (key, _) in reversed(list(entries.items()))}
+        return f"nothing of this name is computed; {near(entry, entries, usual.values())}"
+    key, meant = entries[entry]
+    allowed = range_of(type(key.record).model_fields[key.field])
+    if not allowed.holds(meant.si(amount)):
+        return f"{amount:g} {suffix_unit(meant.suffix)} is not allowed; give {meant.words(allowed)}"
+    if key.path in values:
+        first = values[key.path].entry
+        place = f"overrides.{first}" if first in entries else first
+        return f"{key.path} is given twice: here, and as {place}; keep one of the two"
+    return None
+
+
+def givable(design: Design) -> Iterator[Key]:
+    """Yield everything that is computed of a design and can be given.
+
+    Args:
+        design: As typed.
+    """
+    owners = module_owners(design)
+    yield Key("gearbox.mass", "gearbox", "mass", design.gearbox)
+    for name, pair in design.pairs.items():
+        idle = {field for field, _ in _idle(design, name, owners[name])}
+        yield from (Key(f"{name}.{end}", f"pairs.{name}", f, pair) for f, end in _OF_PAIRS.items() if f not in idle)
+    for name, planetary in design.planetaries.items():
+        yield from (Key(f"{name}.{end}", f"planetaries.{name}", f, planetary) for f, end in _OF_SETS.items())
+    yield from _of_compounds(design)
+    for name in design.shafts:
+        layout = design.layout.get(name, NOTHING_GIVEN)
+        yield from (Key(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
+    for table in WEIGHED:
+        for name, machine in getattr(design, table).items():
+            yield Key(f"{name}.mass", f"{table}.{name}", "mass", machine)
+
+
+def _of_compounds(design: Design) -> Iterator[Key]:
+    """Yield what can be given of compound sets: of every gear, of the carrier and of its pins."""
+    for name, epicyclic in design.epicyclics.items():
+        table = f"epicyclics.{name}"
+        for kind, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings), ("planets", epicyclic.planets)):
+            for gear_name, gear in gears.items():
+                place = f"{table}.{kind}.{gear_name}"
+                yield from (Key(f"{name}.{gear_name}.{field}", place, field, gear) for field in _OF_COMPOUND_GEARS)
+        yield from (Key(f"{name}.{end}", table, f, epicyclic) for f, end in _OF_SETS.items() if f in _OF_CARRIERS)
+
+
+def _idle(design: Design, name: str, owner: str) -> Iterator[tuple[str, str]]:
+    """Yield the keys of a pair that give nothing, and why: its module or its gear is another's."""
+    is_bevel = design.pairs[name].kind == "bevel"
+    if is_bevel or owner != name:
+        why = "a bevel pair has an outer_module" if is_bevel else f"it has the module of pairs.{owner}; give it there"
+        yield "module", why
+    if not is_bevel or owner != name:
+        why = f"it has that of pairs.{owner}; give it there" if is_bevel else "only a bevel pair has one"
+        yield "outer_module", why
+    for side in SIDES:
+        gear = gear_owner(design, name, side)
+        if gear != name:
+            why = f"the gear is that of pairs.{gear}; give it there"
+            yield from ((f"{side}_mass", why), (f"{side}_inertia", why))
+
+
+def _without_effect(design: Design) -> Iterator[Problem]:
+    """Yield every key of a pair that is written and gives nothing."""
+    owners = module_owners(design)
+    for name, pair in design.pairs.items():
+        for field, why in _idle(design, name, owners[name]):
+            if getattr(pair, field) is not None:
+                yield Problem(f"pairs.{name}.{field}", f"has no effect: {why}")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Which load cases a design has, and what share of its life each lasts.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+RATED = "rated"
+"""Name of the one case of a design without cases: each machine at its rated power."""
+_ALONE = Case()
+
+
+def cases_of(design: Design) -> tuple[str, ...]:
+    """Return the names of the cases that size a design; the first speaks for it: ``rated``, or the first that lasts.
+
+    Args:
+        design: With its cases, or none.
+    """
+    return tuple(sorted(design.cases, key=lambda name: (name != RATED, design.cases[name].static))) or (RATED,)
+
+
+def cases_forbidding(design: Design, band: ForbiddenBand) -> tuple[str, ...]:
+    """Return the names of the cases in which a forbidden band of frequencies holds: those named, or all that last.
+
+    Args:
+        design: With its cases, or none.
+        band: Of the rules for its teeth.
+    """
+    named = cases_of(design) if band.cases is None else band.cases
+    return tuple(case for case in named if band.cases is not None or not case_named(design, case).static)
+
+
+def case_named(design: Design, case: str) -> Case:
+    """Return a case of a design.
+
+    Args:
+        design: With its cases, or none.
+        case: Name of one of them, or ``rated``.
+    """
+    return design.cases.get(case, _ALONE)
+
+
+def drives_of(design: Design, case: str) -> Mapping[str, Drive]:
+    """Return what every machine does in a case.
+
+    Args:
+        design: With its machines.
+        case: Name of one of its cases; any other is the one of a design without cases.
+    """
+    drives = _drives(design)
+    return drives[case if case in drives else ""]
+
+
+@of_the_latest
+def _drives(design: Design) -> dict[str, dict[str, Drive]]:
+    """Return case -> what every machine does in it; under an empty name what it does in a design without cases."""
+    machines = design.machines
+    alone = {"": {name: machine.fully for name, machine in machines.items()}}
+    return alone | {
+        case: {
+            name: _drive(machine.unsaid, said.machines[name], machine.rating)
+            if name in said.machines
+            else machine.unsaid
+            for name, machine in machines.items()
+        }
+        for case, said in design.cases.items()
+    }
+
+
+def _drive(unsaid: Drive, said: Drive, rating: float | None) -> Drive:
+    """Return what a machine does that a case names: what it says, or what is usual at the speed that it says."""
+    if said.rating is not None:
+        return Drive.model_construct(power=said.rating * (rating or 0.0), speed=said.speed)
+    if said.stated or said.balances:
+        return said
+    if unsaid.idles:
+        return Drive.model_construct(balances=True, speed=said.speed)
+    return unsaid.model_copy(update={"speed": said.speed})
+
+
+def levels_of(design: Design, case: str) -> tuple[tuple[float, float], ...]:
+    """Return the levels of a case: part of its loads [-], share of its time [-]; of a static case its own alone.
+
+    Args:
+        design: With its cases and spectra.
+        case: Name of one of its cases, or ``rated``.
+    """
+    said = case_named(design, case)
+    name = None if said.static else said.spectrum or design.service.spectrum
+    if name is None:
+        return ((1.0, 1.0),)
+    return tuple(zip(design.spectra[name].load, design.spectra[name].share, strict=True))
+
+
+def shares_of(design: Design) -> Mapping[str, float]:
+    """Return case -> share of the life [-]; empty where none is said: then one case lasts all of it.
+
+    Args:
+        design: With its service and its cases.
+    """
+    lasting = {name: case for name, case in design.cases.items() if not case.static}
+    if design.service.shares or not lasting:
+        return design.service.shares
+    durations = [case.duration for case in lasting.values()]
+    whole = sum(duration or 0.0 for duration in durations)
+    if whole and None not in durations:
+        return {name: (case.duration or 0.0) / whole for name, case in lasting.items()}
+    if all(case.share is not None for case in lasting.values()):
+        return {name: case.share or 0.0 for name, case in lasting.items()}
+    return {}
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Parallel paths of a train: which pairs lie on a loop that the power can pass two ways, and how often it has split.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class _Link(NamedTuple):
+    """Two shafts that turn at a fixed ratio, with the stage that joins them."""
+
+    stage: str
+    ends: tuple[str, str]
+
+
+@of_the_latest
+def split_levels(design: Design) -> Mapping[str, float]:
+    """Return pair -> how often the power has split in two where it passes, of pairs on parallel paths [-].
+
+    Two paths are one level, four are two. Paths of machines of their own, as of two engines on one wheel, close no
+    loop: their machines decide what each of them carries.
+
+    Args:
+        design: As typed.
+    """
+    links = list(_links(design))
+    rows = {name: [link for link in links if link.stage == name] for name in design.pairs}
+    looped = {name for name, own in rows.items() if any(_closes(link, links) for link in own)}
+    branches = {name: _branches(design, name) if len(rows[name]) > 1 else set() for name in looped}
+
+    def levels(name: str, above: frozenset[str]) -> float:
+        trunk = {end for link in rows[name] for end in link.ends} - branches[name]
+        parents = (other for other in looped - above - {name} if trunk & branches[other])
+        return math.log2(len(rows[name])) + max((levels(other, above | {name}) for other in parents), default=0.0)
+
+    return {name: levels(name, frozenset()) for name in looped}
+
+
+def _branches(design: Design, name: str) -> set[str]:
+    """Return the shafts of the side of a pair that has several."""
+    sides = (_shafts(design, name, side) for side in SIDES)
+    return set().union(*(side for side in sides if len(side) > 1))
+
+
+def _shafts(design: Design, name: str, side: Role) -> list[str]:
+    """Return the shafts on one side of a pair, of a shared gear those of its owner."""
+    pair = design.pairs[name]
+    shared = pair.shared(side)
+    if shared is None:
+        return pair.named(side)
+    owner = design.pairs.get(shared[0])
+    return [] if owner is None or owner.shared(shared[1]) is not None else owner.named(shared[1])
+
+
+def _links(design: Design) -> Iterator[_Link]:
+    """Yield what joins two shafts at a fixed ratio: pairs, sets of which a member stands still, clutches."""
+    for name in design.pairs:
+        first, second = (_shafts(design, name, side) for side in SIDES)
+        for one in first:
+            for other in second:
+                yield _Link(name, (one, other))
+    for name, planetary in design.planetaries.items():
+        moving = [shaft for shaft in planetary.members if shaft != GROUND]
+        if len(moving) == 2:
+            yield _Link(name, (moving[0], moving[1]))
+    for name, clutch in design.clutches.items():
+        if clutch.kind != "open" and GROUND not in (clutch.driving, clutch.driven):
+            yield _Link(name, (clutch.driving, clutch.driven))
+
+
+def _closes(link: _Link, links: list[_Link]) -> bool:
+    """Tell whether the ends of a link are joined without it."""
+    near = defaultdict[str, set[str]](set)
+    for other in links:
+        if other is not link:
+            first, second = other.ends
+            near[first].add(second)
+            near[second].add(first)
+    reached, waiting = {link.ends[0]}, [link.ends[0]]
+    while waiting:
+        new = near[waiting.pop()] - reached
+        reached |= new
+        waiting += new
+    return link.ends[1] in reached

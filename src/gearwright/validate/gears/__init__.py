@@ -1,27 +1,24 @@
 """Published ratings of gears: stiffness, flanks, roots, scuffing and losses of teeth."""
 
-from gearwright.validate.gears import (
-    bevels,
-    losses,
-    measured,
-    mesh_stiffness,
-    rating,
-    reports,
-    scuffing,
-    wind_dynamics,
-    wind_reports,
-)
+from gearwright.validate.gears import bevels, losses
+from gearwright.validate.gears import losses as measured
+from gearwright.validate.gears import losses as scuffing
+from gearwright.validate.gears import ratings as mesh_stiffness
+from gearwright.validate.gears import ratings as rating
+from gearwright.validate.gears import ratings as reports
+from gearwright.validate.gears import wind as wind_dynamics
+from gearwright.validate.gears import wind as wind_reports
 
 CASES = (
-    *mesh_stiffness.CASES,
-    *rating.CASES,
-    *reports.CASES,
-    *losses.CASES,
-    *measured.CASES,
-    *scuffing.CASES,
+    *mesh_stiffness.STIFFNESS_CASES,
+    *rating.RATING_CASES,
+    *reports.PROGRAM_CASES,
+    *losses.LOSS_CASES,
+    *measured.MEASURED_CASES,
+    *scuffing.SCUFFING_CASES,
     *bevels.CASES,
-    *wind_reports.CASES,
-    *wind_dynamics.CASES,
+    *wind_reports.REPORT_CASES,
+    *wind_dynamics.DYNAMICS_CASES,
 )
 """In the order of the table."""
 

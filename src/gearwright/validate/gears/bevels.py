@@ -27,7 +27,7 @@ from gearwright.parts.agma2003 import (
     bevel_strength,
     rate_with_factors,
 )
-from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank
+from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, bevel_blank
 from gearwright.parts.iso6336 import (
     GearSteel,
     LoadedTooth,

@@ -18,20 +18,18 @@ from gearwright.parts.iso6336 import (
     static_strength,
     static_work_hardening,
 )
-from gearwright.parts.iso6336.loads.distribution import lead_allowance
+from gearwright.parts.iso6336.loads import lead_allowance
 from gearwright.sizing.rating import Ask, stage_width_ratio, under_spectrum
+from gearwright.sizing.rating import iso6336_scuffing as flanks
+from gearwright.sizing.rating import iso10300 as bevels
 from gearwright.sizing.rating.context import Context
-from gearwright.sizing.rating.factors import steel_rows
-from gearwright.sizing.rating.iso6336 import scuffing as flanks
-from gearwright.sizing.rating.iso6336.inputs import _lasting, steel_of
-from gearwright.sizing.rating.iso6336.method import Iso6336
-from gearwright.sizing.rating.iso6336.ranges import beyond_ranges
-from gearwright.sizing.rating.iso6336.scuffing import oil_film
-from gearwright.sizing.rating.iso10300 import scuffing as bevels
-from gearwright.sizing.rating.iso10300.inputs import bevel_surfaces
-from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
-from gearwright.sizing.rating.protocol import Load, LoadedMesh
-from gearwright.spec.design.rules.standards import RingCutter
+from gearwright.sizing.rating.iso6336 import Iso6336
+from gearwright.sizing.rating.iso6336_inputs import _lasting, beyond_ranges, steel_of
+from gearwright.sizing.rating.iso6336_scuffing import oil_film
+from gearwright.sizing.rating.iso10300 import bevel_surfaces
+from gearwright.sizing.rating.lewis_hertz import LewisHertz
+from gearwright.sizing.rating.protocol import Load, LoadedMesh, steel_rows
+from gearwright.spec.design.rules import RingCutter
 from rated_pieces import METHODS, loaded, near, rating
 
 

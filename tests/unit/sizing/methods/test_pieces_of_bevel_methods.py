@@ -7,15 +7,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwright.parts.bevel import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE
 from gearwright.parts.iso6336 import Treatment
-from gearwright.sizing.rating.agma2003.inputs import making_of as bevel_making_of
-from gearwright.sizing.rating.factors import Factor
-from gearwright.sizing.rating.iso6336.inputs import steel_of
-from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
-from gearwright.sizing.rating.iso10300.limits import limited as bevel_limited
-from gearwright.sizing.rating.standard_teeth import bevel_pair
-from gearwright.sizing.rating.widths import bevel_width
+from gearwright.parts.iso10300 import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE
+from gearwright.sizing.rating.agma2003 import making_of as bevel_making_of
+from gearwright.sizing.rating.geometry import bevel_pair, bevel_width
+from gearwright.sizing.rating.iso6336_inputs import steel_of
+from gearwright.sizing.rating.iso10300 import bevel_duty, bevel_surfaces
+from gearwright.sizing.rating.iso10300 import limited as bevel_limited
+from gearwright.sizing.rating.protocol import Factor
 from rated_pieces import METHODS, near, rating
 
 

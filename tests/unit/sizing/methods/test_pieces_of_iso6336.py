@@ -11,13 +11,11 @@ from gearwright.parts.iso6336 import Edition, RatingMethod, Treatment
 from gearwright.parts.losses import OIL_DENSITY
 from gearwright.parts.micropitting import FilmMesh, OilGrade, film_thickness
 from gearwright.sizing.rating import METHODS as ALL
-from gearwright.sizing.rating.factors import Factor
-from gearwright.sizing.rating.iso6336.inputs import clause_of, quality_of, steel_of
-from gearwright.sizing.rating.iso6336.limits import limited
-from gearwright.sizing.rating.iso6336.miner import Strain, of_each, safeties
-from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, oil_of, scuffing_checks
-from gearwright.sizing.rating.iso6336.static_cases import static_checks
-from gearwright.sizing.rating.standard_teeth import cylindrical_mesh
+from gearwright.sizing.rating.geometry import cylindrical_mesh
+from gearwright.sizing.rating.iso6336 import Strain, limited, of_each, safeties, static_checks
+from gearwright.sizing.rating.iso6336_inputs import clause_of, quality_of, steel_of
+from gearwright.sizing.rating.iso6336_scuffing import film_checks, oil_film, oil_of, scuffing_checks
+from gearwright.sizing.rating.protocol import Factor
 from rated_pieces import FIRST, MESH, METHODS, SECOND, loaded, near, rating
 
 

@@ -7,8 +7,8 @@ import pytest
 
 from gearwright.parts.gears import contact_angles
 from gearwright.sizing.rating import Ask
-from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
-from gearwright.sizing.rating.lewis_hertz.strength import (
+from gearwright.sizing.rating.lewis_hertz import (
+    LewisHertz,
     bending_allowable,
     contact_allowable,
     first_modules,

@@ -15,20 +15,24 @@ from gearwright.parts.gears import ToothShift, contact_angles
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.shipped import shipped_design
 from gearwright.sizing.rating import Ask
-from gearwright.sizing.rating.context import bends_both_ways, row_ask
-from gearwright.sizing.rating.lewis_hertz.strength import working_angles
-from gearwright.sizing.rating.rims import rim_factors, ring_problems
-from gearwright.sizing.rating.rows import rate_row
-from gearwright.sizing.rating.rules import _open_shifts
-from gearwright.sizing.rating.search import by_teeth, module_for
-from gearwright.sizing.rating.standard_teeth import (
+from gearwright.sizing.rating.context import bends_both_ways, rate_row, row_ask
+from gearwright.sizing.rating.geometry import (
+    STANDARD_MODULES,
     cylindrical_mesh,
     fewest_virtual_teeth,
+    narrowest,
+    next_standard,
+    overlap_width,
     push_angle,
+    rim_factors,
+    ring_problems,
+    under_spectrum,
     widest_ratio,
     working_radii,
 )
-from gearwright.sizing.rating.widths import STANDARD_MODULES, narrowest, next_standard, overlap_width, under_spectrum
+from gearwright.sizing.rating.lewis_hertz import working_angles
+from gearwright.sizing.rating.rules import _open_shifts
+from gearwright.sizing.rating.search import by_teeth, module_for
 from gearwright.spec import edited, read
 from rated_pieces import OFF_SET, near, rating
 

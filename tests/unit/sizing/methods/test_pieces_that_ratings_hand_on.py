@@ -5,12 +5,12 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.sizing.rating.agma2001.method import Agma2001
-from gearwright.sizing.rating.agma2003.method import Agma2003
-from gearwright.sizing.rating.iso6336.inputs import steel_of
-from gearwright.sizing.rating.iso6336.method import Iso6336
-from gearwright.sizing.rating.iso10300.method import Iso10300
-from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
+from gearwright.sizing.rating.agma2001 import Agma2001
+from gearwright.sizing.rating.agma2003 import Agma2003
+from gearwright.sizing.rating.iso6336 import Iso6336
+from gearwright.sizing.rating.iso6336_inputs import steel_of
+from gearwright.sizing.rating.iso10300 import Iso10300
+from gearwright.sizing.rating.lewis_hertz import LewisHertz
 from rated_pieces import FIRST, MESH, METHODS, SECOND, loaded, near, rating, told
 
 ROWS = {

@@ -3,10 +3,8 @@
 The search for tooth numbers is in `sizing`.
 """
 
-from gearwright.spec.design.teeth.compound_pins import relative_modules
-from gearwright.spec.design.teeth.compound_shifts import CompoundShifts, compound_shifts
-from gearwright.spec.design.teeth.profile_shifts import stage_shifts, working_angle
-from gearwright.spec.design.teeth.shifts import PAIR_ROLES, SET_ROLES, StageShifts
+from gearwright.spec.design.teeth.compound_shifts import CompoundShifts, compound_shifts, relative_modules
+from gearwright.spec.design.teeth.profile_shifts import PAIR_ROLES, SET_ROLES, StageShifts, stage_shifts, working_angle
 
 __all__ = [
     "PAIR_ROLES",

@@ -1,1 +1,0 @@
-"""Commands of what flies: missions, windows of them, lives, propellers, rotors, engines."""

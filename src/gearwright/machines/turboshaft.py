@@ -1,0 +1,634 @@
+"""Turboshaft engine with gas generator and power turbine: gas properties, equilibrium and exhaust."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.machines.gas_turbine import HEATING_VALUE
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Air and the gas that burnt kerosene makes of it: heat capacity, enthalpy and entropy over temperature.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+Terms = tuple[float, ...]
+REFERENCE = 298.15
+"""Temperature of the enthalpies' zero, and of the heating value [K]."""
+GAS_CONSTANT = 287.05
+"""R of air and of its products with kerosene, which differ by less than 1e-6 [J/(kg K)]; Walsh and Fletcher, F3.22."""
+_AIR = (
+    0.992313e3, 0.236688e3, -1.852148e3, 6.083152e3, -8.893933e3, 7.097112e3, -3.234725e3, 0.794571e3, -0.081873e3,
+)  # fmt: skip
+_BURNT = (-0.718874e3, 8.747481e3, -15.863157e3, 17.254096e3, -10.233795e3, 3.081778e3, -0.361112e3, -0.003919e3, 0.0)
+"""Coefficients of c_p over powers of T/1000 K [J/(kg K)]."""
+_TOLERANCE = 1e-13
+"""Part of a temperature to which an inverse is found [-]."""
+_MOST_GAS_ROUNDS = 60
+
+
+class Gas(NamedTuple):
+    """What flows through a turbine."""
+
+    fuel_ratio: float = 0.0
+    """Burnt fuel over dry air f [-]."""
+
+    @property
+    def burnt(self) -> float:
+        """f/(1 + f): how much of the products' coefficients counts [-]."""
+        return self.fuel_ratio / (1.0 + self.fuel_ratio)
+
+
+AIR = Gas()
+"""Dry air."""
+
+
+@lru_cache(maxsize=256)
+def _coefficients(gas: Gas) -> tuple[Terms, Terms, float, Terms]:
+    """Return those of c_p, of its integral, of ln T and of the rest of ∫ c_p dT/T, the highest power first."""
+    capacity = tuple(a + gas.burnt * b for a, b in zip(_AIR, _BURNT, strict=True))
+    integral = tuple(1e3 * value / (k + 1) for k, value in enumerate(capacity))
+    rest = tuple(value / k for k, value in enumerate(capacity) if k)
+    return capacity[::-1], integral[::-1], capacity[0], rest[::-1]
+
+
+def _horner(terms: Terms, part: float) -> float:
+    total = 0.0
+    for term in terms:
+        total = total * part + term
+    return total
+
+
+def heat_capacity(gas: Gas, temperature: float) -> float:
+    """Return c_p of air or of burnt gas [J/(kg K)].
+
+    Args:
+        gas: The gas.
+        temperature: T [K].
+
+    Source: Walsh and Fletcher, Gas Turbine Performance (2004), F3.23 and F3.24.
+
+    Valid for: 200 to 2000 K, f up to 0.05; a little below 200 K the polynomial goes on smoothly.
+
+    >>> round(heat_capacity(AIR, 300.0), 1)
+    1003.9
+    """
+    return _horner(_coefficients(gas)[0], temperature / 1000.0)
+
+
+def enthalpy(gas: Gas, temperature: float) -> float:
+    """Return the enthalpy over that at 298.15 K [J/kg].
+
+    Args:
+        gas: The gas.
+        temperature: T [K].
+
+    Source: integral of `heat_capacity`, term by term.
+    """
+    terms, part, zero = _coefficients(gas)[1], temperature / 1000.0, REFERENCE / 1000.0
+    return _horner(terms, part) * part - _horner(terms, zero) * zero
+
+
+def entropy(gas: Gas, temperature: float) -> float:
+    """Return the part of the entropy that depends on temperature, φ = ∫ c_p dT/T [J/(kg K)].
+
+    Args:
+        gas: The gas.
+        temperature: T [K].
+
+    Source: integral of `heat_capacity` over T, term by term; Walsh and Fletcher, F3.28.
+    """
+    _, _, first, rest = _coefficients(gas)
+    part = temperature / 1000.0
+    return first * math.log(part) + _horner(rest, part) * part
+
+
+def temperature_of(gas: Gas, wanted: float) -> float:
+    """Return the temperature at which a gas has an enthalpy [K].
+
+    Args:
+        gas: The gas.
+        wanted: h over that at 298.15 K [J/kg].
+
+    Source: Newton's method on `enthalpy`, whose slope is `heat_capacity`.
+
+    >>> round(temperature_of(AIR, enthalpy(AIR, 700.0)), 9)
+    700.0
+    """
+    temperature = REFERENCE + wanted / 1050.0
+    for _ in range(_MOST_GAS_ROUNDS):
+        step = (wanted - enthalpy(gas, temperature)) / heat_capacity(gas, temperature)
+        temperature += step
+        if abs(step) <= _TOLERANCE * temperature:
+            break
+    return temperature
+
+
+def isentropic(gas: Gas, temperature: float, ratio: float) -> float:
+    """Return the temperature behind a change of pressure without loss [K].
+
+    Args:
+        gas: The gas.
+        temperature: T before it [K].
+        ratio: Pressure after over pressure before [-].
+
+    Source: φ(T_2) = φ(T_1) + R ln(p_2/p_1); Newton's method.
+    """
+    wanted = entropy(gas, temperature) + GAS_CONSTANT * math.log(ratio)
+    found = temperature * math.pow(ratio, 0.28)
+    for _ in range(_MOST_GAS_ROUNDS):
+        step = (wanted - entropy(gas, found)) * found / heat_capacity(gas, found)
+        found += step
+        if abs(step) <= _TOLERANCE * found:
+            break
+    return found
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A turboshaft engine of two spools: gas generator and power turbine, by its components in every state.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+STANDARD_TEMPERATURE, STANDARD_PRESSURE = 288.15, 101325.0
+"""Of the standard sea level [K]; [Pa]."""
+HOTTEST = 2000.0
+"""Of what the gas properties hold for [K]."""
+_MOST_ROUNDS = 200
+_SETTLED = 1e-13
+"""Change of what is iterated, over itself [-]."""
+
+
+class Rated(NamedTuple):
+    """A turboshaft engine at its design point, at sea level on a standard day without speed."""
+
+    power: float
+    """P of the power turbine [W]."""
+    fuel_flow: float
+    """m_f [kg/s]."""
+    air_flow: float
+    """m_a [kg/s]."""
+    pressure_ratio: float
+    """p_3/p_2 [-]."""
+    compressor: float
+    """Isentropic efficiency [-]."""
+    turbine: float
+    """Isentropic efficiency of the turbine of the gas generator [-]."""
+    combustion: float = 0.995
+    """Part of the fuel that burns [-]."""
+    burner_loss: float = 0.04
+    """Part of the pressure that the burner takes [-]."""
+    exit_ratio: float = 1.04
+    """Pressure behind the power turbine over that of the air [-]."""
+    mechanical: float = 0.99
+    """Of the gas generator's shaft [-]."""
+    casing_loss: float = 0.0
+    """Part of the fuel's heat that leaves through the casing of the burner [-]."""
+    inertia: float = 0.06
+    """Of the gas generator [kg m²]."""
+    speed: float = 4000.0
+    """Of the gas generator N1 [rad/s]."""
+    work_exponent: float = 2.0
+    """n of ΔT_c/T_2 ∝ (N1/√T_2)^n: 2 for a constant work coefficient."""
+    fall: float = 1.0
+    """k of η_c = η_0 (1 - k (1 - N1/√T_2)²), the corrected speed over the rated one [-]."""
+
+
+class Turboshaft(NamedTuple):
+    """An engine with what its design point fixes."""
+
+    rated: Rated
+    gas_nozzle: float
+    """m √T/p of the first turbine, choked [kg √K/(s Pa)]."""
+    power_nozzle: float
+    """The same of the power turbine over √(1 - (p_5/p_45)²)."""
+    power_efficiency: float
+    """Isentropic, of the power turbine at its design point [-]."""
+    rise: float
+    """(T_3 - T_2)/T_2 at the design point [-]."""
+    expansion: float
+    """p_4/p_45 of the first turbine [-]."""
+    drop: float
+    """Δh_0 of the ideal power turbine at its design point [J/kg]."""
+
+
+class Inlet(NamedTuple):
+    """The air before an engine."""
+
+    temperature: float
+    """T_2, stagnation [K]."""
+    pressure: float
+    """p_2, stagnation [Pa]."""
+    ambient: float
+    """p_0, static [Pa]."""
+
+
+class EngineState(NamedTuple):
+    """An engine at one instant: flows, temperatures, powers, every one by its own component."""
+
+    air_flow: float
+    """[kg/s]"""
+    fuel_flow: float
+    """[kg/s]"""
+    compressor_exit: float
+    """T_3 [K]."""
+    turbine_inlet: float
+    """T_4 [K]."""
+    between: float
+    """T_45, between the turbines: what a temperature limit watches [K]."""
+    exhaust: float
+    """T_5 behind the power turbine [K]."""
+    pressure_ratio: float
+    """p_3/p_2 [-]."""
+    compressor_power: float
+    """Into the air [W]."""
+    turbine_power: float
+    """Of the first turbine, on its shaft [W]."""
+    power: float
+    """Of the power turbine [W]."""
+    casing: float
+    """Heat through casing and bearings [W]."""
+    unburnt: float
+    """Heat of fuel that did not burn [W]."""
+
+    @property
+    def surplus(self) -> float:
+        """What accelerates the gas generator [W]."""
+        return self.turbine_power - self.compressor_power
+
+
+def _standard() -> Inlet:
+    return Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE)
+
+
+def _compressed(rated: Rated, temperature: float, ratio: float) -> float:
+    """Return T_3 [K]."""
+    ideal = enthalpy(AIR, isentropic(AIR, temperature, ratio)) - enthalpy(AIR, temperature)
+    return temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor)
+
+
+def _ratio(rated: Rated, part: float, temperature: float, exit_temperature: float) -> float:
+    """Return p_3/p_2 that a rise of temperature gives at a part of the corrected speed [-]."""
+    efficiency = rated.compressor * (1.0 - rated.fall * (1.0 - part) ** 2)
+    work = efficiency * (enthalpy(AIR, exit_temperature) - enthalpy(AIR, temperature))
+    ideal = temperature_of(AIR, enthalpy(AIR, temperature) + work)
+    return math.exp((entropy(AIR, ideal) - entropy(AIR, temperature)) / GAS_CONSTANT)
+
+
+def engine_of(rated: Rated) -> Turboshaft:
+    """Return an engine that meets its design point: nozzles, expansion and the power turbine's efficiency follow.
+
+    Args:
+        rated: The design point.
+
+    Source: gas-generator balance and choked nozzles; Saravanamuttoo et al., Gas Turbine Theory, ch. 3 and 9.
+
+    Raises:
+        ValueError: The design point cannot be: the power turbine would need an efficiency above 1.
+    """
+    inlet = _standard()
+    t3 = _compressed(rated, inlet.temperature, rated.pressure_ratio)
+    gas, flow = Gas(rated.combustion * rated.fuel_flow / rated.air_flow), rated.air_flow + rated.fuel_flow
+    heat = (rated.combustion - rated.casing_loss) * rated.fuel_flow * HEATING_VALUE
+    t4 = temperature_of(gas, (rated.air_flow * enthalpy(AIR, t3) + heat) / flow)
+    p4 = inlet.pressure * rated.pressure_ratio * (1.0 - rated.burner_loss)
+    needed = rated.air_flow * (enthalpy(AIR, t3) - enthalpy(AIR, inlet.temperature)) / rated.mechanical
+    t45 = temperature_of(gas, enthalpy(gas, t4) - needed / flow)
+    ideal = temperature_of(gas, enthalpy(gas, t4) - needed / flow / rated.turbine)
+    expansion = math.exp((entropy(gas, t4) - entropy(gas, ideal)) / GAS_CONSTANT)
+    p45 = p4 / expansion
+    last = isentropic(gas, t45, rated.exit_ratio * inlet.ambient / p45)
+    drop = enthalpy(gas, t45) - enthalpy(gas, last)
+    return Turboshaft(
+        rated,
+        flow * math.sqrt(t4) / p4,
+        flow * math.sqrt(t45) / p45 / math.sqrt(1.0 - (rated.exit_ratio * inlet.ambient / p45) ** 2),
+        rated.power / flow / drop,
+        (t3 - inlet.temperature) / inlet.temperature,
+        expansion,
+        drop,
+    )
+
+
+def state_at(engine: Turboshaft, inlet: Inlet, speed: float, hot: float) -> EngineState:
+    """Return an engine with a speed of its gas generator and a temperature behind its burner, at rest or not.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+        hot: T_4 [K].
+
+    Source: compressor of constant work coefficient, ΔT_c/T_2 ∝ (N1/√T_2)^n, and efficiency; choked first nozzle;
+        power turbine by Stodola's ellipse, m √T/p ∝ √(1 - (p_5/p_45)²), which sets the expansion before it; burner by
+        enthalpy (Saravanamuttoo et al., Gas Turbine Theory, ch. 9).
+
+    Valid for: a first nozzle that chokes, p_4 above about twice p_45; a power turbine at its rated speed.
+    """
+    rated = engine.rated
+    t3, ratio = compressed_to(engine, inlet, speed)
+    p4 = inlet.pressure * ratio * (1.0 - rated.burner_loss)
+    fuel_ratio = _fuel_ratio(rated, t3, hot)
+    air = engine.gas_nozzle * p4 / math.sqrt(hot) / (1.0 + fuel_ratio)
+    return _expanded(engine, inlet, (air, fuel_ratio, t3, hot), ratio=ratio, pressure=p4)
+
+
+def compressed_to(engine: Turboshaft, inlet: Inlet, speed: float) -> tuple[float, float]:
+    """Return T_3 [K] and p_3/p_2 [-] of a compressor.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+    """
+    rated = engine.rated
+    part = speed / rated.speed * math.sqrt(STANDARD_TEMPERATURE / inlet.temperature)
+    t3 = inlet.temperature * (1.0 + engine.rise * part**rated.work_exponent)
+    return t3, _ratio(rated, part, inlet.temperature, t3)
+
+
+def _fuel_ratio(rated: Rated, cold: float, hot: float) -> float:
+    """Return fuel over air that heats a burner's gas to a temperature [-]."""
+    heat, before = (rated.combustion - rated.casing_loss) * HEATING_VALUE, enthalpy(AIR, cold)
+    ratio = 0.0
+    for _ in range(_MOST_ROUNDS):
+        after = enthalpy(Gas(rated.combustion * ratio), hot)
+        found = (after - before) / (heat - after)
+        if abs(found - ratio) <= _SETTLED:
+            break
+        ratio = found
+    return found
+
+
+def _expanded(
+    engine: Turboshaft, inlet: Inlet, burner: tuple[float, float, float, float], *, ratio: float, pressure: float
+) -> EngineState:
+    rated, (air, fuel_ratio, t3, t4) = engine.rated, burner
+    gas, fuel = Gas(rated.combustion * fuel_ratio), air * fuel_ratio
+    flow, behind = air + fuel, rated.exit_ratio * inlet.ambient
+    p45 = _between(engine, gas, (t4, pressure, flow), behind)
+    t45 = first_exit(engine, gas, t4, pressure / p45)
+    last = isentropic(gas, t45, min(behind / p45, 1.0))
+    drop = _turbine_work(engine, enthalpy(gas, t45) - enthalpy(gas, last))
+    first = flow * (enthalpy(gas, t4) - enthalpy(gas, t45))
+    rubbed = (1.0 - rated.mechanical) * first
+    return EngineState(
+        air_flow=air,
+        fuel_flow=fuel,
+        compressor_exit=t3,
+        turbine_inlet=t4,
+        between=t45,
+        exhaust=temperature_of(gas, enthalpy(gas, t45) - drop),
+        pressure_ratio=ratio,
+        compressor_power=air * (enthalpy(AIR, t3) - enthalpy(AIR, inlet.temperature)),
+        turbine_power=first - rubbed,
+        power=flow * drop,
+        casing=rated.casing_loss * fuel * HEATING_VALUE + rubbed,
+        unburnt=(1.0 - rated.combustion) * fuel * HEATING_VALUE,
+    )
+
+
+def _turbine_work(engine: Turboshaft, ideal: float) -> float:
+    """Return what the power turbine takes from its gas at its rated speed [J/kg].
+
+    Source: torque falls linearly with speed, so that η = η_0 x (2 - x) over x = (u/c)/(u/c)_0 with c = √(2 Δh); at one
+        speed x = √(Δh_0/Δh), and the work η_0 (2 √(Δh_0 Δh) - Δh_0). Gas that is too slow for its blades is stirred.
+    """
+    return engine.power_efficiency * (2.0 * math.sqrt(engine.drop * max(ideal, 0.0)) - engine.drop)
+
+
+def first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> float:
+    """Return T_45 behind the first turbine [K].
+
+    Args:
+        engine: The engine.
+        gas: That expands.
+        hot: T_4 [K].
+        expansion: p_4/p_45 [-].
+    """
+    ideal = enthalpy(gas, hot) - enthalpy(gas, isentropic(gas, hot, 1.0 / expansion))
+    return temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal)
+
+
+def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
+    """Return p_45 at which the power turbine passes the flow of the first nozzle [Pa].
+
+    Source: p_45² = p_5² + m² T_45/k² from Stodola's ellipse, with T_45 behind an expansion to p_45; secants.
+    """
+    hot, pressure, flow = nozzle
+    if pressure <= behind:
+        return max(pressure, 1.0001 * behind)
+
+    def after(between: float) -> float:
+        cold = first_exit(engine, gas, hot, max(pressure / between, 1.0))
+        return min(math.sqrt(behind**2 + flow**2 * cold / engine.power_nozzle**2), pressure)
+
+    last = min(max(pressure / engine.expansion, behind), pressure)
+    now = after(last)
+    wrong = now - last
+    for _ in range(_MOST_ROUNDS):
+        if abs(wrong) <= _SETTLED * now:
+            break
+        then = after(now) - now
+        slope = (then - wrong) / (now - last)
+        last, wrong, now = now, then, now - then / slope
+    return now
+
+
+def leaving(state: EngineState) -> float:
+    """Return the enthalpy that leaves with the gas over that at 298.15 K, by its state [W].
+
+    Args:
+        state: Of the engine.
+    """
+    burnt = state.fuel_flow - state.unburnt / HEATING_VALUE
+    return (state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust)
+
+
+def entering(state: EngineState, inlet: Inlet) -> float:
+    """Return the enthalpy that enters with air and fuel [W].
+
+    Args:
+        state: Of the engine.
+        inlet: The air before it.
+    """
+    return state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What a turboshaft does at rest at a speed, and at rest with a power.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def steady_state(engine: Turboshaft, inlet: Inlet, speed: float) -> EngineState:
+    """Return an engine at rest at a speed of its gas generator: the heat that holds it.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+
+    Source: P_turbine = P_compressor, over T_4.
+
+    Raises:
+        ValueError: No heat holds it: beyond its ceiling or its speeds.
+    """
+
+    from scipy.optimize import brentq
+
+    def surplus(hot: float) -> float:
+        return state_at(engine, inlet, speed, hot).surplus
+
+    low = state_at(engine, inlet, speed, HOTTEST).compressor_exit + 1.0
+    if surplus(HOTTEST) < 0.0 or surplus(low) > 0.0:
+        raise ValueError(f"no gas up to {HOTTEST:g} K holds {speed / engine.rated.speed:.3f} of N1")
+    return state_at(engine, inlet, speed, float(brentq(surplus, low, HOTTEST, xtol=1e-9, rtol=1e-14)))
+
+
+def state_for(engine: Turboshaft, inlet: Inlet, power: float, guess: tuple[float, float]) -> tuple[float, EngineState]:
+    """Return the speed of the gas generator at which an engine at rest gives a power [rad/s], and its state.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        power: Of the power turbine [W].
+        guess: Speed [rad/s] and T_4 [K] near it.
+
+    Source: Newton's method on surplus and power, over N1 and T_4.
+
+    Raises:
+        ValueError: It cannot give the power at rest.
+    """
+    scale = np.array([engine.rated.speed, 1000.0])
+
+    def missing(at: Floats) -> Floats:
+        if not (0.2 < at[0] < 1.6 and 0.3 < at[1] < 1e-3 * HOTTEST):
+            raise ValueError(f"{power / 1e3:.4g} kW are beyond what it gives at rest in this air")
+        state = state_at(engine, inlet, *(at * scale))
+        return np.array([state.surplus, state.power - power]) / engine.rated.power
+
+    at = np.array(guess) / scale
+    wrong = missing(at)
+    for _ in range(40):
+        if np.max(np.abs(wrong)) <= 1e-12:
+            break
+        slopes = np.column_stack([(missing(at + step) - wrong) / 1e-6 for step in 1e-6 * np.eye(2)])
+        step = -np.linalg.solve(slopes, wrong)
+        at = at + step * min(1.0, 0.15 / float(np.max(np.abs(step))))
+        wrong = missing(at)
+    return float(at[0] * scale[0]), state_at(engine, inlet, *(at * scale))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What leaves a turbine beside its shaft: exhaust, by flow and temperature, and heat through the casing.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Breathing(NamedTuple):
+    """How much air a turbine breathes that is known by its fuel flow alone, and what heats its surroundings."""
+
+    air_flow: float
+    """At its thermal power, at sea level on a standard day [kg/s]."""
+    idle_air: float
+    """Part of it that flows without power [-]."""
+    casing_loss: float
+    """Part of the fuel's heat that leaves through casing and oil [-]."""
+
+
+class Exhaust(NamedTuple):
+    """The state of what leaves one turbine, or several whose gas mixes."""
+
+    air_flow: float = 0.0
+    """[kg/s]"""
+    fuel_flow: float = 0.0
+    """[kg/s]"""
+    temperature: float = 0.0
+    """Stagnation temperature of the gas [K]; of one that is off, that of the air."""
+    casing: float = 0.0
+    """Heat through the casing [W]."""
+
+
+def air_flow(breathing: Breathing, theta: float, delta: float, part: float) -> float:
+    """Return the air that a turbine breathes [kg/s].
+
+    Args:
+        breathing: The turbine.
+        theta: Stagnation temperature over that of the standard sea level θ_t [-].
+        delta: Stagnation pressure, likewise δ_t [-].
+        part: Power over what its core gives in this air [-].
+
+    Source: m = m_0 δ_t θ_t^-1/2 (i + (1 - i) P/P_core): choked turbine; linear in power as an assumption.
+    """
+    return breathing.air_flow * delta / math.sqrt(theta) * (breathing.idle_air + (1.0 - breathing.idle_air) * part)
+
+
+def exhaust_of(breathing: Breathing, air: float, inlet: float, *, fuel: float, power: float) -> Exhaust:
+    """Return the state in which a turbine's gas must leave it.
+
+    Args:
+        breathing: The turbine.
+        air: Its air flow [kg/s].
+        inlet: Stagnation temperature of the air [K].
+        fuel: Fuel flow [kg/s].
+        power: At its shaft [W].
+
+    Source: steady energy of the engine: (m_a + m_f) h(T, f) = m_a h(T_0) + m_f H - P - Q_casing, solved for T.
+    """
+    if not fuel:
+        return Exhaust(0.0, 0.0, inlet, 0.0)
+    return _burning(breathing, air, inlet, fuel, power)
+
+
+def _burning(breathing: Breathing, air: float, inlet: float, fuel: float, power: float) -> Exhaust:
+    casing = breathing.casing_loss * fuel * HEATING_VALUE
+    left = air * enthalpy(AIR, inlet) + fuel * HEATING_VALUE - power - casing
+    return Exhaust(air, fuel, temperature_of(Gas(fuel / air), left / (air + fuel)), casing)
+
+
+def mixed(flows: Iterable[Exhaust]) -> Exhaust:
+    """Return the gas of several turbines mixed into one.
+
+    Args:
+        flows: Of every turbine, at least one.
+
+    Source: conservation of mass and enthalpy.
+    """
+    known = list(flows)
+    running = [flow for flow in known if flow.fuel_flow]
+    if len(running) < 2:
+        return running[0] if running else known[0]
+    return _joined(running)
+
+
+def _joined(running: Sequence[Exhaust]) -> Exhaust:
+    air, fuel = sum(flow.air_flow for flow in running), sum(flow.fuel_flow for flow in running)
+    carried = sum((gas.air_flow + gas.fuel_flow) * enthalpy(_gas(gas), gas.temperature) for gas in running)
+    warm = temperature_of(Gas(fuel / air), carried / (air + fuel))
+    return Exhaust(air, fuel, warm, sum(flow.casing for flow in running))
+
+
+def exhaust_heat(exhaust: Exhaust, inlet: float) -> float:
+    """Return what the exhaust carries away over what the air brought, by their states alone [W].
+
+    Args:
+        exhaust: Flows and temperature.
+        inlet: Stagnation temperature of the air [K].
+
+    Source: (m_a + m_f) h(T, f) - m_a h(T_0).
+    """
+    if not exhaust.fuel_flow:
+        return 0.0
+    return _gained(exhaust, inlet)
+
+
+def _gained(exhaust: Exhaust, inlet: float) -> float:
+    away = (exhaust.air_flow + exhaust.fuel_flow) * enthalpy(_gas(exhaust), exhaust.temperature)
+    return away - exhaust.air_flow * enthalpy(AIR, inlet)
+
+
+def _gas(exhaust: Exhaust) -> Gas:
+    return Gas(exhaust.fuel_flow / exhaust.air_flow)

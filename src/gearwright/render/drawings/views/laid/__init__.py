@@ -1,1 +1,0 @@
-"""Where shafts lie in the plane of a drawing."""

@@ -1,0 +1,374 @@
+"""The page on which the gearbox turns, and the report's chapters on dynamics."""
+
+from __future__ import annotations
+
+import json
+import math
+from base64 import b64encode
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+from markupsafe import Markup
+
+from gearwright.arrays import Floats
+from gearwright.checks import Check, worst_first
+from gearwright.dynamics import Modes, System, Trace
+from gearwright.dynamics.assembly import assumptions
+from gearwright.dynamics.vibration import SpeedCase, first_meshes
+from gearwright.identity import HOUSING, Kind, PartId
+from gearwright.render import solids
+from gearwright.render import style as theme
+from gearwright.render.figures.dynamics import campbell_figure
+from gearwright.render.figures.motion import (
+    drawn_modes_figure,
+    every_step,
+    mesh_frequencies,
+    moving_centres,
+    orbit_figure,
+    phase_figure,
+    transmission_error_figure,
+)
+from gearwright.render.html import environment
+from gearwright.render.pages.page import Figure, Section, figure
+from gearwright.render.schematic import schematic_figure
+from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
+from gearwright.render.tables.weights import summary
+from gearwright.shape import Node, Scene, glb, scene
+from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
+from gearwright.units import margin_text, text
+from gearwright.verbs import verb
+from gearwright.version import __version__
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the page of the turning gearbox says of every part, and how far its solids move apart.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+MOST = 8
+"""Checks of a part that are shown [-]."""
+Rows = list[list[str]]
+
+
+def labels_of(scene: Scene) -> dict[str, str]:
+    """Return node -> label of the part whose numbers are shown where it is picked.
+
+    Args:
+        scene: The scene.
+    """
+    return {node.name: _label(node.part) for node in scene.nodes}
+
+
+def _label(part: PartId) -> str:
+    return str(part) if part.kind is not Kind.BEARING else f"bearing {part}"
+
+
+def parts_of(sizing: Sizing, scene: Scene, checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
+    """Return label -> title, numbers, worst margin and checks of every part of a scene, stage by stage, then shafts.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+        checks: Of its parts.
+    """
+    parts = {_label(node.part): node for node in scene.nodes}
+    stages = list(dict.fromkeys(gear.part.name for gear in sizing.gears))
+
+    def place(label: str) -> tuple[int, bool, bool]:
+        part = parts[label].part
+        return (stages.index(part.name) if part.name in stages else len(stages), part.kind is Kind.BEARING,
+                part.kind is Kind.CARRIER)  # fmt: skip
+
+    return {label: _part(sizing, scene, parts[label], checks) for label in sorted(parts, key=place)}
+
+
+def _part(sizing: Sizing, scene: Scene, node: Node, checks: Sequence[Check]) -> dict[str, Any]:
+    own = worst_first(
+        check for check in checks if check.margin is not None and _concerns(sizing, check.part, node.part)
+    )
+    margins = [check.margin for check in own if check.margin is not None and math.isfinite(check.margin)]
+    shown = [[f"{check.part} {check.what}", margin_text(check.margin or 0.0)] for check in own[:MOST]
+             if check.margin is not None and math.isfinite(check.margin)]  # fmt: skip
+    found: dict[str, Any] = {"title": _label(node.part), "rows": _rows(sizing, node.part), "checks": shown,
+                             "margin": round(min(margins), 4) if margins else None}  # fmt: skip
+    gear, force = _gear(sizing, node.part), _force(sizing, node.part)
+    found |= {"force": force, "force_text": "" if force is None else text(force, "force")}
+    if gear is not None and node.part.kind is Kind.GEAR:
+        found["teeth"] = gear.teeth
+    return found
+
+
+def _force(sizing: Sizing, part: PartId) -> float | None:
+    """Return the largest force of a part in the cases that it is sized for [N]: of a mesh, a bearing or a pin."""
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        rows = [mesh for mesh in sizing.meshes if gear.name in mesh.gears]
+        return max(math.hypot(row.tangential_force, row.radial_force, row.axial_force) for row in rows)
+    carried = [math.hypot(own.radial, own.axial) for own in sizing.bearings
+               if part == PartId(Kind.BEARING, own.name)]  # fmt: skip
+    carried += [carrier.pin_force for carrier in sizing.carriers
+                if part == carrier.part or (gear is not None and carrier.stage == gear.stage)]  # fmt: skip
+    return max(carried, default=None)
+
+
+def _concerns(sizing: Sizing, checked: PartId, part: PartId) -> bool:
+    """Tell whether a check of a part or of a mesh concerns the part of a body."""
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        rows = [mesh.part for mesh in sizing.meshes if gear.name in mesh.gears]
+        return checked in (part, gear.part) or any(checked.is_of(row) for row in rows)
+    return checked._replace(number=None) == part or (checked.kind is Kind.JOINT and checked.branch == part.name)
+
+
+def _gear(sizing: Sizing, part: PartId) -> GearSizing | None:
+    same = (gear for gear in sizing.gears
+            if (gear.stage, gear.role, gear.own) == (part.name, part.role, part.own))  # fmt: skip
+    return next(same, None)
+
+
+def _rows(sizing: Sizing, part: PartId) -> Rows:
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        return _of_gear(sizing, gear, part)
+    for shaft in sizing.shafts:
+        if part == PartId(Kind.SHAFT, shaft.name):
+            return _of_shaft(sizing, shaft)
+    for carrier in sizing.carriers:
+        if part == carrier.part:
+            return _of_carrier(carrier)
+    for bearing in sizing.bearings:
+        if part == PartId(Kind.BEARING, bearing.name):
+            return [
+                ["bearing", bearing.designation], ["on shaft", bearing.shaft],
+                ["bore", text(bearing.inner_diameter, "length")], ["outside", text(bearing.outer_diameter, "length")],
+                ["width", text(bearing.width, "length")], ["mass", text(bearing.mass, "mass")],
+            ]  # fmt: skip
+    if part == HOUSING:
+        return [["material", sizing.design.housing.material], ["shell", "as the complete mass weighs it"]]
+    runs_on = gear.runs_on if gear is not None else None
+    return [["of", str(gear.part) if gear else str(part)], ["bearing", runs_on.designation if runs_on else "not sized"]]
+
+
+def _of_gear(sizing: Sizing, gear: GearSizing, part: PartId) -> Rows:
+    rules, node = sizing.design.rules(gear.stage), part.branch or gear.shafts[0]
+    speeds = [[f"speed, {case}", text(flow.speeds[node], "speed")] for case, flow in sizing.flows.items()]
+    word = "spiral angle" if getattr(sizing.design.stages[gear.stage], "kind", "") == "bevel" else "helix angle"
+    leaning = [[word, text(gear.helix_angle, "angle")]] if gear.helix_angle else []
+    return [
+        ["teeth", str(gear.teeth)], ["normal module", text(gear.module, "length")], *leaning,
+        ["pressure angle", text(rules.pressure_angle, "angle")], ["profile shift", f"{gear.profile_shift:.4g}"],
+        ["face width", text(gear.face_width, "length")], ["pitch diameter", text(gear.pitch_diameter, "length")],
+        ["material", rules.material], ["equal bodies", str(gear.bodies)],
+        ["mass of one, as sized", text(gear.mass, "mass")], *speeds[:4],
+    ]  # fmt: skip
+
+
+def _of_shaft(sizing: Sizing, shaft: ShaftSizing) -> Rows:
+    speeds = [[f"speed, {case}", text(flow.speeds[shaft.name], "speed")] for case, flow in sizing.flows.items()]
+    return [
+        ["diameter", text(shaft.diameter, "length")], ["bore", text(shaft.bore, "length")],
+        ["length", text(shaft.length, "length")], ["torque", text(shaft.torque, "torque")],
+        ["bending moment", text(shaft.bending_moment, "torque")],
+        ["material", sizing.design.shaft_material.name], ["mass, as sized", text(shaft.mass, "mass")], *speeds[:4],
+    ]  # fmt: skip
+
+
+def _of_carrier(carrier: CarrierSizing) -> Rows:
+    return [
+        ["on shaft", carrier.shaft], ["pin circle", text(2.0 * carrier.radius, "length")],
+        ["pins", text(carrier.pin_diameter, "length")], ["plate", text(carrier.plate_thickness, "length")],
+        ["torque", text(carrier.torque, "torque")], ["force on a pin", text(carrier.pin_force, "force")],
+        ["mass, as sized", text(carrier.mass, "mass")],
+    ]  # fmt: skip
+
+
+def parted(scene: Scene) -> dict[str, list[float]]:
+    """Return node -> how far it moves where the gearbox is drawn apart: shafts off each other, sets along their axis.
+
+    Args:
+        scene: The scene.
+    """
+    low, high = scene.box
+    middle, size = 0.5 * (low + high), float(np.linalg.norm(high - low))
+    along = {"sun": -0.10, "ring": 0.12, "tie": 0.20, "carrier": 0.26}
+    ways: dict[str, list[float]] = {}
+    for node in scene.nodes:
+        axis = node.axes.along
+        if node.part == HOUSING:
+            ways[node.name] = [0.0, 0.0, 0.0]
+            continue
+        if node.on:
+            back = -along["carrier"] * size if node.look == "planet" else 0.0
+            half = -0.5 * along["carrier"] * size if node.look == "bearing" else 0.0
+            ways[node.name] = [0.0, 0.0, back + half]
+            continue
+        beside = _square(node.axes.origin - middle, axis)
+        ways[node.name] = (0.5 * beside + along.get(node.look, 0.0) * size * axis).tolist()
+    return ways
+
+
+def _square(way: Floats, axis: Floats) -> Floats:
+    return np.asarray(way - (way @ axis) * axis)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The page on which the gearbox turns: solids, their numbers and margins, in one file that loads nothing.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@verb
+def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> str:
+    """Return a page on which the gearbox turns, as one self-contained HTML text.
+
+    Args:
+        sizing: As sized.
+        detail: Of its solids.
+    """
+    built = scene(sizing, detail=detail)
+    facts = solid_facts(sizing, built)
+    three = solids.bundled()
+    return environment().get_template("turning.html.j2").render(
+        name=sizing.design.name,
+        summary=summary(sizing),
+        style=Markup(solids.text("turning.css")),
+        scripts=[Markup(script) for script in solids.scripts()],
+        facts=Markup(_json(facts)),
+        model=Markup(b64encode(glb(built)).decode()),
+        drawing=Markup(theme.to_svg(schematic_figure(sizing), "train")),
+        most=text(max((part["force"] or 0.0 for part in facts["parts"].values()), default=0.0), "force"),
+        approximations=built.approximations,
+        three=three["version"],
+        version=__version__,
+    )  # fmt: skip
+
+
+def solid_facts(sizing: Sizing, built: Scene) -> dict[str, Any]:
+    """Return what a page says of solids: parts with numbers and margins, whose body is whose, ways apart, what is up.
+
+    Args:
+        sizing: As sized.
+        built: Scene of it.
+    """
+    parts, labels = parts_of(sizing, built, sizing.checks), labels_of(built)
+    toothed = [(abs(node.spins[built.cases[0]]), label) for node in built.nodes
+               if (label := labels[node.name]) in parts and "teeth" in parts[label]]  # fmt: skip
+    return {
+        "parts": parts,
+        "labels": labels,
+        "first": max(toothed)[1],
+        "explode": parted(built),
+        "up": upright(sizing),
+    }
+
+
+def upright(sizing: Sizing) -> list[float]:
+    """Return the direction that is up on the page: a rotor's shaft towards its rotor, or the z of the cross-section.
+
+    Args:
+        sizing: As sized.
+    """
+    for machine in sizing.machines:
+        if machine.kind == "rotor":
+            along = sizing.arrangement.frames[machine.shaft].along
+            plan = sizing.arrangement.plans[machine.shaft]
+            sign = 1.0 if plan.places[machine.name] >= plan.length / 2.0 else -1.0
+            return [round(sign * part, 9) for part in along]
+    return [0.0, 0.0, 1.0]
+
+
+def _json(facts: Mapping[str, Any]) -> str:
+    """Return facts as text that no tag can end."""
+    return json.dumps(facts, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Chapters of the report on dynamics: critical speeds, drawn mode shapes, transmission error and paths, assumptions.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+MOST_DRAWN = 4
+"""Mode shapes that are drawn on the train."""
+MOST_PATHS = 6
+"""Meshes or centres in one figure of paths."""
+
+
+def dynamics_sections(
+    sizing: Sizing,
+    system: System,
+    *,
+    case: str,
+    modes: Modes | None = None,
+    trace: Trace | None = None,
+    campbell: Sequence[SpeedCase] = (),
+) -> tuple[Section, ...]:
+    """Return the report's chapters on dynamics beside the tables of modes and forces, as far as there is something.
+
+    Args:
+        sizing: As sized.
+        system: Assembled from it for the case.
+        case: Load case of the run.
+        modes: Of the system.
+        trace: A run of the system.
+        campbell: From `critical_speeds`.
+    """
+    sections = [
+        _critical(sizing, campbell),
+        _shapes(sizing, system, modes, campbell, case=case),
+        _paths(sizing, system, trace, case),
+        Section("Assumptions of the dynamic model", tables=(assumption_table(assumptions(sizing, system)),)),
+    ]
+    return tuple(section for section in sections if section.tables or section.figures)
+
+
+def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
+    caption = "Natural frequencies, orders and excited resonances against speed; separation margins of the nearest."
+    figures = [figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
+    tables = (*map(critical_table, campbell), *map(machine_table, campbell))
+    return Section("Critical speeds", tables=tables, figures=tuple(figures))
+
+
+def _shapes(
+    sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase], *, case: str
+) -> Section:
+    """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
+    if modes is None:
+        return Section("Mode shapes")
+    near = [critical.modes[0] for case in campbell for critical in case.nearest]
+    lowest = list(range(modes.rigid + 1, len(modes.frequency) + 1))
+    numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
+    which = "Modes excited nearest to the operating speed" if near else "Lowest modes"
+    caption = f"{which}, on the train, case {case}."
+    drawing = drawn_modes_figure(sizing, system, modes, numbers=numbers)
+    return Section("Mode shapes", figures=(figure(drawing, "drawn-modes", caption),))
+
+
+def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Section:
+    samples = every_step(trace) if trace is not None else None
+    if samples is None:
+        return Section("Transmission error and paths")
+    lines = first_meshes(sizing, system)
+    centres = moving_centres(samples)[:MOST_PATHS]
+    caption = f"Phase portraits of the meshes, case {case}: a closed curve repeats; the teeth part left of zero."
+    figures = [
+        *_errors(sizing, lines, trace, case),
+        figure(phase_figure(samples, lines[:MOST_PATHS]), "phase", caption),
+    ]
+    if centres:
+        caption = f"Paths of centres about their means, case {case}; of planetary sets in the frame of the carrier."
+        figures.append(figure(orbit_figure(samples, centres), "orbits", caption))
+    return Section("Transmission error and paths", figures=tuple(figures))
+
+
+def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str) -> Iterator[Figure]:
+    """Yield one figure for each stage: its meshes share a mesh frequency."""
+    samples, rates = every_step(trace) if trace is not None else None, mesh_frequencies(sizing, case)
+    for stage in sizing.design.stages:
+        rows = {mesh.name: line for mesh, line in zip(sizing.train.meshes, lines, strict=True) if mesh.stage == stage}
+        meshes, rate = list(rows.values()), max(rates[row] for row in rows)
+        if samples is not None and meshes and rate > 0.0:
+            drawing = transmission_error_figure(samples, meshes, mesh_frequency=rate)
+            yield figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}, case {case}.")
+
+
+def _safe(stage: str) -> str:
+    return "".join(letter if letter.isalnum() else "-" for letter in stage)

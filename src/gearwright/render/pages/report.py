@@ -1,0 +1,499 @@
+"""Pages of one design: the report, its review, its drawings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import chain
+from typing import NamedTuple
+
+from gearwright.arrays import largest_first
+from gearwright.checks import Check, worst
+from gearwright.dynamics import Modes, System, Trace
+from gearwright.dynamics.motion import Error
+from gearwright.dynamics.vibration import DynamicLoad, SpeedCase, dynamic_loads
+from gearwright.errors import by_name
+from gearwright.render.figures.masses import (
+    aged_bearings,
+    bearing_life_figure,
+    bent_shafts,
+    margin_figure,
+    mass_figure,
+    shaft_figure,
+    treemap_figure,
+)
+from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
+from gearwright.render.grid import Table, table
+from gearwright.render.pages.motion import dynamics_sections
+from gearwright.render.pages.page import (
+    UNSTAMPED,
+    Figure,
+    Number,
+    Page,
+    Section,
+    Stamp,
+    Tone,
+    Verdict,
+    figure,
+    inputs,
+    judged,
+    judged_by_sizing,
+    quantity,
+    reserve,
+    set_page,
+)
+from gearwright.render.schematic import power_flow_figure, schematic_figure
+from gearwright.render.tables.checks import check_sentence, factor_tables, method_tables, review_tables, usual_table
+from gearwright.render.tables.dynamics import dynamic_table, energy_table, mode_table, motion_tables
+from gearwright.render.tables.requirements import failed_table, met_table, open_table, order_table, waived_table
+from gearwright.render.tables.sizing import flow_tables, mass_sentence, passing_table, path_table, tables_of
+from gearwright.render.words.design_file import entries
+from gearwright.render.words.sizing import unneeded_text
+from gearwright.reviews import Review
+from gearwright.sizing import Sizing, asked_speeds, governing_case, remarks
+from gearwright.sizing.arrangement import envelope
+from gearwright.sizing.mass import complete_mass
+from gearwright.sizing.rating import method_for, rating_of
+from gearwright.spec import Design, implied
+from gearwright.spec.design import RATINGS
+from gearwright.train import recirculation
+from gearwright.units import CELSIUS, Origin, margin_text, text
+from gearwright.verbs import verb
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the report says beside its tables and figures: key numbers, warnings, assumptions.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+EQUAL = 1e-6
+"""Part by which a peak of one run may lie above that of another and be the same [-]."""
+TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
+"""Words of a run's notes that its reader is warned of."""
+
+
+def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, ...]:
+    """Return what a reader asks first, with bands where they are known.
+
+    Args:
+        sizing: As sized.
+        review: Of it; left out: the margin is that of the checks of sizing alone.
+    """
+    rated = sizing.reference
+    taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
+    torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
+    whole = complete_mass(sizing)
+    gears = Origin("gears, shafts, carriers", "sum; by this mass designs are chosen")
+    numbers = [
+        quantity("complete mass", whole.total, "mass", digits=3, band=whole.band, share="68 %"),
+        quantity("rated power", sizing.rated_power, "power"),
+        quantity("output torque", torque, "torque"),
+        quantity("power density of the train as sized", sizing.power_density, "specific_power"),
+        *reserve(worst(sizing.checks) if review is None else review.worst),
+        *([quantity("its gears, shafts, carriers", whole.train, "mass", digits=3)] if whole.train else []),
+        quantity("train as sized", sizing.mass, "mass", origin=gears),
+        *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
+        Number("level", sizing.level if "level" not in implied(sizing.design) else f"{sizing.level}, by default"),
+    ]
+    return tuple(numbers)
+
+
+def warnings(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None = None) -> tuple[str, ...]:
+    """Return what is not as asked.
+
+    Args:
+        sizing: As sized.
+        traces: Load case -> run, of those that were simulated.
+        review: Of it, if it is shown.
+    """
+    checks = sizing.checks if review is None else review.checks
+    sentences = [f"{check_sentence(check)}; it should be 1 or more." for check in checks if check.fails]
+    sentences += [f"{check_sentence(check)}; waived: {check.waiver}." for check in checks if check.waiver]
+    if review is not None:
+        sentences += [f"{unneeded_text(name)}." for name in review.unneeded]
+    sentences += remarks(sizing)
+    sentences += _yielded(sizing)
+    sentences += [
+        f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."
+        for case, flow in sizing.flows.items()
+        for loop in recirculation(sizing.train, flow)
+    ]
+    sentences += _given(sizing)
+    for case, trace in traces.items():
+        sentences += [
+            f"{load.mesh}, case {case}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the"
+            f" margins are {margin_text(load.bending_margin)} (bending) and {margin_text(load.contact_margin)}"
+            " (contact)."
+            for load in dynamic_loads(sizing, trace)
+            if min(load.bending_margin, load.contact_margin) < 1.0 and not _said(load, checks)
+        ]
+        telling = (note for note in trace.notes if any(words in note for words in TOLD))
+        sentences += [f"Case {case}: {note}." for note in telling]
+    return tuple(sentences)
+
+
+def _said(load: DynamicLoad, checks: Sequence[Check]) -> bool:
+    """Return whether a review tells of a peak that is as large, in whatever case."""
+    peaks = {check.mode: check.margin or 0.0 for check in checks if str(check.part) == load.mesh}
+    both = (("peak bending", load.bending_margin), ("peak contact", load.contact_margin))
+    return all(mode in peaks and peaks[mode] <= margin * (1.0 + EQUAL) for mode, margin in both)
+
+
+def _given(sizing: Sizing) -> list[str]:
+    """Return one sentence for each origin of values that are given in place of computed ones."""
+    paths: dict[str, list[str]] = {}
+    for path, given in sizing.given.items():
+        paths.setdefault(given.origin, []).append(path)
+    return [f"Given in place of computed values ({origin}): {', '.join(names)}." for origin, names in paths.items()]
+
+
+def _yielded(sizing: Sizing) -> list[str]:
+    """Return one sentence for each speed that yields, whatever the number of cases."""
+    cases: dict[str, list[str]] = {}
+    for speed in asked_speeds(sizing):
+        words = (
+            f"{speed.machine} turns at {text(speed.actual, 'speed')}, asked were {text(speed.asked, 'speed')}"
+            f" ({speed.deviation:+.2%}): the teeth give no better"
+        )
+        cases.setdefault(words, []).append(speed.case)
+    return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
+
+
+_COUNTED = (
+    "The train as sized, by which designs are chosen, counts gears, shafts and carriers before webs and seats are cut"
+    " out of them or added; the complete mass takes them as manufactured, with housing, bearings, oil system and small"
+    " parts. Motors are in neither."
+)
+_MOUNTED = (
+    "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"
+    " left out.",
+    "Loads of rotors act in every load case, across the shaft in the direction that bends it most.",
+    "Bearings have basic rating lives, without a_ISO for oil and dirt; catalogue ratings are those of ISO 281 and"
+    " ISO 76 for an assumed inside.",
+)
+
+
+def assumptions(sizing: Sizing) -> tuple[str, ...]:
+    """Return what was assumed, as far as the design leaves it open.
+
+    Args:
+        sizing: As sized.
+    """
+    design = sizing.design
+    sentences = [_COUNTED]
+    if not any(flow.loss for flow in sizing.flows.values()):
+        sentences.append("Power flow without losses in the meshes.")
+    if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
+        sentences.append("Parallel meshes share the load equally: K_γ = 1.")
+    sentences += _nominal(design)
+    if any(_keeps_idlers(design, stage) for stage in design.planetaries):
+        sentences.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
+    if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
+        sentences.append("Shafts carry torsion alone.")
+    if sizing.built_shafts:
+        sentences += _MOUNTED
+    estimated = [machine.name for machine in sizing.machines if not machine.inertia_is_given]
+    if estimated:
+        sentences.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
+    if any(pair.kind == "face" for pair in design.pairs.values()):
+        sentences.append("Face-gear pairs are drawn as if their axes were parallel.")
+    return tuple(sentences)
+
+
+def _nominal(design: Design) -> list[str]:
+    """Return a sentence where the method of some stages has no factors for peaks of the load."""
+    ratings = {stage: rating_of(design, stage) for stage in design.stages}
+    stages = [stage for stage, rating in ratings.items() if not method_for(rating).peaks]
+    if not stages:
+        return []
+    whose = "Gears" if len(stages) == len(ratings) else f"Gears of {', '.join(stages)}"
+    return [f"{whose} are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run."]
+
+
+def _keeps_idlers(design: Design, stage: str) -> bool:
+    """Tell whether the method of a stage leaves it to a factor what idlers bear, and none is given."""
+    return "idler_factor" in RATINGS[design.rating(stage)].reads and design.rules(stage).idler_factor == 1.0
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The report: one HTML page that stands alone, for the screen and for paper.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@verb
+def report(
+    sizing: Sizing,
+    *,
+    modes: Modes | None = None,
+    trace: Trace | None = None,
+    case: str | None = None,
+    others: Mapping[str, Trace] | None = None,
+    system: System | None = None,
+    campbell: Sequence[SpeedCase] = (),
+    review: Review | None = None,
+    stamp: Stamp = UNSTAMPED,
+) -> str:
+    """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        sizing: As sized.
+        modes: Natural modes, if they are to be in it.
+        trace: A run, if it is to be in it.
+        case: Load case of the summary, of modes and run; left out: the governing one, which has the least margin.
+        others: Load case -> run, of further cases that are to be in it.
+        system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
+        campbell: Critical speeds, if they are to be in it.
+        review: Every check, from `gw.review`; left out: the page shows those of sizing alone, and says so.
+        stamp: Date of the page and lines of the design file, which only the caller knows.
+    """
+    case = case or governing_case(sizing)
+    traces = {**({case: trace} if trace else {}), **(others or {})}
+    for name in traces:
+        by_name(name, sizing.flows, "case")
+    tables = tables_of(sizing)
+    told = warnings(sizing, traces, review)
+    sections = [
+        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=told),
+        _power(sizing, tables["speeds"], case),
+        *_parts(sizing, tables),
+        *([_modes(modes, case, drawn=system is not None)] if modes else []),
+        *(_dynamics(sizing, run, name) for name, run in traces.items()),
+    ]
+    if system is not None:
+        sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
+    sections.append(Section("Assumptions", tables=_filled(usual_table(sizing)), listed=assumptions(sizing)))
+    given, default = inputs(entries(sizing.design), of="design", lines=stamp.lines)
+    given = replace(given, tables=_filled(tables["overrides"]))
+    return set_page(
+        Page(
+            "Report", sizing.design.name, sizing.design.description, _verdict(sizing, traces, review),
+            key_numbers(sizing, review), tuple(sections), (given, default), sizing.design, stamp,
+        )
+    )  # fmt: skip
+
+
+def _verdict(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None) -> Verdict:
+    """Return the verdict of the review, or of sizing; a run whose peaks break a margin lets neither pass."""
+    said = judged_by_sizing(sizing) if review is None else judged(review)
+    if said.tone is Tone.BAD:
+        return said
+    for case, trace in traces.items():
+        loads = dynamic_loads(sizing, trace)  # the worst first
+        broken = [load for load in loads if min(load.bending_margin, load.contact_margin) < 1.0]
+        if broken:
+            most = f"most of all {broken[0].mesh}, case {case}"
+            words = f"Under the simulated peaks {len(broken)} of {len(loads)} meshes break a margin, {most}."
+            return Verdict(Tone.BAD, "Fails", f"{words} {said.said}")
+    return said
+
+
+def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:
+    """Return the margins of sizing, or in their place all that a review judges, and what it leaves open."""
+    return (margins,) if review is None else _filled(*review_tables(review.checks))
+
+
+def _flow(sizing: Sizing, case: str) -> Figure:
+    caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
+    return figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
+
+
+def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
+    """Return the architecture, and the power flow of every case that the summary does not show."""
+    skeleton = figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
+    others = [_flow(sizing, case) for case in sizing.flows if case != shown]
+    tables = _filled(speeds, *flow_tables(sizing), passing_table(sizing), path_table(sizing))
+    return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
+
+
+def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
+    margins = figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
+    mass = figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
+    yield _chapter("Gears", tables, "gears")
+    yield _chapter(
+        "Meshes: forces, stresses and margins", tables, "meshes", "load_factors", "rating", figures=(margins,)
+    )
+    factors = tuple(factor_tables(sizing).values())
+    if factors:
+        yield Section("Rating of the gears", tables=factors)
+        yield Section("The gears by every method", tables=tuple(method_tables(sizing).values()))
+    caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
+    bent = (figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
+    loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "planet_bearings", "machines")
+    yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
+    if sizing.built_shafts:
+        built = ("bearing_sizes", "bearing_oil", "joints", "steps", "strength", "stiffness")
+        lives = aged_bearings(sizing)
+        caption = "Rating lives of the bearings, the shortest first."
+        aged = (figure(bearing_life_figure(lives), "bearings", caption),) if lives else ()
+        yield _chapter("Shafts as built, bearings and joints", tables, *built, figures=aged)
+    yield _chapter("Losses", tables, "losses", "loss_parts")
+    yield _chapter("Materials", tables, "materials")
+    yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))
+    yield _chapter("Places in space", tables, "turns", "places")
+
+
+def _chapter(title: str, tables: Mapping[str, Table], *names: str, figures: tuple[Figure, ...] = ()) -> Section:
+    return Section(title, _filled(*(tables[name] for name in names)), figures)
+
+
+def _filled(*tables: Table) -> tuple[Table, ...]:
+    return tuple(table for table in tables if table.rows)
+
+
+def _modes(modes: Modes, case: str, *, drawn: bool) -> Section:
+    """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
+    caption = f"Lowest elastic modes, case {case}; each coordinate over the largest of its kind."
+    figures = () if drawn else (figure(mode_figure(modes), "modes", caption),)
+    return Section("Natural modes", tables=(mode_table(modes, case=case),), figures=figures)
+
+
+def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
+    figures = [figure(time_figure(trace), f"time-{_safe(case)}", f"Forces and torques against time, case {case}.")]
+    notes = [
+        f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
+        f" {Error(trace.error, trace.rms_error).words()}."
+    ]
+    if every_step(trace) is not None:
+        drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))
+        caption = f"Amplitude spectra with mesh frequencies and their multiples, case {case}."
+        figures.append(figure(drawing, f"spectrum-{_safe(case)}", caption))
+    else:
+        notes.append("No spectrum: no stretch of the run was kept at every step.")
+    tables = (*motion_tables(trace), dynamic_table(sizing, trace), energy_table(trace))
+    return Section(
+        f"Dynamic response, case {case}", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes)
+    )
+
+
+def _safe(name: str) -> str:
+    return re.sub(r"[^A-Za-z0-9-]", "-", name)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The page that goes into a design review: the verdict, requirement by requirement, and every kilogram.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+HEAVIEST = 8
+"""Parts of the complete mass that are listed one by one [-]."""
+_FOOTER = "Margins of stresses include the asked factor; of a life L of which L_a is asked, (L/L_a)^(1/p)."
+_FACTS = {
+    "heat": "heat at rated load",
+    "oil_flow": "oil flow",
+    "fuel": "fuel of the mission",
+    "battery_energy": "battery energy",
+    "hottest_oil": "hottest oil in flight",
+}
+"""Facts of a review beside its masses -> how the page calls them."""
+
+
+def review_page(review: Review, *, design: Design | None = None, stamp: Stamp = UNSTAMPED) -> str:
+    """Return a review as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        review: Of a design.
+        design: That it judges, for its hash.
+        stamp: Date of the page.
+    """
+    flown = f"Flying {review.mission}." if review.mission else "On the ground: no mission is flown."
+    return set_page(
+        Page("Design review", review.design, flown, judged(review), tuple(_numbers(review)), _sections(review),
+             design=design, stamp=stamp, footer=_FOOTER)
+    )  # fmt: skip
+
+
+def _numbers(review: Review) -> Iterator[Number]:
+    """Yield what a reader asks first."""
+    yield from reserve(review.worst)
+    yield quantity("complete mass", review.complete.total, "mass", digits=3, band=review.complete.band, share="68 %")
+    machines = float(review.facts["motor_mass"].value)
+    if machines:
+        with_them = f"with machines of {text(machines, 'mass', 3)}"
+        yield quantity(with_them, review.complete.total + machines, "mass", digits=3)
+    known = review.statistics
+    if known.mass is not None and known.low is not None and known.high is not None:
+        band = (known.low, known.high)
+        yield quantity("61 real gearboxes", known.mass, "mass", digits=3, band=band, share="68 %")
+    sides = [1e3 * float(review.facts[f"envelope.{side}"].value) for side in ("width", "height", "length")]
+    yield Number("bodies: width, height, length", " × ".join(f"{side:.0f}" for side in sides), "mm")
+    for name, words in _FACTS.items():
+        if name in review.facts:
+            value, dimension = review.facts[name]
+            hottest = name == "hottest_oil"
+            shift, shown_as = (CELSIUS, "temperature") if hottest else (0.0, dimension)
+            yield quantity(words, float(value) - shift, shown_as, digits=3)
+
+
+def _sections(review: Review) -> tuple[Section, ...]:
+    """Return the chapters; one without content is left out."""
+    mass = review.complete
+    groups = table("Groups", mass.groups, ("group", "total", "share", "deviation"))
+    heaviest = largest_first(mass.parts, lambda item: item.total)[:HEAVIEST]
+    parts = table("Heaviest parts", heaviest, ("part", "group", "count", "each", "total", "uncertainty", "formula"))
+    nothing = () if review.waived else ("Nothing is waived.",)
+    waived = (*nothing, *(f"{unneeded_text(name)}." for name in review.unneeded))
+    chapters = (
+        Section("What fails, and what would help", tables=(failed_table(review.checks),)),
+        Section("Requirement by requirement", tables=(met_table(review.checks),)),
+        Section("Kilograms", (groups, parts), (_areas(review),), notes=(mass_sentence(mass, review.statistics),)),
+        Section("Orders and natural frequencies", tables=(order_table(review.checks),)),
+        Section("Waived by the design", tables=(waived_table(review.checks),), notes=waived),
+        Section("Not assessed, and why", tables=(open_table(review.checks),)),
+    )
+    return tuple(section for section in chapters if section.notes or _rows(section.tables))
+
+
+def _areas(review: Review) -> Figure:
+    drawn = treemap_figure(review.complete, review.statistics.low, review.statistics.high)
+    return figure(drawn, "kilograms", "Every part as an area, in the colour of its group; below, where the whole lies.")
+
+
+def _rows(tables: tuple[Table, ...]) -> bool:
+    return any(chain.from_iterable(part.rows for part in tables))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Technical drawings of a design as one self-contained HTML page: the sheets, to scale on paper.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class DrawnSheet(NamedTuple):
+    """A sheet as it stands on the page."""
+
+    name: str
+    """Of its file."""
+    title: str
+    size: str
+    """Such as ``A3``."""
+    scale: str
+    """Such as ``1:2``."""
+    svg: str
+    """With ids of its own."""
+
+
+def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = UNSTAMPED) -> str:
+    """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
+
+    Args:
+        sizing: As sized.
+        drawn: Its sheets.
+        stamp: Date of the page.
+    """
+    room = envelope(sizing)
+    numbers = (
+        Number("sheets", f"{len(drawn)}", "", float(len(drawn))),
+        quantity("gears, shafts, carriers", complete_mass(sizing).train, "mass"),
+        quantity("width", room.width, "length"),
+        quantity("height", room.height, "length"),
+        quantity("length", room.length, "length"),
+    )
+    sections = tuple(Section(sheet.title, figures=(_figure(sheet),)) for sheet in drawn)
+    return set_page(
+        Page("Drawings", sizing.design.name, sizing.design.description, judged_by_sizing(sizing), numbers, sections,
+             design=sizing.design, stamp=stamp, footer="Sheets to ISO conventions, in mm; print each from its file.")
+    )  # fmt: skip
+
+
+def _figure(sheet: DrawnSheet) -> Figure:
+    titled = sheet.svg.replace("<svg ", '<svg role="img" ', 1)
+    return Figure(titled, f"{sheet.name}: {sheet.size}, {sheet.scale}.", sheet.name)

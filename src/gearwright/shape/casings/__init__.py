@@ -1,1 +1,0 @@
-"""Pieces of housings that are no chambers; which a housing has is for `housing`."""

@@ -1,0 +1,456 @@
+"""External spur and helical gears by ANSI/AGMA 2001-D04, with the geometry factors of AGMA 908-B89."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Annotated, ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from gearwright.arrays import Floats, smallest
+from gearwright.checks import Check
+from gearwright.errors import Problem
+from gearwright.identity import PartId, Role
+from gearwright.parts.agma908 import HobbedPair, bending_geometry
+from gearwright.parts.agma2001 import (
+    BENDING_CARBURISED,
+    BENDING_HB160,
+    BENDING_HB250,
+    BENDING_HB400,
+    BENDING_NITRIDED,
+    COMMERCIAL,
+    EXTRA_PRECISION,
+    OPEN_GEARING,
+    PITTING,
+    PITTING_NITRIDED,
+    PRECISION,
+    AgmaDuty,
+    AgmaMaking,
+    AgmaPairRating,
+    AgmaSteel,
+    AgmaWheel,
+    Hardnesses,
+    agma_strength,
+    allowable_yield,
+    greatest_velocity,
+    rate_agma,
+    rim_factor_agma,
+    yield_safety,
+)
+from gearwright.parts.gears import ISO53_A, Numbers
+from gearwright.parts.iso6336 import LifeCurve, StressBin, damage_part, spectrum_damage
+from gearwright.sizing.rating.geometry import RIMMED, widest_ratio
+from gearwright.sizing.rating.protocol import ClassDamage, Factor, Load, LoadedMesh, Making, MeshSpectrum, factor_rows
+from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.sizing.rating.search import module_for, untabulated
+from gearwright.spec.missions import GearLifeRules
+from gearwright.units import Origin, Quantity, Ratio, Velocity
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What AGMA 2001 is told of a stage: teeth, steel, accuracy, mounting.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_ENCLOSURES = {
+    "open": OPEN_GEARING, "commercial": COMMERCIAL, "precision": PRECISION, "extra-precision": EXTRA_PRECISION,
+}  # fmt: skip
+_BY_HARDNESS = {160.0: BENDING_HB160, 250.0: BENDING_HB250, 400.0: BENDING_HB400}
+"""HB -> Y_N of through-hardened steel; the nearest one is taken."""
+CROWNED, ADJUSTED = 0.8, 0.8
+"""C_mc and C_e of such gears [-] (AGMA 2001-D04, clause 15.3)."""
+
+
+def hobbed_pair(ask: Ask, width_ratio: ArrayLike, rating: Rating) -> HobbedPair:
+    """Return the teeth of a mesh in normal modules, with the basic rack 1.25/0.38 of ISO 53, profile A.
+
+    Args:
+        ask: Teeth of pinion and wheel.
+        width_ratio: b/m_n [-].
+        rating: Resolved rules: angles and profile shift.
+    """
+    pinion, wheel = (np.asarray(teeth, dtype=float) for teeth in ask.teeth)
+    first, second = rating.shifts.mesh(internal=False)
+    return HobbedPair(
+        (pinion, wheel),
+        pressure_angle=rating.rules.pressure_angle,
+        helix_angle=rating.helix_angle,
+        face_width=np.asarray(width_ratio, dtype=float),
+        profile_shifts=(first.profile_shift, second.profile_shift),
+        hob_addendum=ISO53_A.dedendum,
+        hob_radius=ISO53_A.fillet_radius,
+    )
+
+
+def making_of(rating: Rating, roles: tuple[Role, Role] = (Role.PINION, Role.WHEEL)) -> AgmaMaking:
+    """Return steel, accuracy and mounting of a stage.
+
+    Args:
+        rating: Resolved rules.
+        roles: What both gears are in their stage; wheels may have rims.
+
+    Raises:
+        DesignError: A grade that the steel does not have, or a hardness out of its range.
+    """
+    rules = rating.rules.agma2001
+    steel = AgmaSteel(rules.steel)
+    return AgmaMaking(
+        strength=agma_strength(steel, rules.grade, rules.hardness_hb),
+        bending_curve=_bending_curve(steel, rules.hardness_hb),
+        contact_curve=PITTING_NITRIDED if steel is AgmaSteel.NITRIDED_4140 else PITTING,
+        elastic_modulus=rating.material.elastic_modulus,
+        poisson_ratio=rating.material.poisson_ratio,
+        quality=rules.quality_number,
+        mounting=_ENCLOSURES[rules.enclosure],
+        crowning=CROWNED if rules.crowned else 1.0,
+        adjustment=ADJUSTED if rules.adjusted else 1.0,
+        reliability=rules.reliability,
+        temperature=rules.temperature_factor,
+        wheel=_wheel(rating),
+        rims=(_rim(rating, roles[0]), _rim(rating, roles[1])),
+    )
+
+
+def yield_strength_of(rating: Rating, gear: int) -> float | None:
+    """Return the allowable yield strength number s_ay of one gear [Pa]; None where nothing says it.
+
+    Args:
+        rating: Resolved rules.
+        gear: 0 for the pinion, 1 for the gear.
+
+    Source: ANSI/AGMA 2001-D04, clause 16.4, by HB; of carburised gears R_p0.2 of their core.
+    """
+    rules = rating.rules.agma2001
+    own = rules if gear == 0 or rules.wheel is None else rules.wheel
+    if own.steel == AgmaSteel.CARBURISED.value:
+        return rating.material.yield_strength
+    return allowable_yield(own.hardness_hb)
+
+
+def _wheel(rating: Rating) -> AgmaWheel | None:
+    rules = rating.rules.agma2001
+    if rules.wheel is None:
+        return None
+    steel, through = AgmaSteel(rules.wheel.steel), AgmaSteel.THROUGH_HARDENED
+    return AgmaWheel(
+        agma_strength(steel, rules.wheel.grade, rules.wheel.hardness_hb),
+        _bending_curve(steel, rules.wheel.hardness_hb),
+        PITTING_NITRIDED if steel is AgmaSteel.NITRIDED_4140 else PITTING,
+        Hardnesses(
+            rules.hardness_hb,
+            rules.wheel.hardness_hb,
+            hard_pinion=AgmaSteel(rules.steel) is not through,
+            hard_wheel=steel is not through,
+            roughness=rules.flank_roughness,
+        ),
+    )
+
+
+def _rim(rating: Rating, role: Role) -> float:
+    ratio = rating.rules.rim_ratio
+    return 1.0 if ratio is None or role not in RIMMED else float(np.asarray(rim_factor_agma(ratio)))
+
+
+def _bending_curve(steel: AgmaSteel, hardness: float) -> LifeCurve:
+    if steel is AgmaSteel.CARBURISED:
+        return BENDING_CARBURISED
+    if steel is AgmaSteel.NITRIDED_4140:
+        return BENDING_NITRIDED
+    return _BY_HARDNESS[min(_BY_HARDNESS, key=lambda known: abs(known - hardness))]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Static cases of a mesh by AGMA 2001: roots must not yield under a momentary overload.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_CLAUSE = "AGMA 2001-D04, clause 16.4"
+
+
+@dataclass(frozen=True)
+class YieldingCase:
+    """How near to yielding the roots of a mesh come in a static case."""
+
+    case: str
+    """Its name."""
+    strengths: Annotated[tuple[float, float], Quantity("stress"), Origin("s_ay", _CLAUSE)]
+    """Allowable yield strength numbers of both gears [Pa]."""
+    safeties: Annotated[tuple[float, float], Quantity("ratio"), Origin("s_ay K_y F m_t J K_f/(W_max K_my)", _CLAUSE)]
+    """Safety against yielding of both gears [-]."""
+
+
+class Rated(Protocol):
+    """A mesh with its worst static case."""
+
+    @property
+    def static(self) -> YieldingCase | None:
+        """That case."""
+
+    @property
+    def yielding_asked(self) -> float:
+        """Least safety [-]."""
+
+
+def worst_yielding(mesh: LoadedMesh) -> YieldingCase | None:
+    """Return the static case that comes nearest to yielding; None where there is none, or no yield strength is known.
+
+    Args:
+        mesh: As loaded.
+    """
+    known = [yield_strength_of(mesh.rating, gear) for gear in (0, 1)]
+    if known[0] is None or known[1] is None:
+        return None
+    strengths = known[0], known[1]
+    cases = [_case(mesh, load, strengths) for load in mesh.loads if load.static]
+    return smallest(cases, lambda case: min(case.safeties)) if cases else None
+
+
+def yielding_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+    """Yield the judgements on yielding.
+
+    Args:
+        rated: The mesh.
+        gears: Both gears.
+    """
+    if rated.static is None:
+        return
+    for gear, safety in zip(gears, rated.static.safeties, strict=True):
+        yield Check(gear, "yielding root", _CLAUSE, safety, rated.yielding_asked, symbol="S_y", case=rated.static.case)
+
+
+def _case(mesh: LoadedMesh, load: Load, strengths: tuple[float, float]) -> YieldingCase:
+    pair = hobbed_pair(load.ask, mesh.face_width / mesh.module, mesh.rating)
+    transverse = mesh.module / float(np.cos(pair.helix_angle))
+    force = load.torque / (float(np.asarray(pair.radii[0])) * mesh.module)
+    first, second = (
+        float(
+            np.asarray(
+                yield_safety(
+                    force,
+                    bending_geometry(pair, gear),
+                    strength,
+                    face_width=mesh.face_width,
+                    module=transverse,
+                    factor=mesh.rating.rules.agma2001.yield_factor,
+                )
+            )
+        )
+        for gear, strength in enumerate(strengths)
+    )
+    return YieldingCase(load.case, strengths, (first, second))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# A mesh as AGMA 2001 rates it.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SOURCE = "ANSI/AGMA 2001-D04"
+
+
+@dataclass(frozen=True)
+class Agma2001Rating:
+    """A rated mesh: the factors of its heaviest case over the whole life, and the safeties under all cases."""
+
+    method: ClassVar[str] = "agma2001"
+    case: str
+    """Heaviest case."""
+    factors: AgmaPairRating
+    """In that case, over the whole life."""
+    pitting: Annotated[
+        tuple[float, float],
+        Quantity("ratio"),
+        Origin("S_H; several cases: Σ n/N(S_H s_c) = 1", f"{_SOURCE}, eq. 4"),
+    ]
+    """S_H of both gears under the cases and their shares of the life [-]."""
+    bending: Annotated[
+        tuple[float, float],
+        Quantity("ratio"),
+        Origin("S_F; several cases: Σ n/N(S_F s_t) = 1", f"{_SOURCE}, eq. 13"),
+    ]
+    """S_F of both gears under the cases and their shares of the life [-]."""
+    pitting_asked: Ratio
+    """Least S_H [-]."""
+    bending_asked: Ratio
+    """Least S_F [-]."""
+    static: YieldingCase | None
+    """The static case that comes nearest to yielding; None where none loads the mesh or no yield strength is known."""
+    yielding_asked: Ratio
+    """Least safety against yielding [-]."""
+    velocity_limit: Velocity
+    """Up to which the curve of K_v holds [m/s]."""
+    module_bending: Annotated[float, Quantity("length"), Origin("m_n with the least S_F", f"{_SOURCE}, eqs 10, 13")]
+    """Module that bending asks for [m]."""
+    module_contact: Annotated[float, Quantity("length"), Origin("m_n with the least S_H", f"{_SOURCE}, eqs 1, 4")]
+    """Module that contact asks for [m]."""
+    bending_stress: Annotated[
+        float, Quantity("stress"), Origin("s_t = W_t K_o K_v K_s K_m K_B/(F m_t J), the larger", f"{_SOURCE}, eq. 10")
+    ]
+    """Bending stress number of the higher stressed gear in the heaviest case [Pa]."""
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("S_F/S_Fmin, the smaller", f"{_SOURCE}, eq. 13")]
+    """Safety over the asked one [-]; 1 is just enough."""
+    contact_stress: Annotated[
+        float,
+        Quantity("stress"),
+        Origin("s_c = C_p √(W_t K_o K_v K_s K_m C_f/(d F I)), the larger", f"{_SOURCE}, eq. 1"),
+    ]
+    """Contact stress number of the higher stressed gear in the heaviest case [Pa]."""
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("S_H/S_Hmin, the smaller", f"{_SOURCE}, eq. 4")]
+    """Safety over the asked one [-]; 1 is just enough."""
+    peaks: Annotated[float, Quantity("ratio"), Origin("K_o K_v", f"{_SOURCE}, clauses 8 and 9")]
+    """Factor on the nominal force for peaks of the load in the heaviest case [-]."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# AGMA 2001 as a method of rating.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Agma2001:
+    """External spur and helical gears."""
+
+    edition = "ANSI/AGMA 2001-D04"
+    peaks = "K_o K_v"
+    life_source = "Miner, AGMA 2001-D04, clause 17"
+    safeties: Mapping[str, tuple[str, ...]] = MappingProxyType(
+        {"pitting": ("agma2001", "pitting_safety"), "bending": ("agma2001", "bending_safety")}
+    )
+
+    def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
+        """Yield pinions with more teeth than their wheels, and fewer teeth than the table of its size factor has."""
+        yield from untabulated(rating, teeth)
+        if teeth[0] > teeth[1]:
+            message = f"{teeth[0]} teeth drive or meet {teeth[1]}; AGMA 2001 calls the smaller gear pinion, name it so"
+            yield Problem("pinion", message)
+
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
+        """Return λ of the widest gears that are allowed; the face width is narrowed later [-]."""
+        return widest_ratio(rating, small)
+
+    def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
+        """Return the modules at which S_F and S_H are the asked ones [m]."""
+        rules, making = rating.rules.agma2001, making_of(rating, ask.roles)
+        torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
+        pair = hobbed_pair(ask, ask.width_ratio, rating)
+        duty = _duty(rating, ask, torque, ask.speed, rating.service.life)
+
+        def safeties_at(module: Floats) -> tuple[Floats, Floats]:
+            one, other = rate_agma(pair, module, duty, making).gears
+            bending = np.minimum(one.bending_safety, other.bending_safety)
+            return np.asarray(bending), np.asarray(np.minimum(one.contact_safety, other.contact_safety))
+
+        return module_for(safeties_at, torque, (rules.bending_safety, rules.pitting_safety))
+
+    def rate(self, mesh: LoadedMesh) -> Agma2001Rating:
+        """Return the factors of the heaviest case, and the safeties under all cases by Miner's sum."""
+        rules, making = mesh.rating.rules.agma2001, making_of(mesh.rating, mesh.heaviest.ask.roles)
+        factors = _rated(mesh, mesh.heaviest, making)
+        every = [factors] if mesh.loads == (mesh.heaviest,) else [_rated(mesh, load, making) for load in mesh.loads]
+        pitting = _both([_safety(every, gear, making, contact=True) for gear in (0, 1)])
+        bending = _both([_safety(every, gear, making, contact=False) for gear in (0, 1)])
+        return Agma2001Rating(
+            case=mesh.heaviest.case,
+            factors=factors,
+            pitting=pitting,
+            bending=bending,
+            pitting_asked=rules.pitting_safety,
+            bending_asked=rules.bending_safety,
+            static=worst_yielding(mesh),
+            yielding_asked=rules.yielding_safety,
+            velocity_limit=greatest_velocity(rules.quality_number),
+            module_bending=mesh.asked[0],
+            module_contact=mesh.asked[1],
+            bending_stress=max(float(gear.bending_stress) for gear in factors.gears),
+            bending_margin=min(bending) / rules.bending_safety,
+            contact_stress=max(float(gear.contact_stress) for gear in factors.gears),
+            contact_margin=min(pitting) / rules.pitting_safety,
+            peaks=float(factors.overload * factors.dynamic),
+        )
+
+    def reserve(self, rated: Agma2001Rating) -> float:
+        """Return the factor on the loads; the contact stress grows with its root [-]."""
+        return min(rated.bending_margin, rated.contact_margin**2)
+
+    def reserve_of(self, mesh: LoadedMesh) -> float:
+        """Return the same of a mesh whose record nobody reads [-]."""
+        return self.reserve(self.rate(mesh))
+
+    def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
+        """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2001 in each class."""
+        rating, making = spectrum.rating, making_of(spectrum.rating, spectrum.ask.roles)
+        pair = hobbed_pair(spectrum.ask, spectrum.face_width / spectrum.module, rating)
+        duty = _duty(rating, spectrum.ask, np.asarray(spectrum.torques), np.asarray(spectrum.speeds), 1.0)
+        rated = rate_agma(pair, spectrum.module, duty, making)
+        first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
+        both = []
+        for gear, relative in enumerate((1.0, first / second)):
+            cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
+            modes = zip((True, False), making.curves_of(gear), strict=True)
+            both.append(ClassDamage(*(
+                [damage_part(turns, ratio, curve)
+                 for turns, ratio in zip(cycles, _over(rated, gear, contact=mode).tolist(), strict=True)]
+                for mode, curve in modes
+            )))  # fmt: skip
+        return both[0], both[1]
+
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return 1/e of the stress cycle factor below its corner [-]."""
+        making = making_of(rating)
+        return (making.contact_curve if mode == "pitting" else making.bending_curve).slope
+
+    def checks(self, rated: Agma2001Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+        """Yield both safeties of both gears, and whether the curve of K_v holds at this velocity."""
+        for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
+            yield Check(gear, "pitting", "AGMA 2001-D04, eq. 4", pitting, rated.pitting_asked, symbol="S_H")
+            yield Check(gear, "tooth root", "AGMA 2001-D04, eq. 13", bending, rated.bending_asked, symbol="S_F")
+        yield from yielding_checks(rated, gears)
+        speed, clause = float(rated.factors.speed), "AGMA 2001-D04, clause 8: range of K_v"
+        limit = rated.velocity_limit
+        yield Check(mesh, "velocity", clause, speed, limit, "velocity", at_most=True, exponent=None, symbol="v_t")
+
+    def factors(self, rated: Agma2001Rating) -> Iterator[Factor]:
+        """Yield loads, geometry factors, stresses and strengths."""
+        yield from factor_rows(rated.factors, "mesh")
+        if rated.static is not None:
+            yield from factor_rows(rated.static, "static strength")
+
+    def making(self, rating: Rating) -> Making:
+        """Return accuracy and steel."""
+        rules = rating.rules.agma2001
+        hardness = "" if rules.steel == "carburised" else f", {rules.hardness_hb:g} HB"
+        steel = f"{rules.steel}, grade {rules.grade}{hardness}"
+        if (own := rules.wheel) is not None:
+            steel += f"; wheels {own.steel}, grade {own.grade}, {own.hardness_hb:g} HB"
+        return Making(f"Q_v {rules.quality_number} AGMA 2000", steel=("AGMA 2001-D04", steel))
+
+
+def _duty(rating: Rating, ask: Ask, torque: Numbers, speed: Numbers, life: float) -> AgmaDuty:
+    return AgmaDuty(torque, speed, life, overload=rating.service.application_factor, meshes_per_turn=ask.passes)
+
+
+def _rated(mesh: LoadedMesh, load: Load, making: AgmaMaking) -> AgmaPairRating:
+    pair = hobbed_pair(load.ask, mesh.face_width / mesh.module, mesh.rating)
+    return rate_agma(pair, mesh.module, _duty(mesh.rating, load.ask, load.torque, load.ask.speed, load.life), making)
+
+
+def _over(rated: AgmaPairRating, gear: int, *, contact: bool) -> Floats:
+    """Return the stresses of one gear over their limit at a stress cycle factor of 1 [-]."""
+    one = rated.gears[gear]
+    if contact:
+        return np.asarray(one.contact_stress * rated.contact_cycles[gear] / one.contact_limit)
+    return np.asarray(one.bending_stress * rated.bending_cycles[gear] / one.bending_limit)
+
+
+def _safety(every: Sequence[AgmaPairRating], gear: int, making: AgmaMaking, *, contact: bool) -> float:
+    if len(every) == 1:
+        one = every[0].gears[gear]
+        return float(one.contact_safety if contact else one.bending_safety)
+    curve = making.curves_of(gear)[0 if contact else 1]
+    bins = [StressBin(float(_over(rated, gear, contact=contact)), float(rated.cycles[gear])) for rated in every]
+    return spectrum_damage(bins, 1.0, curve).safety
+
+
+def _both(values: Sequence[float]) -> tuple[float, float]:
+    return values[0], values[1]

@@ -1,0 +1,348 @@
+"""Published gearbox masses compared with the computed sums of parts, and statistics of gearbox mass.
+
+What they weigh part by part is `sizing.mass`'s; statistics over β are `weights`'s.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.catalogue import PublishedGearbox
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.mass import CALIBRATED, Calibration, CompleteMass, summed
+from gearwright.spec import Design, parse
+from gearwright.units import RPM
+from gearwright.validate.case import Case
+from gearwright.weights import laws as willis
+from gearwright.weights import mass_afdd00, refit, scores
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Published gearboxes as designs: their power, torque, ratio and kind of stages; what is not published is assumed.
+#
+# All wind gearboxes: ISO 6336 with 18CrNiMo7-6, S_H = 1.25 and S_F = 1.56 (IEC 61400-4), 200 000 h at 1.1 times the
+# rated load (WindPACT). Which stages a catalogue's gearbox has is not published: below 1 MW one planetary set and two
+# helical pairs, as the 750 kW gearbox of the Gearbox Reliability Collaborative; above two sets and a pair, as the 5
+# MW reference gearbox. WindPACT's have one set and two pairs. Masses are dry: no oil is in them. The propeller gear
+# of a piston engine has its published teeth; its life of 2000 h and K_A = 1.25 behind a flexible coupling are
+# assumed.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_HEAD = """schema = 1
+name = "{name}"
+level = "concept"
+"""
+_WIND = """shafts = ["main", "second", "third", "fast"]
+[rotors.blades]
+shaft = "main"
+speed_rpm = {slow!r}
+diameter_m = 80
+blades = 3
+[generators.generator]
+shaft = "fast"
+power_kw = {power!r}
+speed_rpm = {fast!r}
+[cases.rated]
+blades = {{ power_kw = {power!r}, drives = true }}
+{stages}
+[gears]
+material = "18CrNiMo7-6"
+rating = "iso6336"
+mesh_load_factor = 1.1
+[gears.iso6336]
+pitting_safety = 1.25
+bending_safety = 1.56
+tolerance_class = 6
+oil_viscosity = 320
+oil_temperature = 70
+widest_modules = 25
+widest_diameters = 1.2
+standard_modules = false
+[teeth]
+split = "optimal"
+[shafting]
+bore_ratio = 0.4
+end_length_mm = {end!r}
+middle_length_mm = {middle!r}
+bearing_length_mm = {bearing!r}
+[service]
+life_h = 200000
+bearing_life_h = 200000
+mean_load = 0.7
+application_factor = 1.1
+[housing]
+material = "cast-iron"
+oil_system = "shared"
+"""
+_SET = """
+[planetaries.{name}]
+sun = "{sun}"
+ring = "ground"
+carrier = "{carrier}"
+planets = {planets}
+{own}"""
+_PAIR = """
+[pairs.{name}]
+pinion = "{pinion}"
+wheel = "{wheel}"
+{own}
+[pairs.{name}.gears]
+helix_angle_deg = 10
+{rules}"""
+_FIRST = _SET.format(name="first", sun="second", carrier="main", planets=3, own="")
+_LAST = _PAIR.format(name="last", pinion="fast", wheel="third", own="", rules="")
+_SMALL = _FIRST + _PAIR.format(name="middle", pinion="third", wheel="second", own="", rules="") + _LAST
+_LARGE = _FIRST + _SET.format(name="middle", sun="third", carrier="second", planets=3, own="") + _LAST
+_TEETH = "sun_teeth = {}\nplanet_teeth = {}\nring_teeth = {}\nmodule_mm = {}\nface_width_mm = {}\n{}"
+_SIMPACK = (
+    # Shifts and centre distances are not published: rings of 93 and 97 teeth close half-way between both references.
+    _SET.format(name="first", sun="second", carrier="main", planets=4, own=_TEETH.format(
+        23, 34, 93, 25, 520, "centre_distance_mm = 725\n[planetaries.first.gears]\nrim_thickness_ratio = 7.1"))
+    + _SET.format(name="middle", sun="third", carrier="second", planets=3, own=_TEETH.format(
+        20, 37, 97, 18, 390, "centre_distance_mm = 526\n[planetaries.middle.gears]\nrim_thickness_ratio = 6.9"))
+    + _PAIR.format(name="last", pinion="fast", wheel="third",
+        own="pinion_teeth = 19\nwheel_teeth = 63\nmodule_mm = 16\nface_width_mm = 280\n", rules="")
+)  # fmt: skip
+_FAN = """shafts = ["low-pressure", "fan"]
+[turbines.turbine]
+shaft = "low-pressure"
+power_kw = {power!r}
+speed_rpm = {fast!r}
+[loads.rotor]
+shaft = "fan"
+speed_rpm = {slow!r}
+[planetaries.star]
+sun = "low-pressure"
+ring = "fan"
+carrier = "ground"
+planets = 5
+[planetaries.star.planet_bearing]
+kind = "plain"
+largest_pressure_mpa = 14
+[gears]
+material = "Pyrowear-53"
+rating = "iso6336"
+mesh_load_factor = 1.1
+[gears.iso6336]
+pitting_safety = 1.0
+bending_safety = 1.2
+tolerance_class = 4
+standard_modules = false
+[shafting]
+bore_ratio = 0.8
+[service]
+life_h = 10000
+application_factor = 1.0
+[housing]
+own = false
+oil_system = "shared"
+"""
+_PROPELLER = """shafts = ["fast", "slow"]
+[turbines.engine]
+shaft = "fast"
+power_kw = {power!r}
+speed_rpm = {fast!r}
+[loads.propeller]
+shaft = "slow"
+speed_rpm = {slow!r}
+[pairs.only]
+pinion = "fast"
+wheel = "slow"
+pinion_teeth = 29
+wheel_teeth = 66
+module_mm = 4.2333333333
+[gears]
+material = "AISI-9310"
+rating = "iso6336"
+[gears.iso6336]
+pitting_safety = 1.0
+bending_safety = 1.2
+tolerance_class = 5
+standard_modules = false
+[shafting]
+bore_ratio = 0.5
+[service]
+life_h = 2000
+application_factor = 1.25
+[housing]
+material = "aluminium"
+oil_system = "shared"
+"""
+
+
+def design_of(gearbox: PublishedGearbox) -> Design:
+    """Return a published gearbox as a design.
+
+    Args:
+        gearbox: Its requirement.
+    """
+    slow = gearbox.power / gearbox.torque / RPM
+    size = math.cbrt(gearbox.torque / 1e6)  # lengths of a gearbox grow as the cube root of its torque
+    form, stages = _FAN, ""
+    if gearbox.kind == "propeller-pair":
+        form = _PROPELLER
+    elif gearbox.kind != "geared-fan":
+        form, stages = _WIND, {"wind-small": _SMALL, "wind-large": _LARGE, "simpack-5mw": _SIMPACK}[gearbox.kind]
+    return parse(
+        (_HEAD + form).format(
+            name=gearbox.name, power=gearbox.power / 1e3, slow=slow, fast=slow * gearbox.ratio, stages=stages,
+            end=600.0 * size, middle=250.0 * size, bearing=90.0 * size,
+        )
+    )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Sums of parts held against published masses: bias, scatter, exponent, and the fit of the housing's constant.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SHARES = tuple(float(share) for share in np.geomspace(0.03, 0.5, 15))
+"""Stress shares at which sums are made; between them logarithms of masses lie on lines [-]."""
+FINE = np.geomspace(SHARES[0], SHARES[-1], 400)
+"""Stress shares that the fit tries [-]."""
+
+
+@dataclass(frozen=True)
+class Held:
+    """A published gearbox and its sum of parts."""
+
+    gearbox: PublishedGearbox
+    sizing: Sizing
+
+    def mass(self, constants: Calibration = CALIBRATED) -> CompleteMass:
+        """Return its complete mass.
+
+        Args:
+            constants: With which the sum is made.
+        """
+        return summed(self.sizing, constants)
+
+
+@dataclass(frozen=True)
+class Score:
+    """How computed masses stand to published ones."""
+
+    count: int
+    bias: float
+    """Geometric mean of computed over published [-]."""
+    scatter: float
+    """Factor of one standard deviation about it [-]."""
+    exponents: tuple[float, float]
+    """Slopes of log mass over log torque, published and computed [-]."""
+
+
+def held(gearboxes: Iterable[PublishedGearbox]) -> tuple[Held, ...]:
+    """Return every gearbox sized from its requirement.
+
+    Args:
+        gearboxes: Published ones.
+    """
+    return tuple(Held(gearbox, size(design_of(gearbox))) for gearbox in gearboxes)
+
+
+def score(rows: Sequence[Held], computed: Sequence[float]) -> Score:
+    """Return bias, scatter and exponents of computed masses.
+
+    Args:
+        rows: Published gearboxes.
+        computed: Their masses [kg].
+    """
+    published = np.log([row.gearbox.mass for row in rows])
+    errors, torque = np.log(computed) - published, np.log([row.gearbox.torque for row in rows])
+    slopes = [float(np.polyfit(torque, masses, 1)[0]) for masses in (published, np.log(computed))]
+    return Score(
+        len(rows), math.exp(errors.mean()), math.exp(errors.std(ddof=min(1, len(rows) - 1))), (slopes[0], slopes[1])
+    )
+
+
+def fitted(rows: Sequence[Held]) -> Calibration:
+    """Return the stress share of least squares in the logarithms of the masses; families of one source weigh alike.
+
+    Args:
+        rows: Published gearboxes.
+    """
+    return _best(rows, np.array([_curve(row) for row in rows]))
+
+
+def left_out(rows: Sequence[Held]) -> tuple[tuple[float, ...], tuple[Calibration, ...]]:
+    """Return the mass of every gearbox with a constant that is fitted to the others alone, and these.
+
+    Args:
+        rows: Published gearboxes.
+    """
+    curves, masses, constants = np.array([_curve(row) for row in rows]), [], []
+    for k, row in enumerate(rows):
+        others = [j for j in range(len(rows)) if j != k]
+        found = _best([rows[j] for j in others], curves[others])
+        constants.append(found)
+        masses.append(row.mass(found).total)
+    return tuple(masses), tuple(constants)
+
+
+def family_weights(rows: Sequence[Held]) -> Floats:
+    """Return weights by which the gearboxes of one source count together as one.
+
+    Args:
+        rows: Published gearboxes.
+    """
+    sources = [row.gearbox.source for row in rows]
+    return np.array([1.0 / sources.count(source) for source in sources])
+
+
+def _curve(row: Held) -> Floats:
+    """Return the logarithm of a gearbox's mass at every share of `FINE`."""
+    masses = [row.mass(CALIBRATED._replace(stress_share=share)).total for share in SHARES]
+    return np.interp(np.log(FINE), np.log(SHARES), np.log(masses))
+
+
+def _best(rows: Sequence[Held], curves: Floats) -> Calibration:
+    """Return the share whose masses differ least from the published ones."""
+    errors = curves - np.log([row.gearbox.mass for row in rows])[:, None]
+    squares = family_weights(rows) @ errors**2
+    return CALIBRATED._replace(stress_share=float(FINE[int(np.argmin(squares))]))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Published statistics of gearbox mass.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+INCH_POUND = 0.112984829
+"""[N m]"""
+PSI = 6894.757293
+"""[Pa]"""
+
+
+def _afdd00() -> Sequence[float]:
+    return [mass_afdd00(1e3, RPM, RPM)]
+
+
+def _willis() -> Sequence[float]:
+    return [willis.mass_willis(INCH_POUND, 1.0, k_factor=PSI)]
+
+
+def _refit() -> Sequence[float]:
+    line = refit()
+    return [line.slope, line.intercept]
+
+
+def _line() -> Sequence[float]:
+    score = next(score for score in scores() if score.method.key == "tm215680")
+    return [value for value in (score.bias, score.scatter) if value is not None]
+
+
+CASES = (
+    Case("AFDD00 at 1 kW and 1 rpm", "Pulvirenti 2023, eq. 1.1", "kg", (54.6311,), _afdd00, 4e-6, "six digits printed"),
+    Case("Willis in kilograms", "Pulvirenti 2023, eq. 1.6", "kg psi/(lb in)", (0.2268,), _willis, 5e-5,
+         "four digits printed", is_relative=False),
+    Case("refit of real gearboxes: slope and intercept", "AeroSandbox, studies/GearboxMassFits", "",
+         (1.0445171124733774, 2.0083615496306910), _refit, 1e-12, "the same points, all digits"),
+    Case("line of the report on its own weights: bias and scatter", "NASA/TM-2009-215680", "", (0.952, 1.251), _line,
+         1e-3, "three digits are given", is_relative=False),
+)  # fmt: skip
+"""Published statistics."""
