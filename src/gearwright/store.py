@@ -334,9 +334,9 @@ def _read_trace(file: Any) -> Trace:
 def _write_part(group: Any, part: Any) -> None:
     for name, (dimensions, unit) in _DIMENSIONS[type(part)].items():
         values = np.asarray(getattr(part, name))
-        for dimension, size in zip(dimensions, values.shape, strict=True):
+        for dimension, length in zip(dimensions, values.shape, strict=True):
             if dimension not in group.dimensions:
-                group.dimensions[dimension] = size
+                group.dimensions[dimension] = length
         variable = group.create_variable(name, dimensions, values.dtype, data=values)
         variable.attrs["units"] = unit
 

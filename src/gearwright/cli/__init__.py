@@ -38,7 +38,8 @@ from gearwright.cli.ends import (
     is_interrupted,
     listening,
 )
-from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, flushed, show, steady_streams, tell
+from gearwright.cli.streams import flushed, steady_streams
+from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, show, tell
 from gearwright.signals import noticed
 from gearwright.version import __version__
 

@@ -10,7 +10,7 @@ from rich.console import Console, ConsoleOptions, RenderableType
 from rich.segment import Segment
 from rich.text import Text
 
-from gearwright.cli.terminal import clean
+from gearwright.cli.streams import clean
 
 _WORD = re.compile(r"\s*\S+\s*")
 

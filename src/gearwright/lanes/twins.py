@@ -22,7 +22,7 @@ PREFIX = "gearwright_lanes"
 """Package under which twins stand beside their modules."""
 TWINNED = (
     "parts", "machines", "train", "sizing", "checks", "spec.checks", "spec.design.teeth",
-    "catalogue.bearing_choice", "catalogue.bearing_oil",
+    "catalogue.bearing_choice",
 )  # fmt: skip
 """What is computed with lanes; what only holds values is shared."""
 _CALLS = {"float", "int", "bool", "complex", "min", "max", "sum", "isinstance"}

@@ -716,7 +716,7 @@ def pressure_centre_checks(sizing: Sizing) -> Iterator[Check]:
     Args:
         sizing: As sized.
     """
-    for bearing in centred_bearings(sizing):
-        part = PartId(Kind.BEARING, bearing.name)
-        check = life_check(part, bearing.bearing, bearing.life, bearing.oiled, bearing.wanted_life, sizing.design)
+    for centred in centred_bearings(sizing):
+        part = PartId(Kind.BEARING, centred.name)
+        check = life_check(part, centred.bearing, centred.life, centred.oiled, centred.wanted_life, sizing.design)
         yield replace(check, mode=f"{check.mode}{BESIDE}")

@@ -15,13 +15,13 @@ import numpy as np
 
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import GEARBOX, Kind, PartId, Role
-from gearwright.sizing import BuiltShaft, CarrierSizing, GearSizing, Sizing, cylindrical_gear
 from gearwright.sizing.casing import boss_bodies, cover_bodies, ring_seats
+from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.housing_shell import ball_around
 from gearwright.sizing.mass import BRIDGE, carried_in_walls, tooth_of
 from gearwright.sizing.places import axes_among, of_one_set, room_between
-from gearwright.sizing.result import Body, Point, Station
-from gearwright.sizing.shaft_results import hub_bore_of
+from gearwright.sizing.result import Body, GearSizing, Point, Sizing, Station
+from gearwright.sizing.shaft_results import BuiltShaft, CarrierSizing, hub_bore_of
 from gearwright.sizing.shafts import (
     Retention,
     groove_checks,
@@ -412,7 +412,8 @@ def _ground(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list[GearS
     if wheels:
         wheel, name = min(wheels)
         yield Check(
-            gear.body(shaft.name), "wheel that grinds it", _GRINDING_CLAUSE, wheel, LEAST_WHEEL, "length", exponent=None,
+            gear.body(shaft.name), "wheel that grinds it", _GRINDING_CLAUSE, wheel, LEAST_WHEEL, "length",
+            exponent=None,
             place=f"beside {name}", why="" if wheel >= LEAST_WHEEL else _GRINDING_HELP,
         )  # fmt: skip
 
@@ -647,7 +648,8 @@ def ring_seat_checks(sizing: Sizing) -> Iterator[Check]:
     """
     for seat in ring_seats(sizing):
         yield Check(
-            seat.ring.part, "ring seat pressure", _SPLINE_CLAUSE, seat.pressure, seat.permissible, "stress", at_most=True,
+            seat.ring.part, "ring seat pressure", _SPLINE_CLAUSE, seat.pressure, seat.permissible, "stress",
+            at_most=True,
             symbol="p", place=f"W {seat.name}, T = {seat.torque:.4g} N m",
             why="" if seat.pressure <= seat.permissible else _SPLINE_HELP,
         )  # fmt: skip

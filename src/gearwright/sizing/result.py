@@ -656,9 +656,9 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
         for part in group:
             name = str(getattr(part, "name", getattr(part, "part", getattr(part, "stage", ""))))
             yield from ((name, field, value) for field, value in _wrong(part, ""))
-            for field in _positive(part):
-                if not getattr(part, field) > 0.0:
-                    yield name, field, getattr(part, field)
+            for size in _positive(part):
+                if not getattr(part, size) > 0.0:
+                    yield name, size, getattr(part, size)
     for case, flow in sizing.flows.items():
         yield from ((f"case {case}", field, value) for field, value in _wrong(flow, ""))
 

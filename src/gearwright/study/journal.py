@@ -45,7 +45,7 @@ def made_with() -> Mapping[str, str]:
     The digest notices an edited file under an unchanged version.
     """
     libraries = {name: version(name) for name in LIBRARIES}
-    program = f"{__version__}, files {digest(Path(__file__).parents[2])}"
+    program = f"{__version__}, files {digest(Path(__file__).parents[1])}"
     return {"gearwright": program, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
 
 

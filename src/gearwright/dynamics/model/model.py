@@ -168,9 +168,9 @@ def _drives(model: Written, units: dict[str, str]) -> Iterator[Problem]:
                 yield Problem(path, f"no such rotation: {name}; {near(name, rotations)}")
         for curve in inputs_of(drive):
             yield from _points(path, points_of(curve))
-        for field, value in _positive(drive).items():
+        for name, value in _positive(drive).items():
             if not value > 0.0:
-                yield Problem(path, f"{field} is {value:g}; it must be positive")
+                yield Problem(path, f"{name} is {value:g}; it must be positive")
 
 
 def _orders(model: Written, units: Mapping[str, str]) -> Iterator[Problem]:

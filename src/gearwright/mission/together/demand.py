@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright import air as polar
 from gearwright.air import Polar
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.lanes import rebound
@@ -43,7 +43,7 @@ from gearwright.units import GRAVITY
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_POLAR = rebound(polar)
+_POLAR = rebound(sys.modules[Polar.__module__])
 _FORCES = rebound(
     forces,
     dynamic_force=_POLAR.dynamic_force,

@@ -92,7 +92,8 @@ def casing_content(sizing: Sizing) -> Content | None:
     grids = (_flange_grid(casing, flanges), _chambers(casing), _openings(casing), _webs(sizing, casing),
              mounts_grid(casing), _axes(sizing))  # fmt: skip
     return Content(
-        HOUSING_NAME, title, views, tuple(grid for grid in grids if grid.rows), tuple(_notes_on_housing(sizing, casing, flanges)),
+        HOUSING_NAME, title, views, tuple(grid for grid in grids if grid.rows),
+        tuple(_notes_on_housing(sizing, casing, flanges)),
         largest_scale=1.0, kind="housing", is_whole=True, projected=True,
     )  # fmt: skip
 
@@ -478,7 +479,8 @@ def _notes_on_bores() -> Iterator[str]:
     yield f"Bores {BORE_CLASS} for outer rings under a load that stands still (assumed; DIN 5425-1); Ra 1.6 (assumed)."
     grade = f"IT{BORE_GRADE}"
     yield f"Coaxiality and perpendicularity {grade}, flatness of faces for covers {grade}/2 (usual; assumed)."
-    yield f"Position of axes: as far as centre distances may vary, {CENTRE_FIT_OF_BORES} (DIN 3964) where nothing is given."
+    vary = f"as far as centre distances may vary, {CENTRE_FIT_OF_BORES} (DIN 3964) where nothing is given"
+    yield f"Position of axes: {vary}."
     yield f"Axes of a bevel pair are square to {grade} of the distance of its bearings (assumed)."
     yield "Free bores have 1 mm more than their bearings, which bear no radial load. Frames at bores mean their axes."
     yield f"Walls and shoulders as wide as drawn ({LIP:g} mm) are not sized; the housing has its own sheet."

@@ -233,7 +233,8 @@ def architectures_page(ranking: Ranking, *, turning: str = "", stamp: Stamp = UN
     )
     description = "Every train of a few stages that can give the ratio, with every place for the motor."
     return set_page(
-        Page("Architectures", ranking.requirement, description, _verdict_on_architectures(ranking, said), tuple(_numbers_of_architectures(ranking)),
+        Page("Architectures", ranking.requirement, description, _verdict_on_architectures(ranking, said),
+        tuple(_numbers_of_architectures(ranking)),
              sections, stamp=stamp)
     )  # fmt: skip
 
@@ -299,7 +300,8 @@ def equal_life_page(rows: Sequence[EqualLife], title: str, *, stamp: Stamp = UNS
     ]
     description = "Each design with every free size chosen, and judged by a review of its own."
     return set_page(
-        Page("Comparison at equal life", title, description, _verdict_at_equal_life(rows), tuple(_numbers_at_equal_life(rows)), tuple(sections),
+        Page("Comparison at equal life", title, description, _verdict_at_equal_life(rows),
+        tuple(_numbers_at_equal_life(rows)), tuple(sections),
              stamp=stamp)
     )  # fmt: skip
 

@@ -344,7 +344,8 @@ def window_page(window: DynamicWindow, sizing: Sizing, *, stamp: Stamp = UNSTAMP
     event = "nothing but the mission" if rules.event == "none" else f"{rules.event} after {rules.event_at:g} s"
     told = f"{window.trace.duration:.4g} s of {rules.phase} from {window.start:.0f} s of the mission; {event}."
     return set_page(
-        Page("Dynamic window", f"{window.name}: {sizing.design.name}", told, _window_verdict(window), tuple(_window_numbers(window)),
+        Page("Dynamic window", f"{window.name}: {sizing.design.name}", told, _window_verdict(window),
+        tuple(_window_numbers(window)),
              (drawn, peaks, steps), design=sizing.design, stamp=stamp)
     )  # fmt: skip
 

@@ -216,10 +216,13 @@ def _short_table(table: Any) -> Iterator[str]:
 
 _LINES: Mapping[str, Callable[[Any], Iterator[str]]] = MappingProxyType(
     {
-        "Campbell": _short_campbell, "Design": _design, "DynamicWindow": _window, "Ensemble": _ensemble, "Flight": _short_flight,
-        "Modes": _short_modes, "Orbit": _orbit, "Review": _review, "RunUp": _run_up, "Samples": _samples, "Sizing": _sizing,
+        "Campbell": _short_campbell, "Design": _design, "DynamicWindow": _window, "Ensemble": _ensemble,
+        "Flight": _short_flight,
+        "Modes": _short_modes, "Orbit": _orbit, "Review": _review, "RunUp": _run_up, "Samples": _samples,
+        "Sizing": _sizing,
         "Scene": _scene, "Sizings": _sizings,
-        "SpeedCase": _speed_case, "SpeedMap": _speed_map, "System": _system, "Table": _short_table, "Trace": _short_trace,
+        "SpeedCase": _speed_case, "SpeedMap": _speed_map, "System": _system, "Table": _short_table,
+        "Trace": _short_trace,
     }
 )  # fmt: skip
 """Type -> its lines; by name, so that a design is shown without loading dynamics."""

@@ -510,7 +510,9 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
         "strength": table("Shafts: strength of sections", strength, _STRENGTH_FIELDS, note=_STRENGTH),
         "stiffness": table("Shafts: how they bend", bends,
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
-        "bearing_sizes": table("Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(sizing)}"),
+        "bearing_sizes": table(
+            "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(sizing)}"
+        ),
         "bearing_oil": table("Bearings: oil, least load, speeds", sizing.bearings, _OILED_FIELDS, note=_OILED),
         "joints": table("Shaft-hub joints", joined, (*_JOINT_FIELDS, *fitted), note=_JOINTS),
     }  # fmt: skip

@@ -219,7 +219,8 @@ def _temperatures() -> list[float]:
 
 
 SCUFFING_CASES = (
-    Case("μ_m and X_L of the flash temperature, ISO/TR 13989-1:2000", _SOURCE, "", (0.041, 0.843), _scuffing_friction, 5.1e-4,
+    Case("μ_m and X_L of the flash temperature, ISO/TR 13989-1:2000", _SOURCE, "", (0.041, 0.843),
+    _scuffing_friction, 5.1e-4,
          "half a printed digit", is_relative=False),
     Case("ϑ_B, ϑ_S and S_B of the flash temperature, ISO/TR 13989-1:2000", _SOURCE, "°C, –", (169.5, 451.98, 4.156),
          _flash, 7e-3, "the report has X_J = 1 and buttresses otherwise"),

@@ -417,11 +417,13 @@ DYNAMICS_CASES = (
          (5357.0, 993.0, 2843.0), _resonances, 8e-4, "three digits of C_R and of 993"),
     Case("N of sun and planet, planet and held ring, helical pair", f"{_SECOND_STAGE}; stage 3", "–",
          (0.046, 0.124, 0.410), _ratios, 5e-4, "half a printed digit", is_relative=False),
-    Case("K_V of sun and planet, of planet and held ring, of the set", _SECOND_STAGE, "–", (1.02, 1.06, 1.06), _factors, 5e-3,
+    Case("K_V of sun and planet, of planet and held ring, of the set", _SECOND_STAGE, "–", (1.02, 1.06, 1.06),
+    _factors, 5e-3,
          "half a printed digit", is_relative=False),
     Case("K_V of the bored helical pair, class 6", _THIRD_STAGE, "–", (1.092,), _of_pair, 6e-3,
          "f_fα of class 6 is 18 µm by ISO 1328-1:2013, 22 µm by the edition of 1995"),
-    Case("K_V of the bored helical pair with its printed deviations", _THIRD_STAGE, "–", (1.092,), _of_printed_deviations,
+    Case("K_V of the bored helical pair with its printed deviations", _THIRD_STAGE, "–", (1.092,),
+    _of_printed_deviations,
          1e-3, "deviations are printed to 0.1 µm", is_relative=False),
 )  # fmt: skip
 """Printed vibration of teeth."""
