@@ -27,6 +27,7 @@ from gearwright.dynamics.model import NOBODY, Excitation, Owner, Tone
 from gearwright.dynamics.motion import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.files import begins_with, refuse_irregular, text_of, write_bytes, write_text
+from gearwright.former_names import present_name
 from gearwright.identity import Kind, PartId, Role, Row
 from gearwright.showing import Shown
 from gearwright.sizing import size
@@ -630,15 +631,26 @@ def _class(name: str) -> type:
     """Return a class of gearwright by its name in a file; nothing else is looked up."""
     if not _NAME.fullmatch(name):
         raise Damaged(f"{name!r} is no name of a record")
+    found, module = _found(name), name.partition(":")[0]
+    if found is None:  # a file of before
+        now = present_name(name)
+        found, module = _found(now), now.partition(":")[0]
+    if found is None:
+        raise Damaged(f"this version has no {name}")
+    if not isinstance(found, type) or found.__module__ != _ROOM + module:
+        raise Damaged(f"{name} is no record")
+    return found
+
+
+def _found(name: str) -> Any:
+    """Return what a module has by a name, or None."""
     module, _, path = name.partition(":")
     try:
         found: Any = import_module(_ROOM + module)
         for part in path.split("."):
             found = vars(found)[part]
     except (ImportError, KeyError, TypeError):
-        raise Damaged(f"this version has no {name}") from None
-    if not isinstance(found, type) or found.__module__ != _ROOM + module:
-        raise Damaged(f"{name} is no record")
+        return None
     return found
 
 

@@ -24,7 +24,7 @@ def too_long(path):
         arguments = function.args
         count = len(arguments.posonlyargs) + len(arguments.args) + len(arguments.kwonlyargs)
         # Options of commands, and looks of marks in the drawing verbs of a panel, are told apart by their names.
-        is_command = "commands" in path.parts or path.parts[-2:] == ("vector", "axes.py")
+        is_command = "commands" in path.parts or path.parts[-2:] == ("vector", "figure.py")
         # A wrapper may pass on what it wraps, typed by a ParamSpec, or as the library takes it whose place it takes;
         # nothing else takes what it does not name.
         loose = (

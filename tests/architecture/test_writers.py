@@ -1,4 +1,4 @@
-"""Every file that gearwright writes goes through `writing`, which writes it whole or not at all."""
+"""Every file that gearwright writes goes through `files`, which writes it whole or not at all."""
 
 import ast
 from pathlib import Path
@@ -30,8 +30,8 @@ def writes(call: ast.Call) -> bool:
 
 
 def test_no_module_writes_a_file_by_itself():
-    assert list(breaking(direct)) == ["writing.py"]
+    assert list(breaking(direct)) == ["files.py"]
 
 
 def test_a_call_that_writes_is_seen():
-    assert len(direct(MODULES["writing.py"])) >= 3
+    assert len(direct(MODULES["files.py"])) >= 3

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from designs import PAIR, changed
-from gearwright.cli.terminal import clean, clean_json
+from gearwright.cli.streams import clean, clean_json
 
 EVIL = "\x1b[31mred\x1b]0;title\x07"
 

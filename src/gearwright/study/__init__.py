@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from gearwright.study.engine import for_engine, for_requirement
@@ -19,8 +20,6 @@ callable_layer(__name__, run)
 
 def __getattr__(name: str) -> object:
     """Load what closes and reviews designs on its first use: workers of studies start sooner without."""
-    from gearwright.study import architectures as equal_life
-
     if name not in ("EqualLife", "equal_life"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(equal_life, name)
+    return getattr(import_module("gearwright.study.architectures"), name)

@@ -2,6 +2,8 @@
 
 import json
 import re
+from importlib.util import find_spec
+from pathlib import Path
 from types import MappingProxyType
 
 import numpy as np
@@ -17,6 +19,7 @@ from gearwright.dynamics import Modes
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import campbell
 from gearwright.errors import DesignError
+from gearwright.former_names import _moved
 from gearwright.identity import Kind, PartId, Role
 from gearwright.mission import bearing_lives, durability, fly, gear_damage, phase_summaries
 from gearwright.parts.iso6336 import StressBin
@@ -240,3 +243,15 @@ def test_an_interrupted_write_leaves_the_old_file(tmp_path, monkeypatch):
 
 def test_modes_are_loaded_as_what_they_are(tmp_path):
     assert isinstance(kept(gw.modes(gw.assemble(gw.size(gw.parse(PAIR)))), tmp_path), Modes)
+
+
+def test_a_file_that_names_former_modules_is_loaded():
+    """A sizing that was saved when each record stood in a module of its own."""
+    saved = Path(__file__).parent / "data" / "sizing_by_former_modules.json"
+    assert "sizing.arranged:" in saved.read_text(encoding="utf-8")
+    assert gw.load(saved).design == gw.parse(PAIR)
+
+
+def test_every_former_module_has_its_place():
+    for module, now in _moved().items():
+        assert find_spec(f"gearwright.{now}"), module
