@@ -53,6 +53,7 @@ ALLOWED = {
     "dynamics/code_cache.py": "name of a Python module",
     "dynamics/codegen/generate.py": "a list of registers",
     "study/journal.py": "statements of SQL",
+    "study/running.py": "parts of a study as a user names them",
     "study/workers.py": "names of loggers, addresses",
 }
 """Room or module -> what text it takes apart, which is no label."""
