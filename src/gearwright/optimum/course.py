@@ -25,6 +25,7 @@ from gearwright.optimum.freedoms import (
 from gearwright.optimum.generations import Guided, Parents, parents_of
 from gearwright.optimum.optimum import Fit, hypervolume
 from gearwright.processes import computed
+from gearwright.signals import heard_after
 from gearwright.sizing import in_lanes
 from gearwright.spec import Design, Study, edited, value_at
 from gearwright.spec.studies import Axis, Search, Value, axis_length
@@ -300,7 +301,8 @@ def _points(axes: int, seed: int, part: Part) -> Floats:
     """Return some of a scrambled Sobol' sequence, shape (points, axes)."""
     from scipy.stats import qmc
 
-    sequence = qmc.Sobol(axes, rng=np.random.default_rng(seed))
+    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
+        sequence = qmc.Sobol(axes, rng=np.random.default_rng(seed))
     if part.first:
         sequence.fast_forward(part.first)
     return np.asarray(sequence.random(1 << (part.points - 1).bit_length()))[: part.points]

@@ -15,6 +15,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
+from gearwright.signals import heard_after
 from gearwright.sizing import TEXT, Named, Sizing, asked_results, in_lanes, pick, size
 from gearwright.spec import (
     MISSION_PATH,
@@ -130,7 +131,8 @@ def _sobol(count: int, axes: int, generator: np.random.Generator) -> Floats:
     from scipy.stats import qmc
 
     power = max(0, math.ceil(math.log2(count)))
-    return np.asarray(qmc.Sobol(axes, rng=generator).random_base2(power)[:count])
+    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
+        return np.asarray(qmc.Sobol(axes, rng=generator).random_base2(power)[:count])
 
 
 def _exchanged(first: Floats, second: Floats, column: int) -> Floats:
