@@ -22,12 +22,12 @@ from multiprocessing.process import BaseProcess
 from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, CompletedProcess, Popen
-from threading import Lock, Thread, current_thread, main_thread
+from threading import Lock, Thread
 from types import FrameType
 from typing import Any, NamedTuple, NoReturn, TypeVar
 
 from gearwright.errors import SolveError
-from gearwright.signals import ENDING, heard_by
+from gearwright.signals import ENDING, heard_after
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -67,7 +67,7 @@ def hire(work: Work, *given: Any, needed: Sequence[str] = (), heirs: bool = Fals
         context.set_forkserver_preload(list(needed))
     here, there = context.Pipe()
     process = context.Process(target=_live, args=(there, bytes(ForkingPickler.dumps((work, given)))), daemon=not heirs)
-    with _ONE_AT_A_TIME, _heard_after(), _inherited():
+    with _ONE_AT_A_TIME, heard_after(), _inherited():
         process.start()
     there.close()
     return Hired(process, here)
@@ -215,23 +215,6 @@ def _outlive_nobody() -> None:
         os.kill(os.getpid(), signal.SIGTERM)
         time.sleep(GRACE)
         os._exit(1)
-
-
-@contextmanager
-def _heard_after() -> Iterator[None]:
-    """Hear what ends this process after what is within: another thread may take a signal that this one masks.
-
-    Half begun, a process would be left without what it is to be sent, and say so.
-    """
-    came: list[int] = []
-    heard = ENDING if current_thread() is main_thread() else ()
-    ours = [number for number in heard if signal.getsignal(number) is not None]
-    try:
-        with heard_by(lambda number, _: came.append(number), ours):
-            yield
-    finally:
-        if came:
-            signal.raise_signal(came[0])
 
 
 @contextmanager

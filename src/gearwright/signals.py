@@ -6,6 +6,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from threading import current_thread, main_thread
 from types import FrameType
 from typing import Any
 
@@ -33,6 +34,20 @@ def heard_by(handler: Callable[[int, FrameType | None], Any], numbers: Iterable[
     finally:
         for number, own in before.items():
             signal.signal(number, own)
+
+
+@contextmanager
+def heard_after() -> Iterator[None]:
+    """Hear what ends this process after what is within, which would be left half done, or swallow it."""
+    came: list[int] = []
+    heard = ENDING if current_thread() is main_thread() else ()
+    ours = [number for number in heard if signal.getsignal(number) is not None]
+    try:
+        with heard_by(lambda number, _: came.append(number), ours):
+            yield
+    finally:
+        if came:
+            signal.raise_signal(came[0])
 
 
 def interrupt(number: int, frame: FrameType | None) -> None:

@@ -18,6 +18,7 @@ from gearwright.arrays import Floats, Ints
 from gearwright.errors import GearwrightError
 from gearwright.optimum.freedoms import freedoms_of, is_continuous
 from gearwright.optimum.judging import Judged, judged, judged_columns
+from gearwright.signals import heard_after
 from gearwright.sizing import in_lanes
 from gearwright.spec import Design, Study, edited, value_at
 from gearwright.spec.studies import Axis, Search, axis_length
@@ -141,7 +142,8 @@ def _points(axes: int, seed: int, part: Part) -> Floats:
     """Return some of a scrambled Sobol' sequence, shape (points, axes)."""
     from scipy.stats import qmc
 
-    sequence = qmc.Sobol(axes, rng=np.random.default_rng(seed))
+    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
+        sequence = qmc.Sobol(axes, rng=np.random.default_rng(seed))
     if part.first:
         sequence.fast_forward(part.first)
     return np.asarray(sequence.random(1 << (part.points - 1).bit_length()))[: part.points]

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.signals import heard_after
 from gearwright.spec import Study, axis_values, case_count, value_at
 from gearwright.spec.studies import Value
 
@@ -103,7 +104,8 @@ def _sobol(count: int, axes: int, generator: np.random.Generator) -> Floats:
     from scipy.stats import qmc
 
     power = max(0, math.ceil(math.log2(count)))
-    return np.asarray(qmc.Sobol(axes, rng=generator).random_base2(power)[:count])
+    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
+        return np.asarray(qmc.Sobol(axes, rng=generator).random_base2(power)[:count])
 
 
 def _exchanged(first: Floats, second: Floats, column: int) -> Floats:
