@@ -131,6 +131,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "reference/commands.md": beside("commands"),
     "how-to/helicopter.md": beside("helicopter"),
     "validation.md": beside("checked"),
+    "architecture.md": beside("walks"),
 }
 """Page -> what makes it."""
 
