@@ -620,7 +620,7 @@ def carried_on(name: str) -> PropellerMap:
     Args:
         name: Of a map that ends with the charts, such as ``6-blades-af115``.
 
-    Source: `machines.propellers.continued`; the maps of `ALL_STATES` are made so.
+    Source: `machines.propellers`; the maps of `ALL_STATES` are made so.
     """
     chart, step = propeller_map(name), _THINNED
     first = -(-chart.first // step)

@@ -1,6 +1,6 @@
 """Power losses of a sized gearbox by origin: meshes, bearings, windage and churning, seals.
 
-The formulas are `parts.losses`'s; what losses do to the torques of a case is `train.flow`'s.
+The formulas are `parts.losses`'s; what losses do to the torques of a case is `train.load_case`'s.
 """
 
 from __future__ import annotations

@@ -62,7 +62,7 @@ def spooled(back: Background, rules: WindowRules, name: str, *, power: float, to
         power: Of it in the end [W].
         torque: In the end [N m].
 
-    Source: `machines.power.spool`; the torque goes with the power of the free turbine at one speed.
+    Source: `machines.gas_generator.spool`; the torque goes with the power of the free turbine at one speed.
 
     Raises:
         DesignError: The gas generator has no state for one of the powers.
