@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-_RENAMED = {"sizing.rating.iso6336.ranges:Beyond": "sizing.rating.iso6336_inputs:BeyondRange"}
-
 
 def present_name(name: str) -> str:
     """Return the name that a record has now.
@@ -17,7 +15,7 @@ def present_name(name: str) -> str:
     'spec.design.duty:LoadCase'
     """
     module, _, kind = name.partition(":")
-    return _RENAMED.get(name) or f"{_moved().get(module, module)}:{kind}"
+    return f"{_moved().get(module, module)}:{kind}"
 
 
 @cache

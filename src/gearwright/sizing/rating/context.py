@@ -20,7 +20,7 @@ from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso6336_scuffing import scuffing_safeties
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth
 from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, Unloaded
-from gearwright.sizing.rating.rules import Ask, Beyond, Rating, rating_of
+from gearwright.sizing.rating.rules import Ask, FarGear, Rating, rating_of
 from gearwright.spec import Design, Epicyclic, levels_of, shares_of
 from gearwright.spec.design import GROUND, RATINGS, Given, case_named
 from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train
@@ -342,7 +342,7 @@ def _torque_on(mesh: Mesh, gear: str, loads: Mapping[str, Sequence[float]]) -> f
 def _beyond(
     train: Train, teeth: Mapping[str, int], mesh: Mesh, idler: Gear, loads: Mapping[str, Sequence[float]],
     design: Design,
-) -> Beyond | None:  # fmt: skip
+) -> FarGear | None:  # fmt: skip
     """Return what an idler of pairs meshes with besides; None of planets, whose meshes the standard takes alone."""
     if idler.role is Role.PLANET:
         return None
@@ -351,7 +351,7 @@ def _beyond(
         if idler.name in row.gears and row.stage != mesh.stage and own * _torque_on(row, idler.name, loads) < 0.0:
             side = 1 - row.gears.index(idler.name)
             far, inner = train.gear(row.gears[side]), row.sign == INTERNAL and side == 1
-            return Beyond(
+            return FarGear(
                 -teeth[far.name] if inner else teeth[far.name], far.role, _passes(train, row, far, loads),
                 row.nodes[side] == GROUND, bore_of(design, far),
             )  # fmt: skip

@@ -41,6 +41,7 @@ from gearwright.parts.scuffing import IntegralTemperature
 from gearwright.sizing.rating.geometry import cylindrical_mesh, ring_problems, widest_ratio
 from gearwright.sizing.rating.iso6336_inputs import (
     EDITIONS,
+    Beyond,
     beyond_ranges,
     clause_of,
     duty_of,
@@ -49,7 +50,6 @@ from gearwright.sizing.rating.iso6336_inputs import (
     steel_of,
     steels_of,
 )
-from gearwright.sizing.rating.iso6336_inputs import BeyondRange as Beyond
 from gearwright.sizing.rating.iso6336_scuffing import (
     FlashPeak,
     film_checks,

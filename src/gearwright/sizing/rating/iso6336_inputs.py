@@ -37,7 +37,7 @@ from gearwright.parts.iso6336 import (
     contact_life_curve,
 )
 from gearwright.sizing.rating.geometry import body_inside, rim_factors
-from gearwright.sizing.rating.rules import Ask, Beyond, Rating
+from gearwright.sizing.rating.rules import Ask, FarGear, Rating
 from gearwright.units import Angle, apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -224,7 +224,7 @@ def _body(
     return MovingBody(inside, held=held)
 
 
-def _neighbour(rating: Rating, far: Beyond, module: Value) -> Neighbour:
+def _neighbour(rating: Rating, far: FarGear, module: Value) -> Neighbour:
     """Return the gear beyond an idler, of the steel and the rules of the mesh."""
     body = _body(
         rating, far.role, abs(far.teeth), module, bore=far.bore, held=far.held, internal=far.teeth < 0
@@ -270,7 +270,7 @@ _STEEPEST_RATIO = 200.0
 
 
 @dataclass(frozen=True)
-class BeyondRange:
+class Beyond:
     """A quantity of a mesh that lies beyond the range of a formula."""
 
     quantity: str
@@ -286,7 +286,7 @@ class BeyondRange:
     """That says so."""
 
 
-def beyond_ranges(mesh: MeshGeometry, rated: PairRating, *, films: bool = False) -> tuple[BeyondRange, ...]:
+def beyond_ranges(mesh: MeshGeometry, rated: PairRating, *, films: bool = False) -> tuple[Beyond, ...]:
     """Return what of a mesh lies beyond the ranges of the formulas that rate it.
 
     Args:
@@ -301,7 +301,7 @@ def beyond_ranges(mesh: MeshGeometry, rated: PairRating, *, films: bool = False)
     return tuple(entry for entry in ranges if not entry.least <= entry.value <= entry.most)
 
 
-def _ranges(mesh: MeshGeometry, rated: PairRating) -> Iterator[BeyondRange]:
+def _ranges(mesh: MeshGeometry, rated: PairRating) -> Iterator[Beyond]:
     yield _range("ε_α", "ratio", mesh.transverse_contact_ratio, (1.0, 2.5), _SCOPE)
     yield _range("β", "angle", mesh.helix_angle, (0.0, float(_STEEPEST)), "ISO 6336-3:2019, clause 8 (Y_β)")
     yield _range("m_n", "length", mesh.module, (0.5e-3, 70e-3), _CLASSES)
@@ -315,16 +315,16 @@ def _ranges(mesh: MeshGeometry, rated: PairRating) -> Iterator[BeyondRange]:
         yield _range("x_1 + x_2", "ratio", shifts, (-0.5, 2.0), _STIFFNESS)
 
 
-def _of_films(mesh: MeshGeometry) -> Iterator[BeyondRange]:
+def _of_films(mesh: MeshGeometry) -> Iterator[Beyond]:
     yield _range("u of the oil film", "ratio", mesh.ratio, (0.0, _STEEPEST_RATIO), "ISO/TS 6336-22: external pairs")
     yield _range("ε_α of the oil film", "ratio", mesh.transverse_contact_ratio, (1.0, 2.0), "ISO/TS 6336-22, method B")
 
 
-def _range(quantity: str, dimension: str, value: object, span: tuple[float, float], clause: str) -> BeyondRange:
-    return BeyondRange(quantity, dimension, float(np.asarray(value)), *span, clause)
+def _range(quantity: str, dimension: str, value: object, span: tuple[float, float], clause: str) -> Beyond:
+    return Beyond(quantity, dimension, float(np.asarray(value)), *span, clause)
 
 
-def range_checks(beyond: tuple[BeyondRange, ...], mesh: PartId) -> Iterator[Check]:
+def range_checks(beyond: tuple[Beyond, ...], mesh: PartId) -> Iterator[Check]:
     """Yield what lies beyond the range of a formula, as not assessed: nothing says what the formula is worth there.
 
     Args:

@@ -209,7 +209,7 @@ def _shifts(design: Design, name: str, teeth: Mapping[str, int]) -> StageShifts:
     return stage_shifts(design, name, {role: teeth[gear] for role, gear in zip(roles, gears, strict=True)})
 
 
-class Beyond(NamedTuple):
+class FarGear(NamedTuple):
     """The gear beyond an idler, as the vibration of a mesh with it takes it."""
 
     teeth: int
@@ -258,7 +258,7 @@ class Ask(NamedTuple):
     """Which of the two gears stands still in the housing: it takes no part in the vibration of the mesh."""
     bores: tuple[float | None, float | None] = (None, None)
     """Bores of both gears, or insides of their rims, as the design gives them [m]."""
-    beyond: tuple[Beyond | None, Beyond | None] = (None, None)
+    beyond: tuple[FarGear | None, FarGear | None] = (None, None)
     """What each gear meshes with besides, where it is an idler of a pair."""
     relieved: Numbers = 0.0
     """T/z for which open tip reliefs are made: that of the case that does most damage [N m]; 0: this one."""
