@@ -200,7 +200,10 @@ class Making(NamedTuple):
 
 
 class MeshRating(Protocol):
-    """A rated mesh: what every record of a method has, each with its own equations and sources."""
+    """A rated mesh: what every record of a method has, each with its own equations and sources.
+
+    A margin that may be infinite is marked `Endless`; sizing refuses any other that is.
+    """
 
     method: ClassVar[str]
     """Name of the method whose record it is; empty where nothing loads the mesh."""
