@@ -16,7 +16,7 @@ from typing import Annotated
 
 from gearwright.errors import Problem, near
 from gearwright.identity import PartId
-from gearwright.units import Quantity
+from gearwright.units import Endless, Quantity
 
 ROUNDING = 1e-9
 """Of a value over its limit that counts as rounding [-]."""
@@ -70,9 +70,9 @@ class Check:
     """What could go wrong, in words that are the same in every design: ``pitting``, ``static safety``."""
     clause: str
     """Standard and clause, or source."""
-    value: float | None
+    value: Annotated[float | None, Endless()]
     """As computed, in SI; None where it is not assessed."""
-    limit: float | None
+    limit: Annotated[float | None, Endless()]
     """What is allowed, in SI; None where nothing is asked."""
     dimension: str = "ratio"
     """Of value and limit."""

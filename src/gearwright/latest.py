@@ -1,4 +1,4 @@
-"""What a function gave of the value that it was asked for last: asked again of that same value, it computes nothing."""
+"""What a function gave of the values that it was asked for last: asked again of one of them, it computes nothing."""
 
 from __future__ import annotations
 
@@ -25,6 +25,19 @@ def of_latest(function: Callable[[Value], Result]) -> Callable[[Value], Result]:
     >>> length(words), length(words), length(("sun", "planet")[:1]), len(asked)
     (2, 2, 1, 2)
     """
+    return _keeping(1, function)
+
+
+def of_latest_two(function: Callable[[Value], Result]) -> Callable[[Value], Result]:
+    """Return a function as `of_latest` does that keeps the latest two values: of two that take turns none is forgotten.
+
+    Args:
+        function: Without any other input; what it returns is not changed by those who ask.
+    """
+    return _keeping(2, function)
+
+
+def _keeping(count: int, function: Callable[[Value], Result]) -> Callable[[Value], Result]:
     kept: list[tuple[Value, Result]] = []
 
     @wraps(function)
@@ -33,7 +46,7 @@ def of_latest(function: Callable[[Value], Result]) -> Callable[[Value], Result]:
             if known is value:
                 return result
         result = function(value)
-        kept[:] = [(value, result)]
+        kept[:] = [(value, result), *kept[: count - 1]]
         return result
 
     return asked

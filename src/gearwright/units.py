@@ -174,6 +174,11 @@ class OriginOf:
     """Field that holds that record."""
 
 
+@dataclass(frozen=True)
+class Endless:
+    """Marks a computed field that is infinite where nothing loads the part, limits it, or bears; no other may be."""
+
+
 Angle = Annotated[float, Quantity("angle")]
 Distance = Annotated[float, Quantity("distance")]
 Area = Annotated[float, Quantity("area")]
@@ -383,6 +388,8 @@ class Marks(NamedTuple):
     """Equation and source of a computed field."""
     made_in: str = ""
     """Field that holds the record whose field of the same name has the origin."""
+    endless: bool = False
+    """Whether it may be infinite."""
 
 
 def marks_in(hint: Any) -> Marks:
@@ -395,7 +402,8 @@ def marks_in(hint: Any) -> Marks:
     marks = [mark for part in (hint, *inside) for mark in getattr(part, "__metadata__", ())]
     dimension = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "")
     origin = next((mark for mark in marks if isinstance(mark, Origin)), None)
-    return Marks(dimension, origin, next((mark.field for mark in marks if isinstance(mark, OriginOf)), ""))
+    made_in = next((mark.field for mark in marks if isinstance(mark, OriginOf)), "")
+    return Marks(dimension, origin, made_in, any(isinstance(mark, Endless) for mark in marks))
 
 
 def marks_of(record: type) -> Mapping[str, Marks]:

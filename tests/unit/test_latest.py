@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 import gearwright as gw
-from gearwright.latest import of_latest
+from gearwright.latest import of_latest, of_latest_two
 from gearwright.sizing.shafts import held_rings, holders_of
 from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import edited
@@ -18,6 +18,14 @@ def test_another_object_is_computed_though_it_is_equal_and_the_first_one_is_forg
     one, other = ["sun"], ["sun"]
     assert [count(words) for words in (one, one, other, other, one)] == [1] * 5
     assert list(map(id, asked)) == [id(one), id(other), id(one)]
+
+
+def test_of_two_that_take_turns_none_is_computed_twice_and_a_third_one_replaces_the_first():
+    asked = []
+    count = of_latest_two(lambda words: asked.append(words) or len(words))
+    one, other, third = ["sun"], ["sun"], ["sun"]
+    assert [count(words) for words in (one, other, one, other, third, other, one)] == [1] * 7
+    assert list(map(id, asked)) == [id(one), id(other), id(third), id(one)]
 
 
 def test_what_is_refused_is_refused_anew_and_nothing_is_kept_of_it():

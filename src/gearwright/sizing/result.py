@@ -13,6 +13,7 @@ from gearwright.checks import Check, worst
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
 from gearwright.parts.bearings import system_life, weibull_slope
+from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.showing import Shown
 from gearwright.sizing.rating import MeshRating
 from gearwright.sizing.shaft_results import (
@@ -23,10 +24,23 @@ from gearwright.sizing.shaft_results import (
     PlanetBearingSizing,
     ShaftSizing,
 )
-from gearwright.spec import Design, Record
+from gearwright.spec import Design, Record, parse
 from gearwright.spec.design import BearingSeat, Given
 from gearwright.train import PowerFlow, Train
-from gearwright.units import Angle, Inertia, Length, Mass, Number, Origin, OriginOf, Power, Quantity, Ratio, Torque
+from gearwright.units import (
+    Angle,
+    Inertia,
+    Length,
+    Mass,
+    Number,
+    Origin,
+    OriginOf,
+    Power,
+    Quantity,
+    Ratio,
+    Torque,
+    marks_of,
+)
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How the teeth of a sizing were chosen: how many combinations there were, and how far the next one is.
@@ -556,7 +570,7 @@ class Sizing(Shown):
 # ----------------------------------------------------------------------------------------------------------------------
 # The gate through which a sizing leaves: every number is one, and what physics wants above nothing is above nothing.
 #
-# A margin, a safety or a life may be infinite where nothing loads the part; hardly another number may, and none is NaN.
+# A field marked `Endless` may be infinite, such as a margin where nothing loads the part; no other may. None is NaN.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -569,8 +583,8 @@ _POSITIVE = {
 """Record -> fields that are above zero in every part that there can be."""
 _UNSTATED = ("accessory", "load")
 """Kinds of machines that have no inertia where none is stated."""
-_ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure")
-"""How the names of fields end that are infinite where nothing loads the part, limits it, or bears (a key too short)."""
+_STANDS_OUT = 1.0
+"""Powers of ten beyond the range of the shipped designs from which on a number of a design stands out [-]."""
 
 _PLAIN = frozenset({int, str, bool, NoneType, Role, Row, PartId})
 """Kinds of values that hold no number which could be none."""
@@ -585,7 +599,7 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
         sizing: As computed.
 
     Raises:
-        DesignError: With part, field and value of what is none, and the number of the design that is likely to blame.
+        DesignError: With part, field and value of what is none, and the number of the design that stands out, if any.
     """
     wrong = [] if _all_numbers(sizing) else [*_parts(sizing)]
     if not wrong and not 0.0 < sizing.mass < math.inf:
@@ -593,11 +607,8 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
     if not wrong:
         return sizing
     part, field, value = wrong[0]
-    key, size = _blamed(sizing.design)
-    message = (
-        f"{part}: the {field.replace('_', ' ')} comes out as {value:g}, which no part has; the number of this design"
-    )
-    raise DesignError([Problem(key, f"{message} that is farthest from any real one is {key} = {size:g} (in SI)")])
+    message = f"{part}: the {field.replace('_', ' ')} comes out as {value:g}, which no part has"
+    raise DesignError([_blamed(sizing.design, message)])
 
 
 def _all_numbers(sizing: Sizing) -> bool:
@@ -622,7 +633,7 @@ def _is_number(value: Any, *, endless: bool = False) -> bool:
                 return False
         return True
     if not (names := _numbers_of(kind)):
-        return not any(True for _ in _wrong(value, "life" if endless else ""))
+        return not any(True for _ in _wrong(value, "", endless=endless))
     for name, may_be in names:
         item = getattr(value, name)
         if type(item) is float and item - item == 0.0:  # which only finite numbers are
@@ -635,8 +646,10 @@ def _is_number(value: Any, *, endless: bool = False) -> bool:
 @cache
 def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
     """Return the fields of a kind of record that hold numbers, each with whether it may be infinite."""
-    names = [entry.name for entry in fields(kind) if entry.type not in _WORDS] if is_dataclass(kind) else []
-    return tuple((name, name.endswith(_ENDLESS)) for name in names)
+    if not is_dataclass(kind):
+        return ()
+    marks = marks_of(kind)
+    return tuple((entry.name, marks[entry.name].endless) for entry in fields(kind) if entry.type not in _WORDS)
 
 
 def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:
@@ -663,35 +676,81 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
         yield from ((f"case {case}", field, value) for field, value in _wrong(flow, ""))
 
 
-def _wrong(value: Any, field: str) -> Iterator[tuple[str, float]]:
+def _wrong(value: Any, field: str, *, endless: bool = False) -> Iterator[tuple[str, float]]:
     """Yield every number inside a value that is none, with the name of its field."""
+    kind: Any = type(value)
     if isinstance(value, float):
-        if math.isnan(value) or (math.isinf(value) and not field.endswith(_ENDLESS)):
+        if math.isnan(value) or (math.isinf(value) and not endless):
             yield field, value
-    elif is_dataclass(value):
-        for entry in fields(value):
-            yield from _wrong(getattr(value, entry.name), entry.name)
+    elif names := _numbers_of(kind):
+        for name, may_be in names:
+            yield from _wrong(getattr(value, name), name, endless=may_be)
     elif isinstance(value, Mapping):
         for key, item in value.items():
             yield from _wrong(item, f"{field} of {key}")
     elif isinstance(value, tuple):
         for item in value:
-            yield from _wrong(item, field)
+            yield from _wrong(item, field, endless=endless)
 
 
-def _blamed(design: Design) -> tuple[str, float]:
-    """Return path and value of the number of a design that is farthest from 1, in powers of ten."""
-    written = [(path, value) for path, value in _given(design, "") if value and math.isfinite(value)]
-    return max(written, key=lambda item: abs(math.log10(abs(item[1]))))
+class _Written(NamedTuple):
+    """A number that the user wrote."""
+
+    path: str
+    """Of it in the design."""
+    key: str
+    """The path with a star for every name that a user chooses: what it is in any design."""
+    value: float
+    """In SI."""
 
 
-def _given(value: Any, path: str) -> Iterator[tuple[str, float]]:
-    """Yield every number that the user wrote, with its path."""
+def _blamed(design: Design, message: str) -> Problem:
+    """Return the problem with the number of a design that is farthest beyond those of the shipped designs, if any is.
+
+    Args:
+        message: What is wrong.
+    """
+    known = _shipped_ranges()
+    numbers = [number for number in _written(design) if number.key in known]
+    beyond = [_beyond(number.value, known[number.key]) for number in numbers]
+    if max(beyond, default=0.0) < _STANDS_OUT:
+        return Problem("", f"{message}; no number of the design stands out")
+    worst = numbers[beyond.index(max(beyond))]
+    least, most = known[worst.key]
+    span = f"{least:g}" if least == most else f"{least:g} to {most:g}"
+    evidence = f"{worst.path} = {worst.value:g} stands out: the shipped designs have {span} there (all in SI)"
+    return Problem(worst.path, f"{message}; {evidence}")
+
+
+def _beyond(value: float, span: tuple[float, float]) -> float:
+    """Return by how many powers of ten the size of a number is beyond a range [-]; below zero inside it."""
+    size = math.log10(abs(value))
+    return max(math.log10(span[0]) - size, size - math.log10(span[1]))
+
+
+@cache
+def _shipped_ranges() -> Mapping[str, tuple[float, float]]:
+    """Return the least and the largest size of every number of the shipped designs, by its key."""
+    sizes: dict[str, list[float]] = {}
+    for name in shipped_designs():
+        for number in _written(parse(shipped_design(name).read_text(encoding="utf-8"))):
+            sizes.setdefault(number.key, []).append(abs(number.value))
+    return {key: (min(found), max(found)) for key, found in sizes.items()}
+
+
+def _written(value: Any, path: str = "", key: str = "") -> Iterator[_Written]:
+    """Yield every number but zero that the user wrote."""
     if isinstance(value, int | float) and not isinstance(value, bool):
-        yield path, float(value)
+        if value:
+            yield _Written(path, key, float(value))
     elif isinstance(value, Record):
         for name in value.model_fields_set:
-            yield from _given(getattr(value, name), f"{path}.{name}".strip("."))
+            kind = name if name in type(value).model_fields else "*"
+            yield from _written(getattr(value, name), f"{path}.{name}".strip("."), f"{key}.{kind}".strip("."))
     elif isinstance(value, Mapping):
-        for name, item in value.items():
-            yield from _given(item, f"{path}.{name}".strip("."))
+        for name, item in value.items():  # a number stands under a path, whose last name is not the user's
+            kind = "*" if isinstance(item, Record | Mapping) else name.rpartition(".")[2]
+            yield from _written(item, f"{path}.{name}", f"{key}.{kind}")
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _written(item, path, key)

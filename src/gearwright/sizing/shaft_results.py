@@ -10,7 +10,7 @@ from gearwright.arrays import smallest
 from gearwright.catalogue import Bearing, ModifiedLife
 from gearwright.identity import PartId, carrier_part
 from gearwright.parts.bearings import Journal
-from gearwright.units import Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
+from gearwright.units import Endless, Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What sizing yields of shafts as they are built: steps, seats, bearings and joints.
@@ -138,15 +138,15 @@ class BearingSizing:
         float, Quantity("force"), Origin("P = X F_r + Y F_a, mean over the service", "ISO 281:2007")
     ]
     """P [N]."""
-    life: Annotated[float, Quantity("life"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
+    life: Annotated[float, Quantity("life"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007"), Endless()]
     """Basic rating life [s]; ∞ where no case loads the bearing."""
     wanted_life: Life
     """[s]"""
-    static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006")]
+    static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006"), Endless()]
     """At the largest load [-]; ∞ where no case loads the bearing."""
     wanted_static_safety: Ratio
     """[-]"""
-    judged_life: Life = 0.0
+    judged_life: Annotated[Life, Endless()] = 0.0
     """The life that is asked of it, basic or modified [s]."""
     modified_life: Annotated[float | None, Quantity("life"), Origin("L_nmh = a_1 a_ISO L_10h", "ISO 281:2007, 9.3")] = (
         None
@@ -240,8 +240,9 @@ class JointSizing:
         float,
         Quantity("stress"),
         Origin("p = 2 T/(d h l i), of a press fit 2 T S/(π d² l μ)", "DIN 6892, DIN 5480, DIN 7190"),
+        Endless(),
     ]
-    """On flank or fit [Pa]; zero for one piece."""
+    """On flank or fit [Pa]; zero for one piece, ∞ of a key of which round ends leave no flank."""
     allowed_pressure: Stress
     """[Pa]"""
     interference: Length = 0.0
@@ -335,8 +336,8 @@ class ShaftSizing:
     """Inner diameter [m]."""
     stress: Annotated[float, Quantity("stress"), Origin("√(σ_b² + 4 τ²)", f"{_THESIS}, eq. 2.47")]
     """Tresca stress [Pa]."""
-    margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", f"{_THESIS}, eq. 2.47")]
-    """Allowable over actual stress [-]."""
+    margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", f"{_THESIS}, eq. 2.47"), Endless()]
+    """Allowable over actual stress [-]; ∞ where nothing loads the shaft."""
     mass: Annotated[float, Quantity("mass"), Origin("cylinders", "geometry")]
     """Of a built shaft without what lies inside its gears, which count as solid [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("cylinder", "geometry")]
@@ -396,8 +397,8 @@ class CarrierSizing:
         float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³ (1 − κ⁴))", f"{_THESIS}, §2.4, cantilever")
     ]
     """Bending stress at the root of a pin [Pa]."""
-    pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing")]
-    """Allowable over actual stress of the pins [-]."""
+    pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing"), Endless()]
+    """Allowable over actual stress of the pins [-]; ∞ where nothing loads them."""
     plate_thickness: Annotated[
         float, Quantity("length"), Origin("share of b; τ = 2 T_c/(π d² t); p = F/(d_p t)", "first sizing")
     ]
@@ -412,12 +413,12 @@ class CarrierSizing:
     """Metal of the plate outside the holes for pins [m]."""
     eye_stress: Annotated[float, Quantity("stress"), Origin("τ = F / (2 w t)", "tear-out along two planes")]
     """Shear stress of the plate outside the pin that is loaded most [Pa]."""
-    eye_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / (2 S) over τ", "Tresca")]
-    """Allowable over actual shear stress outside that pin [-]."""
+    eye_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / (2 S) over τ", "Tresca"), Endless()]
+    """Allowable over actual shear stress outside that pin [-]; ∞ where nothing loads it."""
     hole_pressure: Annotated[float, Quantity("stress"), Origin("p = F / (d_p t)", "projected area")]
     """Pressure of that pin in its hole [Pa]."""
-    hole_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the pressure", "first sizing")]
-    """Allowable over actual pressure in that hole [-]."""
+    hole_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the pressure", "first sizing"), Endless()]
+    """Allowable over actual pressure in that hole [-]; ∞ where nothing loads it."""
     reach: Annotated[float, Quantity("length"), Origin("r_c + d_p/2 + w", "geometry")]
     """Outer radius of the plate, beyond its outermost pins [m]."""
     mass: Annotated[float, Quantity("mass"), Origin("pins and plate", "geometry")]

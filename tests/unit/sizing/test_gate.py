@@ -1,15 +1,19 @@
 """Designs that read well and whose sizing used to end in no number, or in none at all: each is refused or sized."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
 from designs import HYBRID, PAIR, changed
 from gearwright.errors import DesignError, Problem
-from gearwright.shipped import shipped_design
+from gearwright.lanes import twin
+from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import Sizing, refuse_no_numbers, size
-from gearwright.spec import parse
+from gearwright.sizing.result import _written
+from gearwright.spec import Record, parse
 
 
 def shipped(name: str) -> str:
@@ -68,16 +72,97 @@ def sizing_of(text: str) -> Sizing:
 )  # fmt: skip
 def test_no_result_leaves_that_is_no_number_or_not_above_zero(group: str, field: str, value: float):
     sizing = sizing_of(changed(HYBRID, "power_kw = 1046", "power_kw = 9e5"))
-    first, *rest = getattr(sizing, group)
     with pytest.raises(DesignError) as caught:
-        refuse_no_numbers(replace(sizing, **{group: (replace(first, **{field: value}), *rest)}))
+        refuse_no_numbers(with_one(sizing, group, field, value))
     (found,) = caught.value.problems
     assert found.path == "turbines.turbine.power"
     assert f"the {field.replace('_', ' ')} comes out as {value:g}" in found.message
 
 
-def test_a_margin_of_a_part_that_nothing_loads_may_be_infinite():
-    sizing = sizing_of(HYBRID)
-    first, *rest = sizing.shafts
-    changed_ = replace(sizing, shafts=(replace(first, margin=math.inf), *rest))
+@pytest.mark.parametrize(
+    ("group", "field"),
+    [("shafts", "margin"), ("carriers", "pin_margin"), ("carriers", "eye_margin"), ("carriers", "hole_margin"),
+     ("checks", "value"), ("checks", "limit")],
+)  # fmt: skip
+def test_a_margin_of_a_part_that_nothing_loads_may_be_infinite(group: str, field: str):
+    changed_ = with_one(sizing_of(HYBRID), group, field, math.inf)
     assert refuse_no_numbers(changed_) is changed_
+
+
+@pytest.mark.parametrize(
+    ("group", "field"),
+    [("carriers", "hole_pressure"), ("carriers", "plate_margin"), ("bearings", "wanted_life"),
+     ("bearings", "modified_life"), ("joints", "allowed_pressure"), ("joints", "needed_pressure")],
+)  # fmt: skip
+def test_a_result_is_not_infinite_for_its_name(group: str, field: str):
+    sizing = shipped_sizing("twin-engine-helicopter" if group == "carriers" else "ec120b")
+    with pytest.raises(DesignError, match=f"the {field.replace('_', ' ')} comes out as inf"):
+        refuse_no_numbers(with_one(sizing, group, field, math.inf))
+
+
+@cache
+def shipped_sizing(name: str) -> Sizing:
+    return sizing_of(shipped(name))
+
+
+def with_one(sizing: Sizing, group: str, field: str, value: float) -> Sizing:
+    """Return a sizing whose first part of a group has another value."""
+    first, *rest = getattr(sizing, group)
+    return replace(sizing, **{group: (replace(first, **{field: value}), *rest)})
+
+
+def scaled(value: object, path: str, factor: float, own: str = "") -> object:
+    """Return a record, or what is in one, with one of its numbers times a factor."""
+    if own == path:
+        return value * factor  # type: ignore[operator]
+    if isinstance(value, Record) and path.startswith(own):
+        names = value.model_fields_set
+        update = {name: scaled(getattr(value, name), path, factor, f"{own}.{name}".strip(".")) for name in names}
+        return value.model_copy(update=update)
+    if isinstance(value, Mapping):
+        return {name: scaled(item, path, factor, f"{own}.{name}") for name, item in value.items()}
+    return value
+
+
+def blamed(sizing: Sizing) -> Problem:
+    with pytest.raises(DesignError) as caught:
+        refuse_no_numbers(with_one(sizing, "gears", "mass", math.nan))
+    (found,) = caught.value.problems
+    return found
+
+
+@pytest.mark.parametrize("name", shipped_designs())
+def test_no_number_of_a_shipped_design_is_blamed(name: str):
+    found = blamed(shipped_sizing(name))
+    assert found.path == ""
+    assert found.message.endswith("comes out as nan, which no part has; no number of the design stands out")
+
+
+@pytest.mark.parametrize("factor", [1e9, 1e-9])
+@pytest.mark.parametrize("name", shipped_designs())
+def test_a_number_that_is_wrong_by_nine_powers_of_ten_is_blamed(name: str, factor: float):
+    """Every number of every shipped design: in a file most are refused before anything is sized with them."""
+    sizing = shipped_sizing(name)
+    single = [number for number in _written(sizing.design) if not number.key.endswith(("share", "load"))]
+    for number in single:
+        found = blamed(replace(sizing, design=scaled(sizing.design, number.path, factor)))
+        assert found.path == number.path
+        assert f"{number.path} = {number.value * factor:g} stands out: the shipped designs have " in found.message
+
+
+def test_a_number_that_no_shipped_design_has_is_not_blamed():
+    sizing = sizing_of(HYBRID)
+    unknown = replace(sizing, design=sizing.design.model_copy(update={"overrides": {"first.volume_l": 1e30}}))
+    assert blamed(unknown).path == ""
+
+
+def test_a_power_of_twice_the_largest_shipped_one_is_not_blamed():
+    sizing = shipped_sizing("geared-turbofan-star")
+    assert blamed(replace(sizing, design=scaled(sizing.design, "turbines.low-pressure-turbine.power", 2.0))).path == ""
+
+
+def test_the_gate_of_many_designs_says_the_same():
+    sizing = with_one(shipped_sizing("in-line-h2"), "gears", "mass", math.inf)
+    for gate in (refuse_no_numbers, twin("gearwright.sizing.result").refuse_no_numbers):
+        with pytest.raises(DesignError, match=r"the mass comes out as inf.*no number of the design stands out"):
+            gate(sizing)

@@ -4,19 +4,23 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Annotated
 
 import pytest
 
 from gearwright.identity import Role
 from gearwright.sizing.answers import _swallows
 from gearwright.sizing.result import _is_number, _numbers_of, _wrong
+from gearwright.units import Endless, Life
 
 
 @dataclass(frozen=True)
 class Part:
     size: float = 1.0
-    fatigue_life: float = 2.0
-    safeties: tuple[float, ...] = (1.0, 2.0)
+    turns: Annotated[Life, Endless()] = 2.0
+    pair: Annotated[tuple[float, ...], Endless()] = (1.0, 2.0)
+    maybe: Annotated[float | None, Endless()] = None
+    fatigue_life: float = 3.0
     by_case: Mapping[str, float] = field(default_factory=dict)
     role: Role | None = None
     text: str = "nan"
@@ -28,13 +32,15 @@ class Holder:
 
 
 GOOD = [
-    1.0, 3, "inf", True, None, Role.SUN, (1.0, (2.0, "x")), {"a": 1.0}, Part(), Part(fatigue_life=math.inf),
-    Part(safeties=(1.0, math.inf)), Holder((Part(), Part(fatigue_life=math.inf))), MappingProxyType({"a": 2.0}),
+    1.0, 3, "inf", True, None, Role.SUN, (1.0, (2.0, "x")), {"a": 1.0}, Part(), Part(turns=math.inf),
+    Part(maybe=math.inf), Part(pair=(1.0, math.inf)), Holder((Part(), Part(turns=math.inf))),
+    MappingProxyType({"a": 2.0}),
 ]  # fmt: skip
 BAD = [
-    math.nan, math.inf, -math.inf, (1.0, math.nan), {"a": math.inf}, Part(size=math.inf), Part(fatigue_life=math.nan),
-    Part(safeties=(math.nan,)), Part(by_case={"a": math.inf}), Holder((Part(), Part(size=math.nan))),
-    MappingProxyType({"a": math.nan}), Part(by_case=MappingProxyType({"x": math.inf})),
+    math.nan, math.inf, -math.inf, (1.0, math.nan), {"a": math.inf}, Part(size=math.inf), Part(turns=math.nan),
+    Part(fatigue_life=math.inf), Part(maybe=math.nan), Part(pair=(math.nan,)), Part(by_case={"a": math.inf}),
+    Holder((Part(), Part(size=math.nan))), MappingProxyType({"a": math.nan}),
+    Part(by_case=MappingProxyType({"x": math.inf})),
 ]  # fmt: skip
 
 
@@ -58,9 +64,10 @@ def test_a_life_may_be_endless_and_no_more():
     assert _is_number(MappingProxyType({}), endless=True)
 
 
-def test_fields_that_may_be_endless_are_known_by_their_names():
+def test_fields_that_may_be_endless_are_known_by_their_marks():
     assert dict(_numbers_of(Part)) == {
-        "size": False, "fatigue_life": True, "safeties": True, "by_case": False, "role": False, "text": False,
+        "size": False, "turns": True, "pair": True, "maybe": True, "fatigue_life": False, "by_case": False,
+        "role": False, "text": False,
     }  # fmt: skip
     assert _numbers_of(list) == ()
 

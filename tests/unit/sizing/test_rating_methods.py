@@ -22,7 +22,7 @@ from gearwright.sizing.rating.agma2001 import Agma2001Rating
 from gearwright.sizing.rating.lewis_hertz import LewisHertzRating
 from gearwright.spec import edited, parse, read, read_mission, schema
 from gearwright.spec.design import RATINGS, RatingMethod
-from gearwright.units import Origin, Quantity
+from gearwright.units import Endless, Origin, Quantity
 
 OFF_SET = read(shipped_design("off-set"))
 AGMA = size(edited(OFF_SET, {"gears.rating": "agma2001"}))
@@ -44,7 +44,7 @@ class DummyRating:
     bending_stress: Annotated[float, Quantity("stress"), Origin("F_t/(b m_n)", "dummy, eq. 2")]
     bending_margin: Annotated[float, Quantity("ratio"), Origin("400 MPa/σ", "dummy, eq. 3")]
     contact_stress: Annotated[float, Quantity("stress"), Origin("0", "dummy")] = 0.0
-    contact_margin: Annotated[float, Quantity("ratio"), Origin("∞", "dummy")] = math.inf
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("∞", "dummy"), Endless()] = math.inf
     peaks: float = 1.0
 
 

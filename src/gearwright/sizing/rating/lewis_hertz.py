@@ -35,7 +35,7 @@ from gearwright.sizing.rating.search import untabulated
 from gearwright.spec import GearRules
 from gearwright.spec.design import Iso6336Rules
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity
+from gearwright.units import Endless, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Allowables, form factors and widths of the first sizing, and the modules that a torque per tooth asks for.
@@ -183,9 +183,9 @@ class LewisHertzRating:
     ]
     """Share of idlers included [Pa]."""
     bending_margin: Annotated[
-        float, Quantity("ratio"), Origin("R_p0.2 / σ over the asked factor", f"{_THESIS}, eq. 2.1")
+        float, Quantity("ratio"), Origin("R_p0.2 / σ over the asked factor", f"{_THESIS}, eq. 2.1"), Endless()
     ]
-    """Allowable over actual bending stress [-]; 1 is just enough."""
+    """Allowable over actual bending stress [-]; 1 is just enough, ∞ where nothing bends a tooth."""
     contact_stress: Annotated[
         float, Quantity("stress"), Origin("σ_H = 0.418 √(F_t E Σ(1/r) cos β / (b cos α sin α))", f"{_THESIS}, eq. 2.2")
     ]
@@ -195,9 +195,9 @@ class LewisHertzRating:
     ]
     """[Pa]"""
     contact_margin: Annotated[
-        float, Quantity("ratio"), Origin("2.5 HB / σ_H over the asked factor", f"{_THESIS}, eq. 2.2")
+        float, Quantity("ratio"), Origin("2.5 HB / σ_H over the asked factor", f"{_THESIS}, eq. 2.2"), Endless()
     ]
-    """Allowable over actual contact pressure [-]; 1 is just enough."""
+    """Allowable over actual contact pressure [-]; 1 is just enough, ∞ where nothing presses the flanks."""
     peaks: Annotated[float, Quantity("ratio"), Origin("1: the loads are nominal", f"{_THESIS}, eqs 2.1, 2.2")] = 1.0
     """Factor on the tangential force for peaks of the load [-]."""
 

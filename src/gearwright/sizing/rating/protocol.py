@@ -15,7 +15,7 @@ from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity, marks_of
+from gearwright.units import Endless, Origin, Quantity, marks_of
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Every quantity of a rating as a row: the fields of its records that say where they come from.
@@ -200,7 +200,10 @@ class Making(NamedTuple):
 
 
 class MeshRating(Protocol):
-    """A rated mesh: what every record of a method has, each with its own equations and sources."""
+    """A rated mesh: what every record of a method has, each with its own equations and sources.
+
+    A margin that may be infinite is marked `Endless`; sizing refuses any other that is.
+    """
 
     method: ClassVar[str]
     """Name of the method whose record it is; empty where nothing loads the mesh."""
@@ -299,11 +302,11 @@ class Unloaded:
     """[m]"""
     bending_stress: Annotated[float, Quantity("stress"), Origin("0", "no case loads the mesh")] = 0.0
     """[Pa]"""
-    bending_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh")] = float("inf")
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh"), Endless()] = float("inf")
     """[-]"""
     contact_stress: Annotated[float, Quantity("stress"), Origin("0", "no case loads the mesh")] = 0.0
     """[Pa]"""
-    contact_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh")] = float("inf")
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh"), Endless()] = float("inf")
     """[-]"""
     peaks: Annotated[float, Quantity("ratio"), Origin("1", "no case loads the mesh")] = 1.0
     """[-]"""

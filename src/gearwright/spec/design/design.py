@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import wraps
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Literal, NamedTuple, Self, TypeVar
 
 from pydantic import Field, model_validator
@@ -13,6 +12,7 @@ from pydantic import Field, model_validator
 from gearwright.catalogue import material_of, materials
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES, Role
+from gearwright.latest import of_latest_two
 from gearwright.parts import Material
 from gearwright.showing import Shown
 from gearwright.spec.bounds import Name, range_of
@@ -125,35 +125,6 @@ def _implying(record: R, key: str, value: Any) -> R:
     copy = record.model_copy()
     copy.__dict__[key] = value
     return copy
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Remember what follows from the latest designs: many steps in a row ask the same of one.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-Asked = TypeVar("Asked")
-Result = TypeVar("Result")
-
-
-def of_the_latest(function: Callable[[Asked], Result]) -> Callable[[Asked], Result]:
-    """Return a function of a design that keeps what it gave of the latest two, which is not to be written to.
-
-    Args:
-        function: Its result depends on the design alone, which is frozen.
-    """
-    kept: list[tuple[Asked, Result]] = []
-
-    @wraps(function)
-    def looked_up(design: Asked) -> Result:
-        for known, result in kept:
-            if known is design:
-                return result
-        result = function(design)
-        kept[:] = [(design, result), *kept[:1]]
-        return result
-
-    return looked_up
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -388,12 +359,12 @@ class Design(Shown, Record):
         return method_of(self.rules(stage).rating, self.stages[stage].meshes)
 
 
-@of_the_latest
+@of_latest_two
 def _machines(design: Design) -> dict[str, Machine]:
     return {name: machine for table in MACHINES for name, machine in getattr(design, table).items()}
 
 
-@of_the_latest
+@of_latest_two
 def _rules(design: Design) -> dict[str, GearRules]:
     own = {name: stage.gears for name, stage in design.stages.items()}
     overlaid = {name: design.gears if rules is None else _overlaid(design.gears, rules) for name, rules in own.items()}
@@ -443,7 +414,7 @@ def gear_owner(design: Design, pair: str, side: Role) -> str:
     return owner if owner in design.pairs else pair
 
 
-@of_the_latest
+@of_latest_two
 def module_owners(design: Design) -> dict[str, str]:
     """Return stage -> the stage whose module it has: of all that gears join, the first that shares no gear of another.
 
@@ -552,7 +523,7 @@ class GivenValues(NamedTuple):
     """What names nothing, is given twice, or is none that a part has."""
 
 
-@of_the_latest
+@of_latest_two
 def given_values(design: Design) -> GivenValues:
     """Return what a design gives in place of computed values, from both places.
 
@@ -721,7 +692,7 @@ def drives_of(design: Design, case: str) -> Mapping[str, Drive]:
     return drives[case if case in drives else ""]
 
 
-@of_the_latest
+@of_latest_two
 def _drives(design: Design) -> dict[str, dict[str, Drive]]:
     """Return case -> what every machine does in it; under an empty name what it does in a design without cases."""
     machines = design.machines
@@ -792,7 +763,7 @@ class _Link(NamedTuple):
     ends: tuple[str, str]
 
 
-@of_the_latest
+@of_latest_two
 def split_levels(design: Design) -> Mapping[str, float]:
     """Return pair -> how often the power has split in two where it passes, of pairs on parallel paths [-].
 
