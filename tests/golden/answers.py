@@ -1,20 +1,20 @@
-"""What the other verbs answer about a sized design: how many numbers of each kind, and two sums of them.
+"""What the other verbs answer about a sized design, one value a line, in a file of each design.
 
-``PYTHONPATH=tests python tests/golden/answers.py`` writes ``answers.json`` anew.
+``PYTHONPATH=tests python tests/golden/answers.py`` writes the files in ``answers`` anew.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
-from dataclasses import fields, is_dataclass
-from enum import Enum
+from collections.abc import Callable
+from dataclasses import fields
+from math import inf, isclose
 from pathlib import Path
 from typing import Any
-from zlib import crc32
 
 import numpy as np
-from record import designs, sized
+from record import PARTS, designs, numbers, sized
+from told import Fields, Group, Moved, condensed, groups, named, parsed, written
 
 from gearwright.dynamics.assembly import assemble, assumptions, contacts_of
 from gearwright.sizing import (
@@ -35,42 +35,73 @@ from gearwright.sizing import (
 from gearwright.sizing.losses import loss_balance
 from gearwright.train import attachments, branches, efficiencies, recirculation, shaft_powers, targets
 
-FILE = Path(__file__).with_name("answers.json")
-NOISE = 1e-6
-"""Powers [W], speeds [rad/s] and forces [N] below it are zeros with rounding."""
-ROUNDING = 1e-7
-"""Relative difference that rounding and searches that stop at a tolerance leave."""
+FOLDER = Path(__file__).with_name("answers")
 
 
 def _whole(sizing: Sizing) -> Any:
     kept = (field.name for field in fields(sizing) if field.name not in ("design", "train", "checks", "given"))
-    return {name: getattr(sizing, name) for name in kept}
+    return Fields({name: getattr(sizing, name) for name in kept})
 
 
 def _plays(sizing: Sizing) -> Any:
     gears = {gear.name: gear for gear in sizing.gears}
-    return {
-        "backlash": [backlash_of(sizing.design, gears, mesh) for mesh in sizing.meshes],
-        "in motion": [play_in_motion(sizing, mesh.name) for mesh in sizing.meshes],
-        "fits": [fit_of(sizing.design, gear) for gear in sizing.gears],
-        "thickness": [thickness_of(sizing.design, gear) for gear in sizing.gears],
-    }
+    return Fields(
+        {
+            "backlash": {mesh.name: backlash_of(sizing.design, gears, mesh) for mesh in sizing.meshes},
+            "in motion": {mesh.name: play_in_motion(sizing, mesh.name) for mesh in sizing.meshes},
+            "fits": {gear.name: fit_of(sizing.design, gear) for gear in sizing.gears},
+            "thickness": {gear.name: thickness_of(sizing.design, gear) for gear in sizing.gears},
+        }
+    )
 
 
 def _powers(sizing: Sizing) -> Any:
     return {
-        case: {
-            "branches": branches(sizing.train, flow),
-            "loops": recirculation(sizing.train, flow),
-            "shafts": list(shaft_powers(sizing.train, flow).values()),
-        }
+        case: Fields(
+            {
+                "branches": branches(sizing.train, flow),
+                "loops": recirculation(sizing.train, flow),
+                "shafts": shaft_powers(sizing.train, flow),
+            }
+        )
         for case, flow in sizing.flows.items()
     }
 
 
 def _efficiencies(sizing: Sizing) -> Any:
     laws = sizing.design.efficiencies
-    return [efficiencies(sizing.design, sizing.train, sizing.teeth, flow, laws) for flow in sizing.flows.values()]
+    return {
+        case: efficiencies(sizing.design, sizing.train, sizing.teeth, flow, laws) for case, flow in sizing.flows.items()
+    }
+
+
+def _beside(sizing: Sizing) -> Any:
+    """Return margins, and means by dimension: aspects are known by words alone."""
+    found: dict[str, dict[tuple[str, str], list[float]]] = {}
+    for mesh in (beside := methods_beside(sizing)):
+        for row in mesh.rows:
+            means = found.setdefault(f"mean of each {row.dimension}", {})
+            for method, own in row.values.items():
+                means.setdefault((mesh.mesh, method), []).extend(own)
+    return Fields(
+        {
+            "margins": {mesh.mesh: mesh.margins for mesh in beside},
+            **{kind: {of: float(np.mean(each)) for of, each in means.items()} for kind, means in found.items()},
+        }
+    )
+
+
+def _results(sizing: Sizing) -> Any:
+    """Return quantity -> part -> value; of those that the file of the sizing has by the same name, only how many."""
+    found: dict[str, dict[str, float]] = {}
+    known, left = numbers({name: getattr(sizing, name) for name in PARTS}), 0
+    for name, result in named_results(sizing).items():
+        part, _, quantity = name.rpartition(".")
+        if isclose(known.get(name, inf), result.value):
+            left += 1
+        else:
+            found.setdefault(quantity, {})[part] = result.value
+    return Fields({"as sized": left, **found})
 
 
 ANSWERS: dict[str, Callable[[Sizing], Any]] = {
@@ -81,11 +112,11 @@ ANSWERS: dict[str, Callable[[Sizing], Any]] = {
     "bearing forces": bearing_forces,
     "contacts": lambda sizing: contacts_of(sizing, sizing.flows[governing_case(sizing)]),
     "efficiencies": _efficiencies,
-    "losses": lambda sizing: [loss_balance(sizing, case) for case in sizing.flows],
+    "losses": lambda sizing: {case: loss_balance(sizing, case) for case in sizing.flows},
     "masses": lambda sizing: list(mass_parts(sizing)),
-    "methods beside": methods_beside,
-    "named results": lambda sizing: [result.value for result in named_results(sizing).values()],
-    "pair data": lambda sizing: [pair_data(sizing, mesh) for mesh in sizing.meshes],
+    "methods beside": _beside,
+    "named results": _results,
+    "pair data": lambda sizing: {mesh.name: pair_data(sizing, mesh) for mesh in sizing.meshes},
     "plays": _plays,
     "powers": _powers,
     "stages": lambda sizing: list(stage_summaries(sizing, "design")),
@@ -93,92 +124,69 @@ ANSWERS: dict[str, Callable[[Sizing], Any]] = {
 }
 
 
-def leaves(value: Any, path: str = "") -> Iterator[tuple[str, float]]:
-    """Yield every number, truth value and single word inside an answer; names are not part of the path.
-
-    Args:
-        value: Records, named rows, mappings and sequences.
-        path: Of fields that lead to it.
-    """
-    if isinstance(value, Enum):
-        value = value.value
-    if isinstance(value, bool | np.bool_):
-        yield path, float(value)
-    elif isinstance(value, int | float | np.number):
-        yield path, float(value) if np.isfinite(value) else 1e30 * np.sign(value)
-    elif isinstance(value, complex):
-        yield from ((f"{path}.real", value.real), (f"{path}.imag", value.imag))
-    elif isinstance(value, str):
-        yield from [] if " " in value else [(path, crc32(value.encode()) / 2**32)]
-    elif isinstance(value, np.ndarray):
-        yield from ((path, float(part)) for part in value.ravel())
-    elif is_dataclass(value):
-        for field in fields(value):
-            yield from leaves(getattr(value, field.name), f"{path}.{field.name}")
-    elif hasattr(value, "_fields"):
-        for name in value._fields:
-            yield from leaves(getattr(value, name), f"{path}.{name}")
-    elif isinstance(value, dict):
-        for member in value.values():
-            yield from leaves(member, path)
-    elif isinstance(value, tuple | list | set | frozenset):
-        for member in value:
-            yield from leaves(member, path)
+def _elsewhere(path: str) -> bool:
+    """Tell whether ``record.py`` keeps the numbers of a path of the sizing."""
+    return path.startswith(("flows.speeds", "flows.machine_powers")) or path.partition(".")[0] in (*PARTS, "teeth")
 
 
-def sums(answer: Any) -> dict[str, list[float]]:
-    """Return kind of number -> how many there are, the sum of their sizes, and a sum that tells their places.
-
-    Args:
-        answer: Of a verb.
-    """
-    kinds: dict[str, list[float]] = {}
-    for path, number in leaves(answer):
-        kinds.setdefault(path.lstrip("."), []).append(number)
-    return {kind: _sums(np.array(numbers)) for kind, numbers in kinds.items()}
-
-
-def _sums(numbers: Any) -> list[float]:
-    total = float(np.sum(np.abs(numbers)))
-    return [len(numbers), total, float(np.cos(np.arange(len(numbers))) @ numbers)]
-
-
-def answered(sizing: Sizing) -> dict[str, dict[str, list[float]]]:
-    """Return answer -> kind of number -> count and sums.
+def answered(sizing: Sizing) -> dict[str, Group]:
+    """Return answer and path -> identity -> value; numbers that the file of the sizing has are left to it.
 
     Args:
         sizing: That is asked.
     """
-    return {name: sums(answer(sizing)) for name, answer in ANSWERS.items()}
+    found: dict[str, Group] = {}
+    for name, answer in ANSWERS.items():
+        for path, group in groups(answer(sizing)).items():
+            if name == "sizing" and _elsewhere(path):
+                group = {of: value for of, value in group.items() if isinstance(value, bool | str)}
+            if group:
+                found[f"{name}: {path}".removesuffix(": ")] = group
+    return found
 
 
-def differences(was: Any, now: Any) -> dict[str, Any]:
-    """Return what moved, with both values.
+def stored(design: str) -> dict[str, Group]:
+    """Return what is recorded of a design: answer and path -> identity -> value.
+
+    Args:
+        design: Its name.
+    """
+    file, kept = FOLDER / f"{design}.json", dict[str, Group]()
+    for key, value in json.loads(file.read_text(encoding="utf-8")).items() if file.exists() else ():
+        path, identity = parsed(key)
+        kept.setdefault(path, {})[identity] = value
+    return kept
+
+
+def differences(was: dict[str, Group], now: dict[str, Group]) -> Moved:
+    """Return what moved.
 
     Args:
         was: As stored.
-        now: As it is.
+        now: As it is, every value.
     """
-    moved = {}
-    for name in was.keys() | now.keys():
-        before, after = was.get(name, {}), now.get(name, {})
-        for kind in before.keys() | after.keys():
-            pair = before.get(kind), after.get(kind)
-            if None in pair or not _same(*pair):
-                moved[f"{name}: {kind}"] = pair
+    moved = Moved()
+    for path in was.keys() | now.keys():
+        moved.compare(path, was.get(path, {}), now.get(path, {}))
     return moved
 
 
-def _same(was: list[float], now: list[float]) -> bool:
-    """Sums of unlike signs differ by what their sizes round to."""
-    noise = NOISE + ROUNDING * abs(was[1])
-    return was[0] == now[0] and all(abs(old - new) <= noise for old, new in zip(was[1:], now[1:], strict=True))
+def write_all() -> None:
+    """Write the file of every design; what is the same but for rounding stays as it was written."""
+    FOLDER.mkdir(exist_ok=True)
+    for name in designs():
+        kept, lines = stored(name), []
+        for path, group in answered(sized(name)).items():
+            was = kept.get(path, {})
+            unmoved = was and not differences({path: was}, {path: group})
+            for of, value in (was if unmoved else condensed(group)).items():
+                lines.append(f"{json.dumps(named(path, of), ensure_ascii=False)}: {written(value)}")
+        text = ",\n".join(sorted(lines))
+        (FOLDER / f"{name}.json").write_text(f"{{\n{text}\n}}\n", encoding="utf-8")
+    for file in FOLDER.glob("*.json"):
+        if file.stem not in designs():
+            file.unlink()
 
 
 if __name__ == "__main__":
-    stored = json.loads(FILE.read_text(encoding="utf-8")) if FILE.exists() else {}
-    found = {name: answered(sized(name)) for name in designs()}
-    kept = {name: stored[name] if not differences(stored.get(name, {}), new) else new for name, new in found.items()}
-    rows = {name: ",\n".join(f'"{of}": {json.dumps(kinds)}' for of, kinds in own.items()) for name, own in kept.items()}
-    text = ",\n".join(f'"{name}": {{\n{own}\n}}' for name, own in rows.items())
-    FILE.write_text(f"{{\n{text}\n}}\n", encoding="utf-8")
+    write_all()

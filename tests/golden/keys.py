@@ -1,8 +1,11 @@
-"""What every key of a design file moves, and some together: designs with changed keys, and a number for each.
+"""What every key of a design file moves, and some together: designs with changed keys, and results of each by name.
 
-``PYTHONPATH=tests python tests/golden/keys.py`` writes the numbers of ``keys.json`` anew; with ``--search`` it looks
+``PYTHONPATH=tests python tests/golden/keys.py`` writes the results in ``keys.json`` anew; with ``--search`` it looks
 for the changes first: each key of the schema, wherever a design has its table, with a few values that it may take, in
 the first two designs that can be sized so, quickly, and differ from what they were.
+
+A change keeps its mass, its worst margin and the part that has it, up to `NAMED` results that it moves most, and for
+each room of results the sum of all its numbers, which notices what moves beside them.
 """
 
 from __future__ import annotations
@@ -13,16 +16,18 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from functools import cache
+from math import asinh, isfinite
 from pathlib import Path
 from types import UnionType
 from typing import Any, Literal, Union, get_args, get_origin
-from zlib import crc32
 
-import numpy as np
-from record import designs, recorded
+from record import CLOSING, designs, recorded, same
+from told import Group, Moved, written
 
+from gearwright.checks import worst
 from gearwright.errors import GearwrightError
-from gearwright.sizing import size
+from gearwright.sizing import Sizing, size
 from gearwright.spec import Design, Record, edited, keys_of
 
 FILE = Path(__file__).with_name("keys.json")
@@ -34,25 +39,144 @@ LONGEST = 0.1
 """Processor time [s] that a kept change may take."""
 NUDGE = 1.13
 """What a number is multiplied by: small enough to be allowed, large enough to change a choice."""
+NAMED = 5
+"""Results that a change has beside mass and worst margin."""
+LARGE = 1.0
+"""Size in SI units above which what closes to zero by subtraction is no rounding."""
+ZERO = 1e-12
+"""Up to where a result is a zero: inertias of small parts are above it."""
+ROUNDING = 1e-5
+"""What rounding may add up to in a room: it sums some hundred numbers, zeros with rounding among them."""
 
 SHAKEN = 4
-"""Of every so many changes one has its critical speeds in the number: they take as long as all else."""
+"""Of every so many changes one has its critical speeds in the sums: they take as long as all else."""
 
 Change = Mapping[str, Any]
+Row = dict[str, Any]
 
 
-def fingerprint(design: Design, place: int = 0) -> float:
-    """Return one number that every number of a sizing and of its assembled system moves.
+def sums(values: Mapping[str, float]) -> dict[str, float]:
+    """Return room of results -> sum of all its numbers, whatever they are called.
 
     asinh weighs small and large numbers alike and takes a zero with rounding for zero.
 
     Args:
-        design: What is sized.
+        values: Path -> number, as recorded.
+    """
+    rooms: dict[str, float] = {}
+    for path, value in values.items():
+        room = path.partition(".")[0]
+        rooms[room] = rooms.get(room, 0.0) + asinh(value)
+    return rooms
+
+
+def results(sizing: Sizing) -> Group:
+    """Return the results that every change has.
+
+    Args:
+        sizing: Of a changed design.
+    """
+    first = worst(sizing.checks)
+    part = {} if first is None else {"worst part": str(first.part)}
+    margin = {"worst margin": sizing.worst_margin} if isfinite(sizing.worst_margin) else {}
+    return {"mass": sizing.mass, **margin, **part}
+
+
+def by_name(sizing: Sizing, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the results that a change may name: as recorded, but checks by part and mode, not by their labels.
+
+    Args:
+        sizing: Of a changed design.
+        values: What is recorded of it.
+    """
+    found = {path: value for path, value in values.items() if not path.startswith(("checks.", "answers."))}
+    for check in sizing.checks:
+        for kind, value in (("value", check.value), ("limit", check.limit)):
+            if value is not None and isfinite(value):
+                found.setdefault(f"checks.{check.name}.{kind}", float(value))
+    return found
+
+
+@cache
+def usual(name: str) -> dict[str, float]:
+    """Return the results of a design that is not changed."""
+    return by_name(sizing := size(designs()[name]), recorded(sizing, shaken=False))
+
+
+def most_moved(name: str, values: Mapping[str, float]) -> list[str]:
+    """Return names of results that a change moves most beside their size, each of another quantity.
+
+    Those that say little stand last: checks, places in arrays, and what closes to zero by subtraction.
+
+    Args:
+        name: Of the design.
+        values: Name -> number, of the changed one.
+    """
+    moves: dict[str, tuple[bool, float]] = {}
+    for path, value in values.items():
+        was = usual(name).get(path, 0.0)
+        closing = any(part in path for part in CLOSING)
+        if not same(path, was, value) and (not closing or abs(value) > LARGE):
+            last = closing or path.endswith(".order") or path.startswith("checks.")
+            moves[path] = last, -round(abs(value - was) / max(abs(value), abs(was)), 6)
+    found: dict[str, str] = {}
+    for path in sorted(moves, key=lambda path: (moves[path], path)):
+        found.setdefault(path.removesuffix(".size").rpartition(".")[2], path)
+    return list(found.values())[:NAMED]
+
+
+def told(row: Row, place: int) -> Row:
+    """Return a change with what it moves now; what it names stays named while it is there.
+
+    Args:
+        row: Design and change, and what they moved when they were written.
         place: Of the change among all; each `SHAKEN`-th has critical speeds, too.
     """
-    values = recorded(size(design), shaken=place % SHAKEN == 0)
-    weights = np.cos([crc32(path.encode()) for path in values])
-    return float(weights @ np.arcsinh(list(values.values())))
+    sizing = size(edited(designs()[row["design"]], row["change"]))
+    values = recorded(sizing, shaken=place % SHAKEN == 0)
+    known, named = by_name(sizing, values), list(row.get("moves", ()))
+    if not named or not known.keys() >= set(named):
+        named = most_moved(row["design"], known)
+    return {
+        "design": row["design"],
+        "change": row["change"],
+        "results": results(sizing),
+        "moves": {path: known[path] for path in named},
+        "sums": sums(values),
+    }
+
+
+def compare(moved: Moved, row: Row, place: int) -> None:
+    """Note how what a change moves differs from what it moved.
+
+    Args:
+        moved: What is found is noted here.
+        row: As stored.
+        place: Of the change among all.
+    """
+    title = f"{row['design']}: {', '.join(f'{path} = {json.dumps(value)}' for path, value in row['change'].items())}"
+    try:
+        sizing = size(edited(designs()[row["design"]], row["change"]))
+    except GearwrightError as error:
+        moved.removed.append(f"{title}: {str(error).splitlines()[0]}")
+        return
+    values = recorded(sizing, shaken=place % SHAKEN == 0)
+    known = by_name(sizing, values)
+    now = {path: known[path] for path in row["moves"] if path in known}
+    for kept, group in ((row["results"], results(sizing)), (row["moves"], now)):
+        for name in kept | group:
+            one = ({name: own[name]} if name in own else {} for own in (kept, group))
+            moved.compare(title, *one, zero=ZERO)
+    kept, rooms = row["sums"], sums(values)
+    for room in kept.keys() | rooms.keys():
+        was, is_now = kept.get(room, 0.0), rooms.get(room, 0.0)
+        if abs(was - is_now) > ROUNDING:
+            moved.changed.append(f"{title} [sum of all {room}]: {written(was)} -> {written(is_now)}")
+
+
+def _unmoved(row: Row, place: int) -> bool:
+    compare(moved := Moved(), row, place)
+    return not moved
 
 
 def changes(design: Design) -> Iterator[tuple[str, Change]]:
@@ -110,42 +234,56 @@ def _is_record(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, Record)
 
 
-def _mark(design: Design, change: Change) -> float | None:
+def _mark(design: Design, change: Change) -> dict[str, float] | None:
     start = time.process_time()
     try:
-        mark = fingerprint(edited(design, dict(change)))
+        mark = sums(recorded(size(edited(design, dict(change)))))
     except GearwrightError:
         return None
     return mark if time.process_time() - start < LONGEST else None
 
 
-def searched() -> Iterator[dict[str, Any]]:
-    """Yield design, change and number of every change that shows something."""
+def searched() -> Iterator[Row]:
+    """Yield design and change of every change that shows something."""
     shown: Counter[str] = Counter()
     for name, design in designs().items():
-        usual, useful = fingerprint(design), []
+        before, useful = sums(recorded(size(design))), []
         for key, change in changes(design):
-            if shown[key] >= TWICE or (mark := _mark(design, change)) is None or mark == usual:
+            if shown[key] >= TWICE or (mark := _mark(design, change)) is None or mark == before:
                 continue
             shown[key] += 1
             useful.append(change)
-            yield {"design": name, "change": change, "number": mark}
+            yield {"design": name, "change": change}
         rng = random.Random(name)
         for _ in range(TOGETHER if len(useful) >= 3 else 0):
             change = {path: value for one in rng.sample(useful, 3) for path, value in one.items()}
-            if (mark := _mark(design, change)) is not None:
-                yield {"design": name, "change": change, "number": mark}
+            if _mark(design, change) is not None:
+                yield {"design": name, "change": change}
 
 
-def numbered() -> Iterator[dict[str, Any]]:
-    """Yield the stored changes with the numbers that they have now."""
-    known = designs()
-    for place, row in enumerate(json.loads(FILE.read_text(encoding="utf-8"))):
-        yield row | {"number": fingerprint(edited(known[row["design"]], row["change"]), place)}
+def write(rows: list[Row]) -> None:
+    """Write changes with what they move now; what is the same but for rounding stays as it was written.
+
+    Args:
+        rows: Design and change of each, with what they moved where that is known.
+    """
+    kept = (row if "sums" in row and _unmoved(row, place) else told(row, place) for place, row in enumerate(rows))
+    lines = ",\n".join(map(_text, kept))
+    FILE.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+
+def _text(row: Row) -> str:
+    """Return a row in three lines: design and change, its results, the sums beside them."""
+    head = f'{{"design": {json.dumps(row["design"])}, "change": {json.dumps(row["change"])}'
+    results, moves, sums = (
+        f'"{name}": {{{", ".join(f"{json.dumps(of)}: {written(value)}" for of, value in row[name].items())}}}'
+        for name in ("results", "moves", "sums")
+    )
+    return f"{head},\n {results}, {moves},\n {sums}}}"
 
 
 if __name__ == "__main__":
     if "--search" in sys.argv:
-        FILE.write_text(json.dumps(list(searched())), encoding="utf-8")
-    lines = ",\n".join(map(json.dumps, numbered()))
-    FILE.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+        write(list(searched()))
+    else:
+        write(json.loads(FILE.read_text(encoding="utf-8")))
