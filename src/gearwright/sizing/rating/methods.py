@@ -1,6 +1,6 @@
 """All methods of rating by name: the one place that knows them, and how a stage finds its own.
 
-A new method is a folder beside this file, a line here, and its name in `spec.design.RATINGS`.
+A new method is a module beside this one, a line here, and its name in `spec.design.RATINGS`.
 """
 
 from __future__ import annotations
