@@ -78,4 +78,4 @@ def test_commands_print_through_one_place_alone():
     for path in Path(gearwright.cli.__file__).parent.rglob("*.py"):
         text = path.read_text(encoding="utf-8")
         assert "typer.echo" not in text, path.name
-        assert path.name == "output.py" or not re.search(r"\bprint\(|\bConsole\(\)", text), path.name
+        assert path.name == "terminal.py" or not re.search(r"\bprint\(|\bConsole\(\)", text), path.name

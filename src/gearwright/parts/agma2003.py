@@ -438,7 +438,7 @@ def bevel_geometry(pair: BevelPair) -> BevelGeometry:
 
     Source: ANSI/AGMA 2003-D19, annex C.
 
-    >>> from gearwright.parts.iso10300 import BevelTooth
+    >>> from gearwright.parts.bevel_geometry import BevelTooth
     >>> tooth = BevelTooth(0.9654, 1.188, edge_radii=(0.142, 0.142))
     >>> found = bevel_geometry(BevelPair((25, 25), 5.08e-3, 27.94e-3, tooth=tooth))  # Shigley 9th ed., example 15-1
     >>> round(found.pitting.factor, 3), round(found.bending[0].factor, 3)  # read from charts there: 0.065 and 0.216

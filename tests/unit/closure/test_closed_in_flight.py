@@ -1,11 +1,11 @@
 """Gears of a design that is closed on a mission live through its flights, as a review of the written design says."""
 
 from functools import cache
+from importlib import import_module
 
 import pytest
 
 from gearwright.closure import OnMission, Step, Wishes, close, requirement_of
-from gearwright.closure import close as flown_module
 from gearwright.reviews import review
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission
@@ -54,7 +54,7 @@ def test_checks_of_the_flight_stand_with_the_others():
 
 
 def test_flights_that_do_not_come_to_rest_are_told(monkeypatch):
-    monkeypatch.setattr(flown_module, "MOST_ROUNDS", 1)
+    monkeypatch.setattr(import_module("gearwright.closure.close"), "MOST_ROUNDS", 1)
     design = read(shipped_design("mixed-h2"))
     wishes = Wishes(20000 * HOUR, separate=False, lighten=False, left_out=LIGHT)
     found = close(design, wishes=wishes, on_mission=mission())

@@ -33,9 +33,9 @@ class Without:
         if name.partition(".")[0] == "OCP":
             raise ModuleNotFoundError(name)
 sys.meta_path.insert(0, Without())
-from gearwright.exchange.step import assembly, kernel, solids, wires
+from gearwright.exchange import step
 try:
-    kernel.occ.gp_Pnt
+    step.occ.gp_Pnt
 except ModuleNotFoundError as error:
     print(error)
 """
