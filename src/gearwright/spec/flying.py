@@ -1,6 +1,6 @@
 """Reader of mission files, and checks of phases, aircraft, power plant and strategies for consistency.
 
-What a mission says is in `spec/missions/mission`; nothing here flies it.
+What a mission says is in `spec/missions`; nothing here flies it.
 """
 
 from __future__ import annotations

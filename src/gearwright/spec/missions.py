@@ -1,6 +1,6 @@
 """Mission files: phases, aircraft or rotorcraft, power plant, heat and event windows.
 
-Power systems are in `spec/power`; the checks of a whole mission and its reader in `spec/flying`.
+The checks of a whole mission and its reader are in `spec/flying`.
 """
 
 from __future__ import annotations
