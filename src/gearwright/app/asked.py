@@ -38,10 +38,10 @@ LIMITS = {"form": 60.0, "influences": 900.0}
 """After which an answer of such a process is no longer waited for [s]."""
 LONG = {
     "campbell": "motions",
-    "close": "closing",
+    "close": "trials",
     "export": "verbs",
-    "fly": "flights",
-    "mission": "flights",
+    "fly": "motions",
+    "mission": "motions",
     "modes": "motions",
     "moved": "trials",
     "report": "verbs",
@@ -52,7 +52,7 @@ LONG = {
     "simulate": "motions",
     "study": "trials",
     "variant": "trials",
-    "window": "flights",
+    "window": "motions",
 }
 """Jobs, which tell how far they are, in processes that can be ended."""
 
