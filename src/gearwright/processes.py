@@ -22,6 +22,7 @@ from multiprocessing.process import BaseProcess
 from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, CompletedProcess, Popen
+from tempfile import gettempdir
 from threading import Lock, Thread
 from types import FrameType
 from typing import Any, NamedTuple, NoReturn, TypeVar
@@ -39,6 +40,8 @@ GRACE = 1.0
 """In which a process puts away what it has begun, until it is killed [s]."""
 COPIES = sys.platform == "linux"
 """Whether a process may be a copy of another one here: elsewhere libraries do not bear it."""
+LONGEST_FOLDER = 70
+"""Letters of the folder of temporary files from which on a socket in it, by which copies are asked for, has no name."""
 _ONE_AT_A_TIME = Lock()
 """Threads share what processes inherit."""
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
@@ -61,7 +64,7 @@ def hire(work: Work, *given: Any, needed: Sequence[str] = (), heirs: bool = Fals
         needed: Modules that many such processes need: where the system can fork, they are loaded once for all of them.
         heirs: Whether it may hire others itself.
     """
-    copied = bool(needed) and COPIES
+    copied = bool(needed) and COPIES and len(os.fsencode(gettempdir())) <= LONGEST_FOLDER
     context: Any = multiprocessing.get_context("forkserver" if copied else "spawn")
     if copied:
         context.set_forkserver_preload(list(needed))

@@ -42,13 +42,22 @@ def heard_by(handler: Callable[[int, FrameType | None], Any], numbers: Iterable[
 
 
 @contextmanager
-def heard_after() -> Iterator[None]:
-    """Hear what ends this process after what is within, which would be left half done, or swallow it."""
+def heard_after(meanwhile: Callable[[], None] = lambda: None) -> Iterator[None]:
+    """Hear what ends this process after what is within, which would be left half done, or swallow it.
+
+    Args:
+        meanwhile: Called at once when a signal comes.
+    """
+
+    def hear(number: int, _: FrameType | None) -> None:
+        came.append(number)
+        meanwhile()
+
     came: list[int] = []
     heard = ENDING if current_thread() is main_thread() else ()
     ours = [number for number in heard if signal.getsignal(number) is not None]
     try:
-        with heard_by(lambda number, _: came.append(number), ours):
+        with heard_by(hear, ours):
             yield
     finally:
         if came:

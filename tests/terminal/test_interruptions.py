@@ -2,9 +2,11 @@
 
 import os
 import pty
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -126,12 +128,12 @@ class Begun:
 @pytest.fixture
 def begun(folder):
     """Return a function that starts a command in a pipe or on a terminal; what still runs at the end is killed."""
-    started = []
+    started, made = [], list[Path]()
     (folder / "long.toml").write_text(LONG_STUDY, encoding="utf-8")
 
     def begin(words, where="pipe"):
-        temporary = folder / f"temporary-{len(started)}"
-        temporary.mkdir()
+        temporary = Path(tempfile.mkdtemp(prefix="gw-"))  # short: sockets have names of some hundred letters
+        made.append(temporary)
         ours, theirs = pty.openpty() if where == "terminal" else os.pipe()
         process = subprocess.Popen(
             [sys.executable, "-m", "gearwright", *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=theirs,
@@ -147,6 +149,8 @@ def begun(folder):
         for number in members(process.pid):
             os.kill(number, signal.SIGKILL)
         process.wait()
+    for temporary in made:
+        shutil.rmtree(temporary, ignore_errors=True)
 
 
 @pytest.mark.parametrize("group", [False, True], ids=["alone", "group"])
@@ -179,7 +183,7 @@ def test_who_works_for_a_command_that_is_killed_ends_too(begun, command):
 
 @pytest.mark.extra("OCP")
 @pytest.mark.parametrize("later", [0.0, 0.5, 2.0])
-def test_a_file_of_solids_that_is_interrupted_leaves_nothing(begun, later):
+def test_a_file_of_solids_that_is_interrupted_leaves_nothing(begun, folder, later):
     """Also while the kernel of solids is loading, which then tells of an error of its own."""
     work = begun(["export", "ec120b", "--to", "step"])
     until(lambda: "OCP" in mapped(work.process.pid), "its kernel")
@@ -188,7 +192,7 @@ def test_a_file_of_solids_that_is_interrupted_leaves_nothing(begun, later):
     said = work.said()
     assert work.process.wait() == 143, said
     assert "Traceback" not in said
-    assert not work.left() and not list(work.temporary.parent.glob("*.step"))
+    assert not work.left() and not list(folder.glob("*.step"))
 
 
 @pytest.mark.extra("starlette", "uvicorn", "tomlkit")

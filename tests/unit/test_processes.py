@@ -4,6 +4,7 @@ import multiprocessing
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 from functools import partial
@@ -112,3 +113,25 @@ def state_of(number: int) -> str:
         return Path(f"/proc/{number}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
     except OSError:
         return "Z"
+
+
+def test_a_long_folder_of_temporary_files_hires_all_the_same(tmp_path: Path) -> None:
+    """The name of a socket has some hundred letters."""
+    folder = tmp_path / ("long" * 20)
+    folder.mkdir()
+    code = (
+        "from gearwright.processes import hire, _answer\n"
+        "if __name__ == '__main__':\n"
+        "    hired = hire(_answer, abs, needed=('gearwright.errors',))\n"
+        "    hired.line.send(-2)\n"
+        "    print(hired.line.recv()[0])\n"
+        "    hired.process.terminate()\n"
+    )
+    (tmp_path / "hires.py").write_text(code, encoding="utf-8")
+    command = [sys.executable, str(tmp_path / "hires.py")]
+    assert (
+        subprocess.run(
+            command, env={**os.environ, "TMPDIR": str(folder)}, capture_output=True, text=True, check=True
+        ).stdout.strip()
+        == "2"
+    )

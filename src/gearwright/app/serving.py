@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem, install, refuse
 from gearwright.files import LARGEST_TEXT, beside, text_of, write_text
+from gearwright.signals import heard_after
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The design files of one folder, as the workbench reads and saves them: never outside it, never over a change.
@@ -194,7 +195,7 @@ def serve(
     told(address)
     if browser:
         threading.Timer(0.3, webbrowser.open, [address]).start()
-    with bound:
+    with bound, heard_after(lambda: setattr(server[0], "should_exit", True)):  # also before the server hears by itself
         server[0].run(sockets=[bound])
 
 
