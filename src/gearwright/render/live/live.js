@@ -57,7 +57,7 @@ function liveFigures(given, bytes) {
     box.setAttribute("aria-hidden", "true");
     let last = 0;
     const said = number => {
-      const table = [...document.querySelectorAll("table")].find(one => one.caption && one.caption.textContent === "Natural frequencies");
+      const table = [...document.querySelectorAll("table")].find(one => one.caption && one.caption.textContent.startsWith("Natural frequencies"));
       const within = words => { const [first, end] = words.split("–").map(Number); return number >= first && number <= (end || first); };
       const row = table && [...table.tBodies[0].rows].find(one => within(one.cells[0].textContent.trim()));
       return row ? `${row.cells[2].textContent} moves most; ${row.cells[3].textContent} holds ${row.cells[4].textContent} % of the energy` : "";
