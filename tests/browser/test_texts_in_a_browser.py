@@ -266,6 +266,7 @@ def test_a_reload_finds_every_file_as_it_was_left(opened, desk):
     (folder / "a.toml").write_text(TEXT.replace("20000", "19000"), encoding="utf-8")
     page.reload()
     page.wait_for_selector(".cm-line:has-text('speed_rpm = 20700')")
+    page.wait_for_selector("#save:enabled")
     page.keyboard.press("Control+s")  # made from a text that is no longer there
     page.wait_for_selector("#status:has-text('changed')")
     assert "19000" in (folder / "a.toml").read_text(encoding="utf-8")

@@ -99,7 +99,7 @@ function show({head}) {
     pick.addEventListener("click", () => set({selected: row.part.replace(/^bearing of /, "")}));
     return made("tr", {}, made("th", {scope: "row"}, pick), ...[row.mode, row.damage.toExponential(2), row.flights === null ? "–" : number(row.flights, 4), row.life_h === null ? "–" : `${number(row.life_h, 4)} h`].map(textContent => made("td", {textContent})));
   });
-  at("damage").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["part", "fails by", "damage", "flights", "life"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...rows)), ...head.not_rated.map(textContent => made("p", {className: "hint", textContent})));
+  at("damage").replaceChildren(made("table", {}, made("thead", {}, made("tr", {}, ...["part", "fails by", "damage", "flights", "life"].map(textContent => made("th", {scope: "col", textContent})))), made("tbody", {}, ...rows)), ...head.not_rated.map(textContent => made("p", {className: "hint", tabIndex: 0, textContent})));
   URL.revokeObjectURL(at("sankey").src);
   at("sankey").src = URL.createObjectURL(new Blob([head.sankey], {type: "image/svg+xml"}));
   at("sankey").hidden = false;
