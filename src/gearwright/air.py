@@ -269,8 +269,7 @@ def _all_subsonic(mach: Floats) -> Floats:
     return mach
 
 
-_AIR = rebound(sys.modules[__name__])
-_SPEED = rebound(sys.modules[__name__], _subsonic=_all_subsonic)
+_ALONG = rebound(sys.modules[__name__], _subsonic=_all_subsonic)
 
 
 def air_along(altitude: Floats, offset: float | Floats = 0.0) -> Air:
@@ -288,7 +287,7 @@ def air_along(altitude: Floats, offset: float | Floats = 0.0) -> Air:
     offsets = (offset, offset) if isinstance(offset, float) else (float(np.min(offset)), float(np.max(offset)))
     for height, warmer in zip((altitude.min(), altitude.max()), offsets, strict=True):
         check_air(float(height), warmer)
-    return cast(Air, _AIR._state(altitude, offset))
+    return cast(Air, _ALONG._state(altitude, offset))
 
 
 def true_along(calibrated: Floats, air: Air) -> Floats:
@@ -303,7 +302,7 @@ def true_along(calibrated: Floats, air: Air) -> Floats:
     Raises:
         DesignError: Mach 1 or above.
     """
-    return cast(Floats, _SPEED.true_of_calibrated(calibrated, air))
+    return cast(Floats, _ALONG.true_of_calibrated(calibrated, air))
 
 
 def stagnation_along(air: Air, mach: Floats) -> tuple[Floats, Floats]:
@@ -315,7 +314,7 @@ def stagnation_along(air: Air, mach: Floats) -> tuple[Floats, Floats]:
 
     Source: `stagnation_ratios`.
     """
-    return cast(tuple[Floats, Floats], _SPEED.stagnation_ratios(air, mach))
+    return cast(tuple[Floats, Floats], _ALONG.stagnation_ratios(air, mach))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

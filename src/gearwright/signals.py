@@ -55,7 +55,7 @@ def heard_after(meanwhile: Callable[[], None] = lambda: None) -> Iterator[None]:
 
     came: list[int] = []
     heard = ENDING if current_thread() is main_thread() else ()
-    ours = [number for number in heard if signal.getsignal(number) is not None]
+    ours = [number for number in heard if signal.getsignal(number) not in (None, signal.SIG_IGN)]
     try:
         with heard_by(hear, ours):
             yield

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from gearwright.signals import AGAIN, answered, heard_by, interrupt
+from gearwright.signals import AGAIN, answered, heard_after, heard_by, interrupt
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no timer")
 LONG = 20 * AGAIN
@@ -73,3 +73,21 @@ def test_what_puts_away_is_not_interrupted():
             put_away.append("block")
             answered()
     assert put_away == ["generator", "block"]
+
+
+def test_what_is_ignored_stays_ignored_meanwhile():
+    """As SIGHUP is under nohup."""
+    came = []
+    with heard_by(signal.SIG_IGN, [signal.SIGHUP]), heard_after(lambda: came.append("heard")):
+        os.kill(os.getpid(), signal.SIGHUP)
+        time.sleep(0.01)
+    assert came == []
+
+
+def test_what_comes_meanwhile_is_heard_at_once_and_raised_after():
+    came = []
+    with pytest.raises(KeyboardInterrupt), heard_after(lambda: came.append("heard")):
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(0.01)
+        came.append("done")
+    assert came == ["heard", "done"]

@@ -332,7 +332,6 @@ FILM = (("plain", 1),)
 """Tried where no rolling bearing does: it asks for pressed oil from the start."""
 SMALLER = 3
 """Steps of ISO 54 by which the module is made smaller, the planet with it, and the face wider, where none does [-]."""
-_MILLIMETRE = 1e-3
 
 
 class Tried(NamedTuple):
@@ -417,7 +416,7 @@ def _sizes(state: Settled, stage: str) -> Iterator[tuple[float | None, Proportio
     if stage not in state.proportioned.sizes or design.planetaries[stage].module is not None:
         return
     module = state.proportioned.sizes[stage].module
-    smaller = [value for value in STANDARD_MODULES if value * _MILLIMETRE < module * (1.0 - 1e-9)]
+    smaller = [value for value in STANDARD_MODULES if value * _MM < module * (1.0 - 1e-9)]
     for value in reversed(smaller[-SMALLER:]):
         change = {**dict(teeth_of(task.changed, sizing)), f"planetaries.{stage}.module_mm": value}
         stated = edited(edited(task.changed, change), changes_of(design, state.factors))
@@ -464,7 +463,6 @@ LARGER = (1.05, 1.1, 1.15)
 """Factors on the modules of stages on common axes, which have no standard ones [-]."""
 NEARNESS_ROUNDING = 1e-6
 """Of what a design lacks [-]."""
-_MM_OF_MODULES = 1e-3
 
 
 def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
@@ -554,7 +552,7 @@ def _together(state: Settled) -> Iterator[Change]:
     if tied and all(design.simple_stages[name].module is None for name in tied):
         own = {name: modules[name] for name in tied if owners[name] == name}
         for factor in LARGER:
-            yield Change("", {f"{design.table(name)}.module_mm": factor * own[name] / _MM_OF_MODULES for name in own})
+            yield Change("", {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -562,7 +560,6 @@ def _together(state: Settled) -> Iterator[Change]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-MM = 1e-3
 MOST_CHANGES = 12
 """Changes that are made one after another [-]."""
 CONFIRMED = 4
@@ -679,12 +676,12 @@ def _other_modules(state: Settled, stage: str, own: float) -> Iterator[float]:
     if not (state.task.wishes.rounded and state.task.design.rules(stage).iso6336.standard_modules):
         yield from (factor * own for factor in FACTORS)
         return
-    yield from (value * MM for value in standard_modules(own, LIGHTER_MODULES))
+    yield from (value * _MM for value in standard_modules(own, LIGHTER_MODULES))
 
 
 def _scaled(state: Settled, modules: Mapping[str, float]) -> Change:
     """Return the change to some modules [m]."""
-    return Change("", {f"{state.task.design.table(name)}.module_mm": own / MM for name, own in modules.items()})
+    return Change("", {f"{state.task.design.table(name)}.module_mm": own / _MM for name, own in modules.items()})
 
 
 def _teeth(state: Settled) -> Iterator[Change]:

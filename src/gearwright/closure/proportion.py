@@ -21,7 +21,7 @@ from gearwright.spec.edit import Value
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_MILLIMETRE = 1e-3
+_MM = 1e-3
 CLOSE = 1e-5
 """Distance of the governing margin from 1 at which a continuous size counts as found [-]."""
 NEAR = 5e-3
@@ -152,12 +152,12 @@ def _crossing(task: StageTask, module: float, least: float, wide: tuple[float, f
 
 def _whole(task: StageTask, module: float, width: float) -> float:
     """Return the least whole millimetres near a width that do, with one less shown to fail [m]."""
-    count, least = math.ceil(width / _MILLIMETRE - 1e-6), task.least(module)
-    while task.governing(module, count * _MILLIMETRE)[0] < 1.0 and count * _MILLIMETRE < task.widest(module):
+    count, least = math.ceil(width / _MM - 1e-6), task.least(module)
+    while task.governing(module, count * _MM)[0] < 1.0 and count * _MM < task.widest(module):
         count += 1
-    while (count - 1) * _MILLIMETRE >= least and task.governing(module, (count - 1) * _MILLIMETRE)[0] >= 1.0:
+    while (count - 1) * _MM >= least and task.governing(module, (count - 1) * _MM)[0] >= 1.0:
         count -= 1
-    return count * _MILLIMETRE
+    return count * _MM
 
 
 def lightest(task: StageTask, start: float, *, standard: bool) -> StageSize | None:
@@ -177,7 +177,7 @@ def _modules(task: StageTask, start: float, *, standard: bool) -> Iterator[float
     if not standard:
         yield _least_module(task, start)
         return
-    series = [value * _MILLIMETRE for value in STANDARD_MODULES]
+    series = [value * _MM for value in STANDARD_MODULES]
     place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
     while place > 0 and _does(task, series[place - 1]):
         place -= 1
@@ -208,7 +208,6 @@ def _least_module(task: StageTask, start: float) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_MM = 1e-3
 MOST_SCALINGS = 12
 """Times that modules of stages on common axes are made larger together [-]."""
 SLIGHTLY = 1.001

@@ -31,7 +31,7 @@ from gearwright.units import FOOT, INCH, POUND_FORCE, Origin, Quantity
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_FACTOR_SOURCE = "ANSI/AGMA 2001-D04"
+_SOURCE = "ANSI/AGMA 2001-D04"
 
 
 @dataclass(frozen=True)
@@ -268,7 +268,6 @@ def hardness_ratio_of(hardnesses: Hardnesses | None, ratio: Value) -> Value:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_SOURCE = "ANSI/AGMA 2001-D04"
 _PSI = POUND_FORCE / INCH**2
 
 
@@ -463,7 +462,6 @@ def agma_rating(
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_YIELD_PSI = POUND_FORCE / INCH**2
 INDUSTRIAL, CONSERVATIVE = 0.75, 0.50
 """Yield strength factor K_y [-]."""
 
@@ -479,7 +477,7 @@ def allowable_yield(hardness: float) -> float:
     >>> round(allowable_yield(300.0) / 1e6)
     771
     """
-    return _YIELD_PSI * (482.0 * hardness - 32800.0)
+    return _PSI * (482.0 * hardness - 32800.0)
 
 
 def overload_distribution(face_width: Value) -> Value:
@@ -518,9 +516,6 @@ def yield_safety(
 # ----------------------------------------------------------------------------------------------------------------------
 # Rating of one external cylindrical mesh by ANSI/AGMA 2001-D04 in one call, every factor shown.
 # ----------------------------------------------------------------------------------------------------------------------
-
-
-_MESH_SOURCE = "ANSI/AGMA 2001-D04"
 
 
 @dataclass(frozen=True)
@@ -606,49 +601,47 @@ class AgmaMaking:
 class AgmaPairRating:
     """A rated mesh: loads, factors, stresses, safeties."""
 
-    tangential_force: Annotated[Value, Quantity("force"), Origin("W_t = 2 T/d", f"{_MESH_SOURCE}, clause 7")]
+    tangential_force: Annotated[Value, Quantity("force"), Origin("W_t = 2 T/d", f"{_SOURCE}, clause 7")]
     """Of one mesh, K_γ included [N]."""
-    speed: Annotated[Value, Quantity("velocity"), Origin("v_t = ω d/2", f"{_MESH_SOURCE}, clause 7")]
+    speed: Annotated[Value, Quantity("velocity"), Origin("v_t = ω d/2", f"{_SOURCE}, clause 7")]
     """Pitch-line velocity [m/s]."""
-    cycles: Annotated[tuple[Value, Value], Quantity("number"), Origin("n = ω L q/(2 π)", f"{_MESH_SOURCE}, clause 17")]
+    cycles: Annotated[tuple[Value, Value], Quantity("number"), Origin("n = ω L q/(2 π)", f"{_SOURCE}, clause 17")]
     """Stress cycles of both gears [-]."""
-    overload: Annotated[Value, Quantity("ratio"), Origin("K_o", f"{_MESH_SOURCE}, clause 9")]
+    overload: Annotated[Value, Quantity("ratio"), Origin("K_o", f"{_SOURCE}, clause 9")]
     """[-]"""
     dynamic: Annotated[
-        Value, Quantity("ratio"), Origin("K_v = ((A + √V)/A)^B", f"{_MESH_SOURCE}, clause 8; Shigley, eq. 14-27")
+        Value, Quantity("ratio"), Origin("K_v = ((A + √V)/A)^B", f"{_SOURCE}, clause 8; Shigley, eq. 14-27")
     ]
     """[-]"""
     distribution: Annotated[
-        Value, Quantity("ratio"), Origin("K_m = 1 + C_mc (C_pf C_pm + C_ma C_e)", f"{_MESH_SOURCE}, clause 15.3")
+        Value, Quantity("ratio"), Origin("K_m = 1 + C_mc (C_pf C_pm + C_ma C_e)", f"{_SOURCE}, clause 15.3")
     ]
     """[-]"""
     size: Annotated[
         tuple[Value, Value], Quantity("ratio"), Origin("K_s = 1.192 (F √Y m_t)^0.0535", "Shigley, section 14-10")
     ]
     """Of both gears [-]."""
-    elastic: Annotated[float, Quantity("elasticity_factor"), Origin("C_p", f"{_MESH_SOURCE}, eq. 31")]
+    elastic: Annotated[float, Quantity("elasticity_factor"), Origin("C_p", f"{_SOURCE}, eq. 31")]
     """[√Pa]"""
     pitting_geometry: Annotated[Value, Quantity("ratio"), Origin("I", "AGMA 908-B89, clause 4")]
     """[-]"""
     tooth_root: tuple[BendingGeometry, BendingGeometry]
     """J and its parts of both gears."""
-    bending_cycles: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Y_N", f"{_MESH_SOURCE}, clause 17")]
+    bending_cycles: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Y_N", f"{_SOURCE}, clause 17")]
     """Of both gears [-]."""
-    contact_cycles: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Z_N", f"{_MESH_SOURCE}, clause 17")]
+    contact_cycles: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Z_N", f"{_SOURCE}, clause 17")]
     """Of both gears [-]."""
-    reliability: Annotated[Value, Quantity("ratio"), Origin("K_R", f"{_MESH_SOURCE}, table 11")]
+    reliability: Annotated[Value, Quantity("ratio"), Origin("K_R", f"{_SOURCE}, table 11")]
     """[-]"""
-    temperature: Annotated[float, Quantity("ratio"), Origin("K_T", f"{_MESH_SOURCE}, clause 19")]
+    temperature: Annotated[float, Quantity("ratio"), Origin("K_T", f"{_SOURCE}, clause 19")]
     """[-]"""
     strength: AgmaStrength
     """Of both gears, or of the pinion."""
     gears: tuple[AgmaRating, AgmaRating]
     """Stresses, limits and safeties of both gears."""
-    rims: Annotated[
-        tuple[Value, Value], Quantity("ratio"), Origin("K_B = 1.6 ln(2.242/m_B)", f"{_MESH_SOURCE}, annex B")
-    ]
+    rims: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("K_B = 1.6 ln(2.242/m_B)", f"{_SOURCE}, annex B")]
     """Rim thickness factors of both gears [-]."""
-    hardness_ratio: Annotated[Value, Quantity("ratio"), Origin("C_H", f"{_MESH_SOURCE}, clause 14")]
+    hardness_ratio: Annotated[Value, Quantity("ratio"), Origin("C_H", f"{_SOURCE}, clause 14")]
     """Hardness ratio factor of the gear [-]."""
     wheel_strength: AgmaStrength | None
     """Of the gear where its steel is another."""

@@ -18,8 +18,8 @@ from gearwright.units import INCH, POUND_FORCE
 
 LEAST_RADIUS = 0.03
 """Fillet radius over height of the step from which on the formulas hold [-] (DIN 743-2:2012)."""
-_NOTCH_MM = 1e3
-_NOTCH_MPA = 1e6
+_MM = 1e3
+_MPA = 1e6
 _KSI = 1000.0 * POUND_FORCE / INCH**2
 """One ksi in Pa."""
 
@@ -119,9 +119,9 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
     step = (shoulder.larger - shoulder.diameter) / 2.0
     slender = shoulder.diameter / shoulder.larger > 0.67
     phi = 1.0 / (4.0 * math.sqrt(step / shoulder.radius) + 2.0) if slender else 0.0
-    support = math.pow(10.0, -(0.33 + yield_strength / _NOTCH_MPA / 712.0))
+    support = math.pow(10.0, -(0.33 + yield_strength / _MPA / 712.0))
     gradients = (2.0 * (1.0 + phi), 1.0) if shoulder.undercut else (2.3 * (1.0 + phi), 1.15)
-    factors = (1.0 + math.sqrt(gradient / (shoulder.radius * _NOTCH_MM)) * support for gradient in gradients)
+    factors = (1.0 + math.sqrt(gradient / (shoulder.radius * _MM)) * support for gradient in gradients)
     return Concentration(*(peak / factor for peak, factor in zip(alpha, factors, strict=True)))
 
 
@@ -163,8 +163,6 @@ def felt_concentration(concentration: Concentration, sensitivity: Concentration)
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_HUB_MPA = 1e6
-_HUB_MM = 1e3
 _REFERENCE = 40.0
 """Diameter of the shafts that were tested d_BK [mm] (DIN 743-2:2012)."""
 KEYSEAT = Concentration(2.14, 3.0)
@@ -213,7 +211,7 @@ def keyway_factor(diameter: float, ultimate_strength: float) -> Concentration:
 
     Source: DIN 743-2:2012, table 1: β_σ = 3 (σ_B/1000 MPa)^0.38, β_τ = 0.56 β_σ + 0.1 at 40 mm.
     """
-    bending = 3.0 * math.pow(ultimate_strength / _HUB_MPA / 1e3, 0.38)
+    bending = 3.0 * math.pow(ultimate_strength / _MPA / 1e3, 0.38)
     return _of_size(Concentration(bending, 0.56 * bending + 0.1), diameter)
 
 
@@ -226,7 +224,7 @@ def press_fit_factor(diameter: float, ultimate_strength: float) -> Concentration
 
     Source: DIN 743-2:2012, table 1: β_σ = 2.7 (σ_B/1000 MPa)^0.43, β_τ = 0.65 β_σ at 40 mm.
     """
-    bending = 2.7 * math.pow(ultimate_strength / _HUB_MPA / 1e3, 0.43)
+    bending = 2.7 * math.pow(ultimate_strength / _MPA / 1e3, 0.43)
     return _of_size(Concentration(bending, 0.65 * bending), diameter)
 
 
@@ -239,13 +237,13 @@ def spline_factor(diameter: float, ultimate_strength: float) -> Concentration:
 
     Source: DIN 743-2:2012, 4.2: β_τ = exp(4.2e-7 (σ_B/MPa)²), β_σ = 1 + 0.49 (β_τ − 1).
     """
-    torsion = math.exp(4.2e-7 * (ultimate_strength / _HUB_MPA) ** 2)
+    torsion = math.exp(4.2e-7 * (ultimate_strength / _MPA) ** 2)
     return _of_size(Concentration(1.0 + 0.49 * (torsion - 1.0), torsion), diameter)
 
 
 def _of_size(tested: Concentration, diameter: float) -> Concentration:
     """Return measured factors at another diameter: times K_3(d_BK)/K_3(d)."""
-    return Concentration(*(factor * _size(factor, _REFERENCE) / _size(factor, diameter * _HUB_MM) for factor in tested))
+    return Concentration(*(factor * _size(factor, _REFERENCE) / _size(factor, diameter * _MM) for factor in tested))
 
 
 def _size(factor: float, diameter: float) -> float:
@@ -262,8 +260,6 @@ def _size(factor: float, diameter: float) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_MPA = 1e6
-_MM = 1e3
 SURFACES = {
     "ground": (1.58, -0.085),
     "machined": (4.51, -0.265),

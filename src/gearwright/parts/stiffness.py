@@ -485,7 +485,6 @@ _CUBICS = (
     (-6.330, -1.033, 0.02068, -0.0001130),
 )
 """A_0 to A_3 as cubics of z, N/(µm mm). The thesis prints 0.00009993 and 0.0001179 for the last two of A_1 and A_3."""
-_KUANG_YANG_UNIT = 1e9  # N/(µm mm) in N/m²
 
 
 def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shift: float = 0.0) -> Floats:
@@ -522,7 +521,7 @@ def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shi
     refuse(problems)
     a_0, a_1, a_2, a_3 = (sum(c * teeth**n for n, c in enumerate(cubic)) for cubic in _CUBICS)
     x = profile_shift
-    return np.asarray(_KUANG_YANG_UNIT * ((a_0 + a_1 * x) + (a_2 + a_3 * x) * np.asarray(radius_offset) / (1.0 + x)))
+    return np.asarray(_UNIT * ((a_0 + a_1 * x) + (a_2 + a_3 * x) * np.asarray(radius_offset) / (1.0 + x)))
 
 
 def mesh_stiffness_kuang_yang(

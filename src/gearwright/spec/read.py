@@ -97,7 +97,7 @@ def dotted(key: str) -> str:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_PLACE_OF_SLIP = re.compile(r"at line (\d+)")
+_PLACE = re.compile(r"at line (\d+)")
 _COMMA = re.compile(r"=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$")
 
 
@@ -111,7 +111,7 @@ def slip(text: str, reason: str) -> Problem | None:
     >>> slip("ratio = 2,67", "Expected newline (at line 1, column 10)").message
     'numbers have a decimal point, not a comma; write 2.67'
     """
-    place = _PLACE_OF_SLIP.search(reason)
+    place = _PLACE.search(reason)
     lines = text.split("\n")
     if place is None or int(place[1]) > len(lines):
         return None
@@ -227,7 +227,6 @@ _TEXT = re.compile(
 """Texts in quotes and comments, in which points are only points."""
 _DEEP = re.compile(rf"(?<![\w-])(?:[\w-]++[ \t]*+\.[ \t]*+){{{DEEPEST}}}")
 _DOTTED = re.compile(r"(?<![\w-])((?:[\w-]++[ \t]*+\.[ \t]*+)++)[\w-]++[ \t]*+=")
-_PLACE = re.compile(r"at line (\d+)")
 
 
 @verb

@@ -3,34 +3,24 @@
 from __future__ import annotations
 
 from gearwright.errors import DesignError, Problem
-from gearwright.validate import engines, gears, shafts
-from gearwright.validate import engines as propellers
-from gearwright.validate import gearboxes as gearbox_mass
-from gearwright.validate import shafts as beams
-from gearwright.validate import shafts as bearings
-from gearwright.validate import trains as compound_shifts
-from gearwright.validate import trains as compound_trains
-from gearwright.validate import trains as planetary_sets
-from gearwright.validate import vibration as geared
-from gearwright.validate import vibration as rotors
-from gearwright.validate import vibration as torsional
+from gearwright.validate import engines, gearboxes, gears, shafts, trains, vibration
 from gearwright.validate.case import Case, Checked, check
 from gearwright.verbs import verb
 
 ALL = (
-    *planetary_sets.PLANETARY_CASES,
-    *compound_trains.COMPOUND_CASES,
-    *compound_shifts.SHIFT_CASES,
-    *torsional.TORSIONAL_CASES,
-    *geared.GEARED_CASES,
-    *beams.BEAM_CASES,
-    *rotors.ROTOR_CASES,
+    *trains.PLANETARY_CASES,
+    *trains.COMPOUND_CASES,
+    *trains.SHIFT_CASES,
+    *vibration.TORSIONAL_CASES,
+    *vibration.GEARED_CASES,
+    *shafts.BEAM_CASES,
+    *vibration.ROTOR_CASES,
     *engines.ENGINE_CASES,
-    *propellers.PROPELLER_CASES,
+    *engines.PROPELLER_CASES,
     *gears.CASES,
-    *bearings.BEARING_CASES,
+    *shafts.BEARING_CASES,
     *shafts.SHAFT_CASES,
-    *gearbox_mass.CASES,
+    *gearboxes.CASES,
 )
 """In the order of the table."""
 

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 from gearwright.catalogue import weighed_gearboxes
 from gearwright.units import HORSEPOWER, POUND, Mass, Number
 from gearwright.weights import laws
-from gearwright.weights import laws as willis
 from gearwright.weights.laws import Coverage, Method, Range, Requirement
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -311,23 +310,23 @@ def _willis() -> tuple[Method, ...]:
         _arrangement(
             "willis-planetary",
             "Willis, one planetary stage",
-            lambda need: willis.mass_willis(need.input_torque, willis.bracket_planetary(need.ratio, 3)),
+            lambda need: laws.mass_willis(need.input_torque, laws.bracket_planetary(need.ratio, 3)),
             assumes=f"{_K}; 3 planets",
             ranges=(_planetary_range(3, 1),),
         ),
         _arrangement(
             "willis-double-branch",
             "Willis, double branch",
-            lambda need: willis.mass_willis(
-                need.input_torque, willis.bracket_double_branch(math.sqrt(need.ratio), need.ratio)
+            lambda need: laws.mass_willis(
+                need.input_torque, laws.bracket_double_branch(math.sqrt(need.ratio), need.ratio)
             ),
             assumes=f"{_K}; pairs of equal ratio",
         ),
         _arrangement(
             "willis-double-reduction",
             "Willis, double reduction",
-            lambda need: willis.mass_willis(
-                need.input_torque, willis.bracket_double_reduction(math.sqrt(need.ratio), need.ratio)
+            lambda need: laws.mass_willis(
+                need.input_torque, laws.bracket_double_reduction(math.sqrt(need.ratio), need.ratio)
             ),
             assumes=f"{_K}; pairs of equal ratio",
         ),
@@ -352,8 +351,8 @@ def _arrangement(
 
 def _two_planetary(need: Requirement) -> float:
     stage = math.sqrt(need.ratio)
-    first = willis.mass_willis(need.input_torque, willis.bracket_planetary(stage, 3))
-    return first + willis.mass_willis(need.input_torque * stage, willis.bracket_planetary(stage, 5))
+    first = laws.mass_willis(need.input_torque, laws.bracket_planetary(stage, 3))
+    return first + laws.mass_willis(need.input_torque * stage, laws.bracket_planetary(stage, 5))
 
 
 def _planetary_range(planets: int, stages: int) -> Range:

@@ -184,7 +184,6 @@ def engines(
     from gearwright.catalogue import select
     from gearwright.render.answers.weights import engines_answer
     from gearwright.render.tables import weights
-    from gearwright.render.tables import weights as weights_data
     from gearwright.weights import check_engine
 
     span = (min_power_kw * _KW, max_power_kw * _KW)
@@ -201,7 +200,7 @@ def engines(
         if any(row.engine.notes for row in rows):
             show(weights.note_table(rows))
     if csv is not None:
-        write_text(csv, weights_data.to_csv(weights_data.engine_rows(rows)))
+        write_text(csv, weights.to_csv(weights.engine_rows(rows)))
         tell(f"wrote {csv}")
 
 

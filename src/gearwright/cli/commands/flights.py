@@ -336,9 +336,6 @@ def _blades(file: Path | None, number: int, activity_factor: float, design_lift:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_ROTOR_RPM = math.pi / 30.0
-
-
 def rotor(
     mass_kg: Annotated[float, typer.Option(help="Of the helicopter")],
     diameter_m: Annotated[float, typer.Option(help="Of the main rotor")],
@@ -365,7 +362,7 @@ def rotor(
     from gearwright.render.words.flights import rotor_text
 
     helicopter = Helicopter(
-        mass_kg, diameter_m, rpm * _ROTOR_RPM, solidity, flat_plate_area_m2, profile_drag, induced_factor, download,
+        mass_kg, diameter_m, rpm * _RPM, solidity, flat_plate_area_m2, profile_drag, induced_factor, download,
         tail=_tail((tail_diameter_m, tail_rpm, tail_arm_m, tail_solidity), tail_induced_factor),
     )  # fmt: skip
     found = trimmed(
@@ -393,4 +390,4 @@ def _tail(given: tuple[float | None, float | None, float | None, float | None], 
         return None
     refuse([Problem(name, "a tail rotor is given without it; give all four, or none") for name in missing], "rotor")
     diameter, rpm, arm, solidity = (value or 0.0 for value in given)
-    return TailRotor(diameter, rpm * _ROTOR_RPM, arm, solidity, induced_factor=factor)
+    return TailRotor(diameter, rpm * _RPM, arm, solidity, induced_factor=factor)

@@ -220,7 +220,7 @@ def architectures(
         fastest=None if motor_rpm is None else motor_rpm * RPM,
         workers=(os.cpu_count() or 1) if workers is None else workers,
         journal=journal,
-        tell=_quiet if json else tell,
+        tell=_silent if json else tell,
     )
     if json:
         show_answer("architectures", architectures_answer(ranking), design=ranking.requirement)
@@ -229,10 +229,6 @@ def architectures(
     _write_ranking(ranking, out, csv, report)
     if close and not ranking.passing:
         raise typer.Exit(1)
-
-
-def _quiet(_: str) -> None:
-    """Say nothing beside the answer."""
 
 
 def _show_ranking(ranking: Ranking) -> None:

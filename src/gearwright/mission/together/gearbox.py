@@ -12,11 +12,7 @@ from gearwright.lanes import rebound
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.intervals import TRIAL_POWER
 from gearwright.mission.together.demand import Deck
-from gearwright.parts import losses as bearing
-from gearwright.parts import losses as mesh
-from gearwright.parts import losses as oil
-from gearwright.parts import losses as seal
-from gearwright.parts import losses as tooth_power
+from gearwright.parts import losses
 from gearwright.parts.losses import MeshDuty, MeshLaw
 from gearwright.sizing import losses as bodies
 from gearwright.sizing.bearing_seats import seat_forces_along
@@ -29,14 +25,10 @@ from gearwright.train.balance import Turn
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_FRICTION = rebound(mesh)
-_TEETH = rebound(tooth_power, mesh_friction=_FRICTION.mesh_friction)
-_OIL, _SEAL, _BEARING = rebound(oil), rebound(seal), rebound(bearing)
-_BODIES = rebound(
-    bodies,
-    **{name: getattr(_OIL, name) for name in ("churning_power", "windage_power", "windage_power_dawson")},
-    **{name: getattr(_SEAL, name) for name in ("seal_power_14179_1", "seal_power_14179_2", "seal_power_oil")},
-)
+_LOSSES = rebound(losses)
+_POWERS = ("churning_power", "windage_power", "windage_power_dawson", "seal_power_14179_1", "seal_power_14179_2",
+           "seal_power_oil")  # fmt: skip
+_BODIES = rebound(bodies, **{name: getattr(_LOSSES, name) for name in _POWERS})
 BEYOND_LAWS = (MeshLaw.ANDERSON_LOEWENTHAL,)
 """Losses of teeth that are summed along a path, one load at a time."""
 
@@ -145,7 +137,7 @@ def stage_losses(box: Box, mesh_torques: Floats, propeller_speed: Floats) -> Flo
         velocity = (speeds[row.nodes[0]] - speeds[row.nodes[2]]) * radius
         duty = MeshDuty(normal / width, float(width), velocity)
         oil_state = gearbox.oil.on_teeth(row.stage)
-        parts[:, k] = _TEETH.mesh_loss_part(contact, duty, oil_state, law=gearbox.oil.friction)
+        parts[:, k] = _LOSSES.mesh_loss_part(contact, duty, oil_state, law=gearbox.oil.friction)
     return np.stack([(parts * share).sum(axis=1) for share in box.stage_of], axis=1)
 
 
@@ -188,7 +180,7 @@ def drag_of(box: Box, mesh_torques: Floats, propeller_speed: Floats, idle: Idle)
             seat_forces_along(seat, mesh_torques, speeds[seat.carrier])[0],
             speeds[seat.nodes[0]] - speeds[seat.nodes[1]],
         )
-        rubbing = rubbing + seat.count * _BEARING.bearing_torque_constant(radial, seat.bore) * np.abs(turning)
+        rubbing = rubbing + seat.count * _LOSSES.bearing_torque_constant(radial, seat.bore) * np.abs(turning)
     return Drag(rubbing + idle.seals, idle.windage, idle.churning)  # type: ignore[arg-type]
 
 

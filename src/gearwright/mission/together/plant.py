@@ -23,11 +23,10 @@ from gearwright.machines import (
     gas_turbine,
     highest_current,
     motor_loss,
+    turboshaft,
 )
 from gearwright.machines import electric as motor
 from gearwright.machines import hamilton_standard as chart_reading
-from gearwright.machines import turboshaft as exhaust
-from gearwright.machines import turboshaft as gases
 from gearwright.machines.hamilton_standard import STATIC_FADE, Look
 from gearwright.machines.propeller_map import SAME_ANGLE
 from gearwright.machines.turboshaft import Exhaust, Gas
@@ -79,23 +78,22 @@ class Discharged(NamedTuple):
 
 def _newton(gas: Gas, wanted: Floats) -> Floats:
     """Return the temperatures of gases, as `temperature_of`: each stops where it would stop alone."""
-    capacity, integral, *_ = gases._coefficients.__wrapped__(gas)
-    zero = gases.REFERENCE / 1000.0
+    capacity, integral, *_ = turboshaft._coefficients.__wrapped__(gas)
+    zero = turboshaft.REFERENCE / 1000.0
     held = _horner(integral, zero) * zero
-    temperature, going = gases.REFERENCE + wanted / 1050.0, np.ones(len(wanted), bool)
+    temperature, going = turboshaft.REFERENCE + wanted / 1050.0, np.ones(len(wanted), bool)
     for _ in range(_NEWTON):
         part = temperature / 1000.0
         step = (wanted - (_horner(integral, part) * part - held)) / _horner(capacity, part)
         temperature = np.where(going, temperature + step, temperature)
-        going = going & (np.abs(step) > gases._TOLERANCE * temperature)
+        going = going & (np.abs(step) > turboshaft._TOLERANCE * temperature)
         if not going.any():
             break
     return temperature
 
 
-_horner: Any = gases._horner
-_GASES = rebound(gases, _coefficients=gases._coefficients.__wrapped__, temperature_of=_newton)
-_EXHAUST = rebound(exhaust, enthalpy=_GASES.enthalpy, temperature_of=_newton)
+_horner: Any = turboshaft._horner
+_GASES = rebound(turboshaft, _coefficients=turboshaft._coefficients.__wrapped__, temperature_of=_newton)
 _TURBINE, _MOTOR = rebound(gas_turbine), rebound(motor)
 
 
@@ -125,7 +123,7 @@ def burnt_along(
         weak |= (power > least * (1.0 + _SLACK)) | (power < -_SLACK * limits[1])
         burnt = _fuel(usual, ratios, power)
         part = np.clip(np.maximum(power, 0.0) / limits[0], 0.0, 1.0)
-        air = _EXHAUST.air_flow(supply.breathing[name], *ratios, part)
+        air = _GASES.air_flow(supply.breathing[name], *ratios, part)
         exhausts.append(_left(supply.breathing[name], air, inlet, burnt, power))
         fuel = fuel + burnt
     gas = _mixed(exhausts, inlet)
@@ -194,7 +192,7 @@ def _left(breathing: Any, air: Floats, inlet: Floats, fuel: Floats, power: Float
     runs = fuel > 0.0
     state = [np.zeros(len(air)), np.zeros(len(air)), inlet.copy(), np.zeros(len(air))]
     if runs.any():
-        burning = _EXHAUST._burning(breathing, air[runs], inlet[runs], fuel[runs], power[runs])
+        burning = _GASES._burning(breathing, air[runs], inlet[runs], fuel[runs], power[runs])
         for column, values in zip(state, burning, strict=True):
             column[runs] = values
     return Exhaust(*state)  # type: ignore[arg-type]
@@ -210,7 +208,7 @@ def _mixed(exhausts: Sequence[Exhaust], inlet: Floats) -> Exhaust:
         lanes = (runs == pattern[:, None]).all(axis=0)
         running = [_of(flow, lanes) for flow, on in zip(exhausts, pattern, strict=True) if on]
         if running:
-            joined = _EXHAUST._joined(running) if len(running) > 1 else running[0]
+            joined = _GASES._joined(running) if len(running) > 1 else running[0]
             for column, values in zip(state, joined, strict=True):
                 column[lanes] = values
     return Exhaust(*state)  # type: ignore[arg-type]
@@ -225,7 +223,7 @@ def _of(flow: Exhaust, lanes: Bools) -> Exhaust:
 def _carried(gas: Exhaust, inlet: Floats) -> Floats:
     runs, heat = np.asarray(gas.fuel_flow) > 0.0, np.zeros(len(inlet))
     if runs.any():
-        heat[runs] = _EXHAUST._gained(_of(gas, runs), inlet[runs])
+        heat[runs] = _GASES._gained(_of(gas, runs), inlet[runs])
     return heat
 
 

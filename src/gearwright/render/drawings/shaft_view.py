@@ -340,8 +340,6 @@ def spline_of(joint: JointSizing) -> Spline:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-MM_OF_UNDERCUT = 1e3
-"""Millimetres in a metre."""
 RUN_IN, RUN_OUT = math.radians(15.0), math.radians(8.0)
 """Angles to the seat and to the face [rad] (DIN 509:1998, form F)."""
 ENLARGED, THREAD_ENLARGED = 10.0, 5.0
@@ -358,11 +356,11 @@ def undercut_profile(standard: Undercut) -> list[tuple[float, float]]:
         standard: The undercut.
     """
     depth, behind, radius = (
-        MM_OF_UNDERCUT * standard.depth,
-        MM_OF_UNDERCUT * standard.face_depth,
-        MM_OF_UNDERCUT * standard.radius,
+        MM * standard.depth,
+        MM * standard.face_depth,
+        MM * standard.radius,
     )
-    width = MM_OF_UNDERCUT * standard.width
+    width = MM * standard.width
     quarter = [math.pi / 2.0 * k / _TURNS for k in range(_TURNS + 1)]
     rounded = [(radius * (1.0 - math.sin(turn)) - behind, radius * (1.0 - math.cos(turn)) - depth) for turn in quarter]
     return [
@@ -389,7 +387,7 @@ def undercut_detail(standard: Undercut) -> list[Entity]:
     above = ENLARGED * (top + 1j * AROUND)
     rounding = ENLARGED * corners[2 + _TURNS // 2]
     knee = complex(rounding.real - 6.0, ENLARGED * top.imag * 0.5 + 2.0)
-    radius = f"R{millimetres(MM_OF_UNDERCUT * standard.radius)}"
+    radius = f"R{millimetres(MM * standard.radius)}"
     shoulder = knee - complex(Words(0j, radius).length + 2.0, 0.0)
     entities += [
         Distance(ENLARGED * seat, above, above + 8j, 0.0, ENLARGED),
@@ -412,9 +410,9 @@ def relief_profile(standard: ThreadUndercut) -> list[tuple[float, float]]:
         standard: The undercut; on both sides its flanks lean by 30°, which meet its bottom in its radius.
     """
     depth, width, radius = (
-        MM_OF_UNDERCUT * standard.below / 2.0,
-        MM_OF_UNDERCUT * standard.width,
-        MM_OF_UNDERCUT * standard.radius,
+        MM * standard.below / 2.0,
+        MM * standard.width,
+        MM * standard.radius,
     )
     foot = depth / math.tan(THREAD_RUN_IN) + radius * math.tan(THREAD_RUN_IN / 2.0)
     turns = [THREAD_RUN_IN * k / _TURNS for k in range(_TURNS, -1, -1)]
@@ -429,7 +427,7 @@ def relief_detail(standard: ThreadUndercut) -> list[Entity]:
         standard: The undercut.
     """
     corners = [complex(along, above) for along, above in relief_profile(standard)]
-    left, right, bottom = corners[0], corners[-1], complex(corners[0].real, -MM_OF_UNDERCUT * standard.below / 2.0)
+    left, right, bottom = corners[0], corners[-1], complex(corners[0].real, -MM * standard.below / 2.0)
     edge = (left - 2.0 * AROUND, *corners, right + 2.0 * AROUND)
     low = bottom.imag - AROUND
     around = (*edge, complex(edge[-1].real, low), complex(edge[0].real, low))
@@ -440,7 +438,7 @@ def relief_detail(standard: ThreadUndercut) -> list[Entity]:
     ]
     rounding = scale * corners[1 + _TURNS // 2]
     knee = complex(rounding.real + 4.0, 7.0)
-    radius = f"R{millimetres(MM_OF_UNDERCUT * standard.radius)}"
+    radius = f"R{millimetres(MM * standard.radius)}"
     flat = scale * corners[1 + _TURNS]
     entities += [
         Distance(scale * left, scale * right, scale * right + 16j, 0.0, scale),

@@ -482,7 +482,7 @@ def _magnified(axes: Axes, balance: Balance, share: float) -> None:
 
 FAILURE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
 """Colour of each way to fail."""
-_KILO_OF_LIVES = 1e3
+_KILO = 1e3
 
 
 class Duty(NamedTuple):
@@ -535,19 +535,19 @@ def _turns(flight: Flight, speed: Floats) -> Floats:
 
 def _shafts(flight: Flight) -> Iterator[Duty]:
     for name in flight.sizing.design.shafts:
-        yield Duty(name, flight.nodes[name].torque / _KILO_OF_LIVES, _turns(flight, flight.nodes[name].speed))
+        yield Duty(name, flight.nodes[name].torque / _KILO, _turns(flight, flight.nodes[name].speed))
 
 
 def _meshes(flight: Flight) -> Iterator[Duty]:
     for mesh in flight.sizing.train.meshes:
         carrier = flight.speed(mesh.nodes[2])
-        force = flight.meshes[mesh.name].force / _KILO_OF_LIVES
+        force = flight.meshes[mesh.name].force / _KILO
         yield Duty(mesh.name, force, _turns(flight, flight.speed(mesh.nodes[0]) - carrier))
 
 
 def _seats(flight: Flight) -> Iterator[Duty]:
     for seat, duty in seat_duties(flight):
-        yield Duty(seat.name, duty.radial / _KILO_OF_LIVES, duty.turns)
+        yield Duty(seat.name, duty.radial / _KILO, duty.turns)
 
 
 @theme.drawn
@@ -621,7 +621,6 @@ LONGEST = 1e13
 """Load changes at which the axis ends [-]."""
 LARGEST = 60.0
 """Area of the disc of a class that does all of the damage [pt²]."""
-_KILO_OF_LOADS = 1e3
 
 
 @theme.drawn
@@ -646,11 +645,9 @@ def load_life_figure(rows: Sequence[LoadLife], flights: float = 1.0) -> Figure:
 
 def _draw(axes: Axes, row: LoadLife, flights: float) -> None:
     order = np.argsort(-row.force, kind="stable")
-    force, reached = row.force[order] / _KILO_OF_LOADS, np.cumsum(row.changes[order]) * flights
+    force, reached = row.force[order] / _KILO, np.cumsum(row.changes[order]) * flights
     bears = (row.borne > 1.0) & (row.borne < LONGEST)
-    axes.plot(
-        row.borne[bears][::-1], row.ladder[bears][::-1] / _KILO_OF_LOADS, color=theme.ORANGE, label="borne: S-N curve"
-    )
+    axes.plot(row.borne[bears][::-1], row.ladder[bears][::-1] / _KILO, color=theme.ORANGE, label="borne: S-N curve")
     axes.step(
         [min(reached[0], 1.0), *reached], [force[0], *force], where="pre", color=theme.BLUE, label="asked: spectrum"
     )

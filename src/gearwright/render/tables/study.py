@@ -370,7 +370,7 @@ def binding_table(optimum: Optimum) -> Table:
         best = optimum.front[place]
         binds = "; ".join(_bound(binding.kind, binding.name, binding.margin) for binding in best.binds)
         teeth = teeth_text(best)
-        rows.append((_words(letter(k)), _words(teeth), _words(binds or "nothing near")))
+        rows.append((_word(letter(k)), _word(teeth), _word(binds or "nothing near")))
     note = "Checks within 2 % of their limits with their margins, the nearest first; ends of ranges."
     return Table("Why no better: what binds", _columns("", "teeth", "binds"), tuple(rows), note)
 
@@ -390,8 +390,8 @@ def price_table(optimum: Optimum) -> Table:
     columns = [*_columns("limit", "kind"), *_of_objectives(optimum)]
     rows = [
         (
-            _words(price.limit),
-            _words(price.kind),
+            _word(price.limit),
+            _word(price.kind),
             *(_number(shown(price.changes[name], dimensions[name])) for name in names),
         )
         for price in optimum.prices
@@ -419,8 +419,8 @@ def regret_table(optimum: Optimum) -> Table:
         spread = [tuple(shown(end, dimensions[name]) for end in regret.spread[name]) for name in names]
         named = f"{letters.get(regret.place, regret.place + 1)}{' (chosen)' if regret.place == optimum.chosen else ''}"
         rows.append((
-            _words(named), _number(100.0 * regret.best), _number(100.0 * regret.mean), _number(100.0 * regret.late),
-            _number(100.0 * regret.keeps), *(_words(f"{written(low)}–{written(high)}") for low, high in spread),
+            _word(named), _number(100.0 * regret.best), _number(100.0 * regret.mean), _number(100.0 * regret.late),
+            _number(100.0 * regret.keeps), *(_word(f"{written(low)}–{written(high)}") for low, high in spread),
         ))  # fmt: skip
     columns = _columns("design", "best in [%]", "regret, mean [%]", "regret, 95 % [%]", "keeps as built [%]", *heads)
     note = (
@@ -441,9 +441,9 @@ def influence_table(optimum: Optimum) -> Table:
     dimensions = {name: optimum.best.row.results[name].dimension for name in names}
     columns = [*_columns("assumption", "from", "to"), *_of_objectives(optimum)]
     rows = [
-        (_words(own.path), _number(own.low), _number(own.high),
+        (_word(own.path), _number(own.low), _number(own.high),
          *(_number(shown(own.changes[name], dimensions[name])) for name in names),
-         _words("the same" if set(own.chosen) == {optimum.chosen} else "another one"))
+         _word("the same" if set(own.chosen) == {optimum.chosen} else "another one"))
         for own in optimum.influences
     ]  # fmt: skip
     note = "From the 16 % to the 84 % quantile, all else at its median: change of the chosen design, and the choice."
@@ -456,7 +456,7 @@ def fit_table(optimum: Optimum) -> Table:
     Args:
         optimum: From `optimise`, with surrogates.
     """
-    rows = [(_words(heading(fit.result)), _number(100.0 * fit.error), Cell(fit.designs, str(fit.designs)))
+    rows = [(_word(heading(fit.result)), _number(100.0 * fit.error), Cell(fit.designs, str(fit.designs)))
             for fit in optimum.fits]  # fmt: skip
     note = (
         "Root mean square of what is foretold wrong of each design by all others, over the deviation of the values:"
@@ -490,10 +490,6 @@ def _of_objectives(optimum: Optimum) -> tuple[Column, ...]:
 
 def _columns(*names: str) -> tuple[Column, ...]:
     return tuple(Column(name, name, "", "") for name in names)
-
-
-def _words(text: str) -> Cell:
-    return Cell(text, text)
 
 
 def _number(value: float) -> Cell:

@@ -342,7 +342,6 @@ def beside_statistics(table: Table, sizing: Sizing) -> str:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_KILOWATT = 1e3
 Row = dict[str, str | float | int | None]
 
 
@@ -372,7 +371,7 @@ def _engine_row(checked: CheckedEngine) -> Row:
         "manufacturer": engine.series.manufacturer,
         "kind": engine.series.kind,
         "model": engine.model,
-        "power_kw": engine.power / _KILOWATT,
+        "power_kw": engine.power / _KW,
         "engine_rpm": round(engine.engine_speed / RPM, 6),
         "engine_rpm_rule": engine.series.reason,
         "propeller_rpm": round(engine.propeller_speed / RPM, 6),

@@ -1,24 +1,17 @@
 """Published ratings of gears: stiffness, flanks, roots, scuffing and losses of teeth."""
 
-from gearwright.validate.gears import bevels, losses
-from gearwright.validate.gears import losses as measured
-from gearwright.validate.gears import losses as scuffing
-from gearwright.validate.gears import ratings as mesh_stiffness
-from gearwright.validate.gears import ratings as rating
-from gearwright.validate.gears import ratings as reports
-from gearwright.validate.gears import wind as wind_dynamics
-from gearwright.validate.gears import wind as wind_reports
+from gearwright.validate.gears import bevels, losses, ratings, wind
 
 CASES = (
-    *mesh_stiffness.STIFFNESS_CASES,
-    *rating.RATING_CASES,
-    *reports.PROGRAM_CASES,
+    *ratings.STIFFNESS_CASES,
+    *ratings.RATING_CASES,
+    *ratings.PROGRAM_CASES,
     *losses.LOSS_CASES,
-    *measured.MEASURED_CASES,
-    *scuffing.SCUFFING_CASES,
+    *losses.MEASURED_CASES,
+    *losses.SCUFFING_CASES,
     *bevels.CASES,
-    *wind_reports.REPORT_CASES,
-    *wind_dynamics.DYNAMICS_CASES,
+    *wind.REPORT_CASES,
+    *wind.DYNAMICS_CASES,
 )
 """In the order of the table."""
 
