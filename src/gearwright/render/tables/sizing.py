@@ -476,12 +476,13 @@ class Bend:
     """First one of the shaft in bending [rad/s]."""
 
 
-def mounted_tables(sizing: Sizing) -> dict[str, Table]:
+def mounted_tables(facts: Particulars) -> dict[str, Table]:
     """Return the tables of built shafts, bearings and joints by a short name; without rows where there are none.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
+    sizing = facts.sizing
     shafts, strength = sizing.built_shafts, [section for shaft in sizing.built_shafts for section in shaft.sections]
     steps = [step for shaft in shafts for step in _steps(shaft)]
     bends = [bend for shaft in shafts for bend in _bends(shaft)]
@@ -493,7 +494,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
         "stiffness": table("Shafts: how they bend", bends,
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
         "bearing_sizes": table(
-            "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(sizing)}"
+            "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(facts)}"
         ),
         "bearing_oil": table("Bearings: oil, least load, speeds", sizing.bearings, _OILED_FIELDS, note=_OILED),
         "joints": table("Shaft-hub joints", joined, (*_JOINT_FIELDS, *fitted), note=_JOINTS),
@@ -511,11 +512,11 @@ def _bends(shaft: BuiltShaft) -> Iterator[Bend]:
         yield Bend(shaft.name, place, slope, deflections.get(place), shaft.critical_speed)
 
 
-def _system(sizing: Sizing) -> str:
+def _system(facts: Particulars) -> str:
     """Return what all bearings together live and weigh."""
-    if sizing.system_life is None:
+    if facts.system_life is None:
         return ""
-    life, mass = text(sizing.system_life, "life"), text(sizing.bearing_mass, "mass")
+    life, mass = text(facts.system_life, "life"), text(facts.sizing.bearing_mass, "mass")
     return f" All of them reach {life} with 90 % reliability (Weibull's product) and weigh {mass}."
 
 
@@ -682,7 +683,7 @@ def tables_of(facts: Particulars) -> dict[str, Table]:
         return given_by_user(sizing, record, field)
 
     return {
-        **mounted_tables(sizing),
+        **mounted_tables(facts),
         **loss_tables(facts),
         **place_tables(sizing),
         **mass_tables(facts.complete, facts.statistics),
