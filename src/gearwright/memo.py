@@ -13,6 +13,8 @@ Key = TypeVar("Key", bound=Hashable)
 Result = TypeVar("Result")
 Value = TypeVar("Value")
 _MISSING: Any = object()
+_LOCK = Lock()
+"""Held while a result is kept: threads take turns."""
 
 
 class Memo(Generic[Key, Result]):
@@ -25,13 +27,10 @@ class Memo(Generic[Key, Result]):
     (None, 4)
     """
 
-    __slots__ = ("_kept", "_lock", "_most")
+    __slots__ = ("_kept", "_most")
 
     def __init__(self, most: int) -> None:
-        self._most, self._kept, self._lock = most, dict[Key, Result](), Lock()
-
-    def __len__(self) -> int:
-        return len(self._kept)
+        self._most, self._kept = most, dict[Key, Result]()
 
     def get(self, key: Key) -> Result | None:
         """Return what is kept under a key; None where nothing is.
@@ -48,7 +47,7 @@ class Memo(Generic[Key, Result]):
             key: Of the result.
             result: It is not changed afterwards by those who ask.
         """
-        with self._lock:
+        with _LOCK:
             self._kept[key] = result
             while len(self._kept) > self._most:
                 del self._kept[next(iter(self._kept))]
@@ -86,7 +85,8 @@ def of_latest(most: int) -> Callable[[Callable[[Value], Result]], Callable[[Valu
 
         @wraps(function)
         def asked(value: Value) -> Result:
-            return memo.of(id(value), lambda: (value, function(value)))[1]
+            found = memo.get(id(value))
+            return (found or memo.keep(id(value), (value, function(value))))[1]
 
         return asked
 
