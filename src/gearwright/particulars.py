@@ -100,8 +100,6 @@ class Particulars:
     """Planetary set -> angles at which its pins stand [rad]."""
     load_factors: tuple[MeshFactors, ...]
     """Of the meshes that ISO 6336 rates."""
-    paths: tuple[PathShare, ...]
-    """Shares of parallel meshes of pairs in the governing case."""
     materials: tuple[UsedMaterial, ...]
     remarks: tuple[str, ...]
     """What no check says, in sentences."""
@@ -136,7 +134,6 @@ def particulars(sizing: Sizing) -> Particulars:
         system_life=sizing.system_life,
         pins={stage: tuple(planet_positions(design, stage, sizing.teeth)) for stage in design.planetaries},
         load_factors=tuple(mesh_factors(sizing)),
-        paths=_paths(sizing),
         materials=_used_materials(sizing),
         remarks=remarks(sizing),
     )
@@ -147,8 +144,12 @@ def _shaft_by_shaft(sizing: Sizing, case: str) -> tuple[Branch, ...]:
     return tuple(branch for shaft in sizing.design.shafts for branch in of_case if branch.shaft == shaft)
 
 
-def _paths(sizing: Sizing) -> tuple[PathShare, ...]:
-    """Return the shares of parallel meshes; who has none waits for no dynamics to load."""
+def paths_of(sizing: Sizing) -> tuple[PathShare, ...]:
+    """Return the shares of parallel meshes of pairs in the governing case; who has none waits for no dynamics to load.
+
+    Args:
+        sizing: As sized.
+    """
     meshes = Counter(mesh.stage for mesh in sizing.train.meshes)
     if all(meshes[stage] < 2 for stage in sizing.design.pairs):
         return ()
@@ -198,6 +199,8 @@ class Reported:
     """What the design leaves open of its ratings."""
     nominal: tuple[str, ...]
     """Stages whose method has no factors for peaks of the load."""
+    paths: tuple[PathShare, ...]
+    """From `paths_of`."""
     assumptions: tuple[Assumption, ...]
     """What a simulation rests on; none without a system."""
 
@@ -216,6 +219,7 @@ def reported(facts: Particulars, system: System | None = None) -> Reported:
         methods=tuple(methods_beside(sizing)) if factors else (),
         usual=usual_values(sizing),
         nominal=tuple(stage for stage in sizing.design.stages if not method_for(rating_of(sizing.design, stage)).peaks),
+        paths=paths_of(sizing),
         assumptions=() if system is None else _assumptions(sizing, system),
     )
 

@@ -239,7 +239,7 @@ def size(
     ] = None,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    from gearwright.particulars import particulars
+    from gearwright.particulars import particulars, paths_of
     from gearwright.sizing import influences, methods_beside, rated_factors
     from gearwright.sizing.insight import usual_values
 
@@ -255,7 +255,7 @@ def size(
         return
     from gearwright.render.words.sizing import factors_text, influences_text, methods_text, sizing_text
 
-    show(sizing_text(facts))
+    show(sizing_text(facts, paths=paths_of(sizing)))
     if rated is not None:
         show(factors_text(rated, usual_values(sizing)))
     if beside is not None:
@@ -462,10 +462,13 @@ def run(
 
 
 def _show_tables(facts: Particulars, modes: Modes, traces: Mapping[str, Trace], review: Review | None) -> None:
+    from gearwright.particulars import paths_of
     from gearwright.render.words.sizing import modes_text, sizing_text, trace_text
 
     runs = (trace_text(trace, facts.sizing, case=case) for case, trace in traces.items())
-    show("", sizing_text(facts, review), modes_text(modes, case=next(iter(traces))), *runs)
+    show(
+        "", sizing_text(facts, review, paths=paths_of(facts.sizing)), modes_text(modes, case=next(iter(traces))), *runs
+    )
 
 
 class Drawn(NamedTuple):

@@ -252,7 +252,7 @@ def report(
     tables, warned = tables_of(facts), warnings(facts, traces, review)
     sections = [
         Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=warned),
-        _power(facts, tables["speeds"], case),
+        _power(told, tables["speeds"], case),
         *_parts(told, tables),
         *([_modes(modes, case, drawn=system is not None)] if modes else []),
         *(_dynamics(sizing, run, name) for name, run in traces.items()),
@@ -296,12 +296,12 @@ def _flow(sizing: Sizing, case: str) -> Figure:
     return figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
 
 
-def _power(facts: Particulars, speeds: Table, told: str) -> Section:
+def _power(reported: Reported, speeds: Table, told: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
-    sizing = facts.sizing
+    facts, sizing = reported.particulars, reported.particulars.sizing
     skeleton = figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
     others = [_flow(sizing, case) for case in sizing.flows if case != told]
-    tables = _filled(speeds, *flow_tables(facts.branches), passing_table(facts.passing), path_table(facts.paths))
+    tables = _filled(speeds, *flow_tables(facts.branches), passing_table(facts.passing), path_table(reported.paths))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 

@@ -22,6 +22,7 @@ from gearwright.spec.design import CONCEPT, PRELIMINARY, STATIC
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Modes, Trace
+    from gearwright.dynamics.sharing import PathShare
     from gearwright.reviews import Review
 
 
@@ -160,12 +161,13 @@ _ORDER = (
 )
 
 
-def sizing_text(facts: Particulars, review: Review | None = None) -> RenderableType:
+def sizing_text(facts: Particulars, review: Review | None = None, *, paths: Sequence[PathShare] = ()) -> RenderableType:
     """Return the report of a sizing for the terminal.
 
     Args:
         facts: Of the sizing.
         review: Of it; left out: the checks of sizing alone are told, and who looks at the rest.
+        paths: Shares of its parallel meshes, if they are to be in it.
     """
     sizing, tables = facts.sizing, tables_of(facts)
     tables["materials"] = estimated_only(tables["materials"])
@@ -173,7 +175,7 @@ def sizing_text(facts: Particulars, review: Review | None = None) -> RenderableT
     said = (summary(facts), f"{verdict}.", implied_text(sizing.design), *facts.remarks)
     head = [Text(words) for words in said if words]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
-    parts += [table_text(table) for table in (*flow_tables(facts.branches), path_table(facts.paths)) if table.rows]
+    parts += [table_text(table) for table in (*flow_tables(facts.branches), path_table(paths)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
 
