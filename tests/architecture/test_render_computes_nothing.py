@@ -13,7 +13,9 @@ from enum import Enum
 import pytest
 from sources import ROOT
 
-from gearwright.cli.commands.designs import report
+import gearwright as gw
+from gearwright.cli.commands.designs import report, size
+from gearwright.render.pages.motion import turning
 from gearwright.spec.record import Record
 
 LAYERS = ("closure", "machines", "mission", "parts", "shape", "sizing")
@@ -58,13 +60,30 @@ def computes(name):
     return not (inspect.isclass(kind) and is_record(kind))
 
 
-@pytest.mark.parametrize("name", ["in-line-h2", "ec120b"])
-def test_nothing_is_computed_while_a_report_is_rendered(name, tmp_path):
+def computed_while(command):
+    """Return what is computed on behalf of `render` while a command runs, each with who led there."""
     rendering = Rendering()
     sys.setprofile(rendering)
     try:
-        report(name, tmp_path / "report.html")
+        command()
     finally:
         sys.setprofile(None)
+    return {function: asked for function, asked in rendering.led.items() if computes(function)}
+
+
+@pytest.mark.parametrize("name", ["in-line-h2", "ec120b"])
+def test_nothing_is_computed_while_a_report_is_rendered(name, tmp_path):
+    assert computed_while(lambda: report(name, tmp_path / "report.html")) == {}
     assert (tmp_path / "report.html").stat().st_size > 100_000
-    assert {function: asked for function, asked in rendering.led.items() if computes(function)} == {}
+
+
+@pytest.mark.parametrize("json", [False, True])
+def test_nothing_is_computed_while_a_sizing_is_told(json, capsys):
+    assert computed_while(lambda: size("off-set", json, factors=True, methods=True, wish=1.1)) == {}
+    assert len(capsys.readouterr().out) > 10_000
+
+
+def test_what_is_computed_is_told_with_who_led_there():
+    """`turning` makes its solids itself, as nobody asks for them beside it."""
+    sizing = gw.size(gw.read("star"))
+    assert "shape/scene.py: scene" in computed_while(lambda: turning(sizing, detail="coarse"))
