@@ -46,8 +46,9 @@ def test_a_path_that_repeats_is_drawn_once():
 
 
 def test_every_figure_is_xml_with_text_title_and_ids_of_its_own(in_line_h2):
-    for draw in (mass_figure, margin_figure, schematic_figure):
-        root = ET.fromstring(svg_text(draw(in_line_h2), "a"))
+    figures = (mass_figure(particulars(in_line_h2)), margin_figure(in_line_h2), schematic_figure(in_line_h2))
+    for figure in figures:
+        root = ET.fromstring(svg_text(figure, "a"))
         assert len(root.findall(f".//{SVG}text")) > 5
         assert root.find(f"{SVG}title").text
         assert all(node.get("id").startswith("a-") for node in root.iter() if node.get("id"))
