@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -30,7 +31,7 @@ class Memo(Generic[Key, Result]):
     __slots__ = ("_kept", "_most")
 
     def __init__(self, most: int) -> None:
-        self._most, self._kept = most, dict[Key, Result]()
+        self._most, self._kept = most, OrderedDict[Key, Result]()
 
     def get(self, key: Key) -> Result | None:
         """Return what is kept under a key; None where nothing is.
@@ -50,7 +51,7 @@ class Memo(Generic[Key, Result]):
         with _LOCK:
             self._kept[key] = result
             while len(self._kept) > self._most:
-                del self._kept[next(iter(self._kept))]
+                self._kept.popitem(last=False)
         return result
 
     def of(self, key: Key, make: Callable[[], Result]) -> Result:
