@@ -9,6 +9,7 @@ from typing import Any
 import gearwright as gw
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import fly
+from gearwright.particulars import particulars
 from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.writers import sheet_svg
@@ -43,7 +44,7 @@ FIGURES: Mapping[str, Callable[[], Any]] = {
     "off-set-h2-power": lambda: power_flow_figure(_sized("off-set-h2"), "rated"),
     "differential-hybrid-power": lambda: power_flow_figure(_sized("differential-hybrid"), "rated"),
     "in-line-h2-margins": lambda: margin_figure(_sized("in-line-h2")),
-    "in-line-h2-mass": lambda: mass_figure(_sized("in-line-h2")),
+    "in-line-h2-mass": lambda: mass_figure(particulars(_sized("in-line-h2"))),
     "motor-speed": lambda: _study("motor-speed"),
     "architectures": lambda: _study("architectures"),
     "in-line-h2-campbell": lambda: campbell_figure(_sized("in-line-h2"), critical_speeds(_sized("in-line-h2"))[0]),

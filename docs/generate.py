@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from gearwright.catalogue import materials, rated_steel
+from gearwright.particulars import used_material
 from gearwright.parts import Material
 from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.tables.sizing import properties
@@ -83,7 +84,7 @@ def _origins(material: Material) -> str:
     """Return the properties of a material with their sources, those of one source in one line."""
     steel = None if material.steel is None else rated_steel(material)
     lines: dict[str, list[str]] = {}
-    for line in properties(material, steel):
+    for line in properties(used_material(material, steel)):
         value = line.value if isinstance(line.value, str) else written(line.value)
         lines.setdefault(line.source, []).append(f"{line.quantity} {value} {line.unit}".rstrip())
     rows = "".join(f"| {'; '.join(what)} | {source} |\n" for source, what in lines.items())

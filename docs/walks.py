@@ -21,11 +21,12 @@ from types import FrameType
 from typing import NamedTuple
 
 from gearwright.mission import durability, fly
+from gearwright.particulars import particulars
 from gearwright.render.tables.checks import factor_tables
 from gearwright.render.tables.flights import bearing_table
 from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.sizing import size
+from gearwright.sizing import rated_factors, size
 from gearwright.spec import read, read_mission
 
 ROOT = Path(__file__).parents[1]
@@ -44,11 +45,11 @@ class Walk(NamedTuple):
 
 
 def _mesh_force() -> object:
-    return tables_of(size(read(shipped_design("hybrid-turboprop"))))
+    return tables_of(particulars(size(read(shipped_design("hybrid-turboprop")))))
 
 
 def _contact_safety() -> object:
-    return factor_tables(size(read(shipped_design("hybrid-turboprop"))))
+    return factor_tables(rated_factors(size(read(shipped_design("hybrid-turboprop")))))
 
 
 def _bearing_life() -> object:

@@ -1,4 +1,4 @@
-"""Signals that end a program, and notices of long operations such as compilation."""
+"""Signals that ask a program to end: who hears them for a while, and that what they raise arrives."""
 
 from __future__ import annotations
 
@@ -9,11 +9,6 @@ from contextlib import contextmanager
 from threading import current_thread, main_thread
 from types import FrameType
 from typing import Any
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Signals that ask a program to end: who hears them for a while, and that what they raise arrives.
-# ----------------------------------------------------------------------------------------------------------------------
-
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
 """Those that the system has."""
@@ -105,44 +100,3 @@ def _interrupt_again(*_: object) -> None:
         way = way.__context__
     if way is None and _asked:
         signal.raise_signal(_asked[0])
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Notices: what takes long once, such as compiling, says so while it does to whoever asked for it.
-#
-# Who shows words, a command or the workbench, hears them; where nobody does, they are not said.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-_HEARERS = list[Callable[[str], None]]()
-
-
-def notice(words: str) -> None:
-    """Say something to who hears this process.
-
-    Args:
-        words: What takes long, and how long.
-    """
-    if _HEARERS:
-        _HEARERS[-1](words)
-
-
-@contextmanager
-def noticed(tell: Callable[[str], None]) -> Iterator[None]:
-    """Hear what is said while a block runs, the same words once.
-
-    Args:
-        tell: Takes the words.
-    """
-    known = set[str]()
-
-    def once(words: str) -> None:
-        if words not in known:
-            known.add(words)
-            tell(words)
-
-    _HEARERS.append(once)
-    try:
-        yield
-    finally:
-        _HEARERS.remove(once)

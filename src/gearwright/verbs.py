@@ -39,6 +39,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Model": "gw.Model()",
         "Modes": "gw.modes(system)",
         "Outputs": "gw.Outputs(...)",
+        "Particulars": "gearwright.particulars.particulars(sizing)",
         "Review": "gw.review(design)",
         "Response": "gw.frequency_response(system, frequency)",
         "RunUp": "gw.runup(sizing, system, factors)",

@@ -14,6 +14,7 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.review import review_answer
 from gearwright.render.answers.schema import plain
@@ -367,7 +368,7 @@ def test_the_head_has_the_numbers_of_the_json(name, opened):
     """The train as sized, and complete mass and worst margin of the review, as their commands print them."""
     page, _ = opened(PAGES[f"report of {name}"]())
     named = dict(page.evaluate(KEY_NUMBERS))
-    sizing, judged = plain(size_answer(sized(name))), plain(review_answer(reviewed(name)))
+    sizing, judged = plain(size_answer(particulars(sized(name)))), plain(review_answer(reviewed(name)))
     mass = next(value for key, value in named.items() if key == "train as sized")
     assert float(mass) == pytest.approx(sizing["mass_kg"], rel=1e-6)
     margin = next(value for key, value in named.items() if key.startswith("worst margin"))

@@ -20,6 +20,7 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import default_step
 from gearwright.errors import DesignError, SolveError
 from gearwright.mission import durability, fly
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.flights import fly_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
@@ -83,7 +84,7 @@ def _sized(fuzzed: Case) -> Sizing:
 
 def _size(fuzzed: Case) -> object:
     sizing = _sized(fuzzed)
-    return sizing, plain(size_answer(sizing))
+    return sizing, plain(size_answer(particulars(sizing)))
 
 
 def _modes(fuzzed: Case) -> object:

@@ -4,8 +4,9 @@
 for the changes first: each key of the schema, wherever a design has its table, with a few values that it may take, in
 the first two designs that can be sized so, quickly, and differ from what they were.
 
-A change keeps its mass, its worst margin and the part that has it, up to `NAMED` results that it moves most, and for
-each room of results the sum of all its numbers, which notices what moves beside them.
+A change keeps its mass, its worst margin and the part that has it, up to `NAMED` results that it moves most, and the
+total over all parts of every quantity that it moves: masses of all gears, values of all checks of one mode. A total
+that it does not have is that of the design without the change.
 """
 
 from __future__ import annotations
@@ -17,12 +18,12 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cache
-from math import asinh, isfinite
+from math import isfinite
 from pathlib import Path
 from types import UnionType
-from typing import Any, Literal, Union, get_args, get_origin
+from typing import Any, Literal, NamedTuple, Union, get_args, get_origin
 
-from record import CLOSING, designs, recorded, same
+from record import CLOSING, designs, noise, recorded, same
 from told import Group, Moved, written
 
 from gearwright.checks import worst
@@ -46,8 +47,11 @@ LARGE = 1.0
 ZERO = 1e-12
 """Up to where a result is a zero: inertias of small parts are above it."""
 ROUNDING = 1e-5
-"""What rounding may add up to in a room: it sums some hundred numbers, zeros with rounding among them."""
-
+"""What rounding may add up to in a total, over the sum of the sizes of its numbers [-]."""
+MOVES = 0.1 * ROUNDING
+"""From what difference on, over the same, a change moves a total [-]."""
+FIGURES = 8
+"""Of a total."""
 SHAKEN = 4
 """Of every so many changes one has its critical speeds in the sums: they take as long as all else."""
 
@@ -55,19 +59,70 @@ Change = Mapping[str, Any]
 Row = dict[str, Any]
 
 
-def sums(values: Mapping[str, float]) -> dict[str, float]:
-    """Return room of results -> sum of all its numbers, whatever they are called.
+class Total(NamedTuple):
+    """All numbers of one quantity."""
 
-    asinh weighs small and large numbers alike and takes a zero with rounding for zero.
+    value: float = 0.0
+    """Their sum."""
+    size: float = 0.0
+    """Sum of their sizes."""
+    noise: float = 0.0
+    """Up to where it is a zero with rounding."""
+
+    def is_near(self, other: float, share: float) -> bool:
+        """Tell whether it is another number, but for a share of its size and for rounding."""
+        return abs(self.value - other) <= max(share * self.size, self.noise)
+
+
+def quantity(path: str) -> str:
+    """Return the quantity of a number: ``gears.mass``, ``checks.pitting.value``, ``cases.speeds``; an array is its own.
+
+    Args:
+        path: As recorded.
+    """
+    room, *inner = path.split(".")
+    if room in ("arrays", "answers"):
+        return path
+    if room in ("teeth", "cases"):
+        return ".".join([room, *inner[1:2]] if room == "cases" else [room])
+    if room == "checks":
+        return f"{room}.{inner[0]}.{inner[-1]}"
+    return f"{room}.{next(name for name in reversed(inner) if not name.isdigit())}"
+
+
+def totals(values: Mapping[str, float]) -> dict[str, Total]:
+    """Return quantity -> all its numbers.
 
     Args:
         values: Path -> number, as recorded.
     """
-    rooms: dict[str, float] = {}
+    found: dict[str, Total] = {}
     for path, value in values.items():
-        room = path.partition(".")[0]
-        rooms[room] = rooms.get(room, 0.0) + asinh(value)
-    return rooms
+        one = found.get(quantity(path), Total())
+        own = max(noise(path), ZERO)
+        found[quantity(path)] = Total(one.value + value, one.size + abs(value), one.noise + own)
+    return found
+
+
+@cache
+def usual_totals(name: str) -> dict[str, Total]:
+    """Return the totals of a design that is not changed, without critical speeds."""
+    return totals(recorded(size(designs()[name]), shaken=False))
+
+
+def moved_totals(name: str, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the totals that a change moves.
+
+    Args:
+        name: Of the design.
+        values: Path -> number, as recorded of the changed one.
+    """
+    was, now = usual_totals(name), totals(values)
+    return {
+        of: float(f"{now.get(of, Total()).value:.{FIGURES}g}")
+        for of in sorted(was.keys() | now.keys())
+        if not now.get(of, Total()).is_near(was.get(of, Total()).value, MOVES) or (of in now) != (of in was)
+    }
 
 
 def results(sizing: Sizing) -> Group:
@@ -142,7 +197,7 @@ def told(row: Row, place: int) -> Row:
         "change": row["change"],
         "results": results(sizing),
         "moves": {path: known[path] for path in named},
-        "sums": sums(values),
+        "totals": moved_totals(row["design"], values),
     }
 
 
@@ -167,11 +222,11 @@ def compare(moved: Moved, row: Row, place: int) -> None:
         for name in kept | group:
             one = ({name: own[name]} if name in own else {} for own in (kept, group))
             moved.compare(title, *one, zero=ZERO)
-    kept, rooms = row["sums"], sums(values)
-    for room in kept.keys() | rooms.keys():
-        was, is_now = kept.get(room, 0.0), rooms.get(room, 0.0)
-        if abs(was - is_now) > ROUNDING:
-            moved.changed.append(f"{title} [sum of all {room}]: {written(was)} -> {written(is_now)}")
+    beside, found = usual_totals(row["design"]), totals(values)
+    for of in sorted(row["totals"].keys() | found.keys()):
+        was, now_all = row["totals"].get(of, beside.get(of, Total()).value), found.get(of, Total())
+        if not now_all.is_near(was, ROUNDING):
+            moved.changed.append(f"{title} [total of {of}]: {written(was)} -> {written(now_all.value)}")
 
 
 def _unmoved(row: Row, place: int) -> bool:
@@ -237,7 +292,7 @@ def _is_record(kind: Any) -> bool:
 def _mark(design: Design, change: Change) -> dict[str, float] | None:
     start = time.process_time()
     try:
-        mark = sums(recorded(size(edited(design, dict(change)))))
+        mark = recorded(size(edited(design, dict(change))))
     except GearwrightError:
         return None
     return mark if time.process_time() - start < LONGEST else None
@@ -247,7 +302,7 @@ def searched() -> Iterator[Row]:
     """Yield design and change of every change that shows something."""
     shown: Counter[str] = Counter()
     for name, design in designs().items():
-        before, useful = sums(recorded(size(design))), []
+        before, useful = recorded(size(design)), []
         for key, change in changes(design):
             if shown[key] >= TWICE or (mark := _mark(design, change)) is None or mark == before:
                 continue
@@ -267,19 +322,19 @@ def write(rows: list[Row]) -> None:
     Args:
         rows: Design and change of each, with what they moved where that is known.
     """
-    kept = (row if "sums" in row and _unmoved(row, place) else told(row, place) for place, row in enumerate(rows))
+    kept = (row if "totals" in row and _unmoved(row, place) else told(row, place) for place, row in enumerate(rows))
     lines = ",\n".join(map(_text, kept))
     FILE.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
 
 
 def _text(row: Row) -> str:
-    """Return a row in three lines: design and change, its results, the sums beside them."""
+    """Return a row in three lines: design and change, its results, the totals that it moves."""
     head = f'{{"design": {json.dumps(row["design"])}, "change": {json.dumps(row["change"])}'
-    results, moves, sums = (
+    results, moves, totals = (
         f'"{name}": {{{", ".join(f"{json.dumps(of)}: {written(value)}" for of, value in row[name].items())}}}'
-        for name in ("results", "moves", "sums")
+        for name in ("results", "moves", "totals")
     )
-    return f"{head},\n {results}, {moves},\n {sums}}}"
+    return f"{head},\n {results}, {moves},\n {totals}}}"
 
 
 if __name__ == "__main__":

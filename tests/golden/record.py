@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from functools import cache
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 from variants import VARIANTS
 
+from gearwright.checks import Check
 from gearwright.dynamics import System
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.vibration import critical_speeds
@@ -56,13 +58,26 @@ def recorded(sizing: Sizing, *, shaken: bool = True) -> dict[str, float]:
     """
     parts: dict[str, Any] = {"teeth": dict(sizing.teeth), **{name: getattr(sizing, name) for name in PARTS}}
     parts["checks"] = {
-        f"{check.part} {check.what}, {check.clause}": {"value": check.value, "limit": check.limit}
-        for check in sizing.checks
+        name: {"value": check.value, "limit": check.limit} for name, check in identified(sizing.checks).items()
     }
     parts["cases"] = {
         case: {"powers": dict(flow.machine_powers), "speeds": dict(flow.speeds)} for case, flow in sizing.flows.items()
     }
     return {**numbers(parts), **_assembled(assemble(sizing)), **_answered(sizing, shaken=shaken)}
+
+
+def identified(checks: Iterable[Check]) -> dict[str, Check]:
+    """Return checks by who they are: mode, part, place and case; equal ones, as of two meshes, are counted.
+
+    Args:
+        checks: Of a sizing, the worst first.
+    """
+    found, met = dict[str, Check](), Counter[str]()
+    for check in checks:
+        name = f"{check.mode}.{', '.join(filter(None, (str(check.part), check.place, check.case)))}"
+        met[name] += 1
+        found[name if met[name] == 1 else f"{name} #{met[name]}"] = check
+    return found
 
 
 def _answered(sizing: Sizing, *, shaken: bool) -> dict[str, float]:
@@ -126,15 +141,18 @@ ORDER = 1e-9
 """What sums of unlike signs may differ by, over the sum of their sizes [-]."""
 
 
+def noise(path: str) -> float:
+    """Return up to where a number is a zero with rounding."""
+    if path.startswith("arrays."):
+        return ORDER
+    if path.startswith("answers."):
+        return 1e-6
+    return NOISE if any(part in path for part in CLOSING) else 0.0
+
+
 def same(path: str, was: float, is_now: float) -> bool:
     """Tell whether a number is what it was, but for rounding."""
-    if path.startswith("arrays."):
-        noise = ORDER
-    elif path.startswith("answers."):
-        noise = 1e-6
-    else:
-        noise = NOISE if any(part in path for part in CLOSING) else 0.0
-    return math.isclose(was, is_now, rel_tol=TOLERANCE["rel"], abs_tol=noise)
+    return math.isclose(was, is_now, rel_tol=TOLERANCE["rel"], abs_tol=noise(path))
 
 
 def write_all() -> None:

@@ -11,11 +11,12 @@ from functools import cache
 import pytest
 
 from gearwright.identity import Role
+from gearwright.particulars import particulars
 from gearwright.parts.gears import lewis_form_factor, virtual_teeth, working_pressure_angle
 from gearwright.render.tables.checks import factor_tables
 from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.sizing import size
+from gearwright.sizing import rated_factors, size
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import rating_of
 from gearwright.spec import at_level, edited, read
@@ -274,7 +275,7 @@ def test_printed_equations_of_meshes_give_the_printed_numbers(name):
 def test_no_number_of_a_mesh_is_said_to_come_from_another_method(name):
     """The method is that of the design's rules; in records, in the table of ratings, and in those of factors."""
     sizing = sized(name)
-    columns = {column.name: column for column in tables_of(sizing)["rating"].columns}
+    columns = {column.name: column for column in tables_of(particulars(sizing))["rating"].columns}
     for row, mesh in enumerate(sizing.meshes):
         if not mesh.rating.method:
             continue
@@ -286,7 +287,7 @@ def test_no_number_of_a_mesh_is_said_to_come_from_another_method(name):
             assert columns[field].origins[row] == origin
     wrong = {"iso6336": ("Lewis", "AGMA", "10300"), "iso10300": ("Lewis", "AGMA"), "agma2001": ("Lewis", "ISO 6336")}
     for mesh in sizing.meshes:
-        table = factor_tables(sizing).get(mesh.name)
+        table = factor_tables(rated_factors(sizing)).get(mesh.name)
         for row in table.rows if table else ():
             assert not any(word in row[-1].text for word in wrong[mesh.rating.method]), row[-1].text
 

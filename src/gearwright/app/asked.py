@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearwright.errors import DesignError, Problem, by_name, refuse
+from gearwright.memo import Memo
 
 if TYPE_CHECKING:
     from gearwright.arrays import Floats
@@ -62,9 +62,8 @@ LONG = {
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-MOST_KEPT = 32
-"""Sizings that are kept [-]."""
-_kept: OrderedDict[tuple[str, str], Sizing] = OrderedDict()
+_SIZINGS = Memo[tuple[str, str], "Sizing"](32)
+"""The latest sizings, by text and folder."""
 
 
 @dataclass(frozen=True)
@@ -169,19 +168,14 @@ def sized(question: Question) -> Sizing:
     from gearwright.spec import parse, placed
 
     key = (question.text, question.folder)
-    if key in _kept:
-        _kept.move_to_end(key)
-        return _kept[key]
+    if (known := _SIZINGS.get(key)) is not None:
+        return known
     design = parse(question.text, folder=Path(question.folder))
     try:
         sizing = size(design)
     except DesignError as error:
         raise DesignError(placed(error.problems, question.text)) from None
-    if "file" not in question.text:
-        _kept[key] = sizing
-        while len(_kept) > MOST_KEPT:
-            _kept.popitem(last=False)
-    return sizing
+    return sizing if "file" in question.text else _SIZINGS.keep(key, sizing)
 
 
 def case_of(question: Question, sizing: Sizing) -> str:

@@ -48,6 +48,7 @@ def size(question: Question) -> Answer:
     Args:
         question: With the text.
     """
+    from gearwright.particulars import particulars
     from gearwright.render.answers.design import size_answer
     from gearwright.render.answers.schema import plain
     from gearwright.render.words.sizing import sizing_headline
@@ -59,7 +60,7 @@ def size(question: Question) -> Answer:
         "case": governing_case(sizing),
         "headline": sizing_headline(sizing),
         "holds": not any(check.fails for check in sizing.checks),
-        "result": plain(size_answer(sizing)),
+        "result": plain(size_answer(particulars(sizing))),
     }
     return Answer(as_json(told))
 
@@ -135,8 +136,9 @@ def model(question: Question) -> Answer:
 def _with_temperatures(sizing: Sizing, facts: dict[str, Any]) -> dict[str, Any]:
     """Return what is said of solids with the contact temperature of gears that a standard rates against scuffing."""
     from gearwright.render.answers.design import factors_answer
+    from gearwright.sizing import rated_factors
 
-    for mesh in factors_answer(sizing):
+    for mesh in factors_answer(rated_factors(sizing)):
         hot = [value for row in mesh.factors if (row.chapter, row.quantity) == CONTACT for value in row.values]
         for gear in mesh.gears:
             if hot and gear in facts["parts"]:
@@ -174,9 +176,12 @@ def influences(question: Question) -> Answer:
     """
     from gearwright.render.answers.design import factors_answer, influences_answer
     from gearwright.render.answers.schema import plain
+    from gearwright.sizing import influences as find_influences
+    from gearwright.sizing import rated_factors
 
     sizing = sized(question)
-    told = {"factors": factors_answer(sizing), "influences": influences_answer(sizing, 1.0)}
+    moving = influences_answer(find_influences(sizing, 1.0))
+    told = {"factors": factors_answer(rated_factors(sizing)), "influences": moving}
     return Answer(as_json(plain(told)))
 
 

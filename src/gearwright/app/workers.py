@@ -18,8 +18,8 @@ from typing import Any
 
 from gearwright.app.asked import Answer, Progress, Question, Tell
 from gearwright.app.verbs import answered
+from gearwright.notices import noticed
 from gearwright.processes import dismiss, hire
-from gearwright.signals import noticed
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A process that answers questions: nothing that is computed holds up the page, and anything can be stopped.

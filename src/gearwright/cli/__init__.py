@@ -40,7 +40,7 @@ from gearwright.cli.ends import (
 )
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, show, tell
-from gearwright.signals import noticed
+from gearwright.notices import noticed
 from gearwright.version import __version__
 
 YOUNG = 250_000

@@ -33,7 +33,7 @@ from gearwright.mission import Flight, durability, flight_checks, fly
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_seats import ENDS, planet_bodies
 from gearwright.sizing.making import built_checks
-from gearwright.sizing.rating import remembering
+from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, Mission, edited
 from gearwright.spec.design import NOTHING_GIVEN, Pair, given_values, module_owners
 from gearwright.spec.edit import Value
@@ -292,7 +292,7 @@ ABOVE = 1.01
 
 
 @verb
-@remembering()
+@MESHES.sharing()
 def close(
     design: Design,
     *,

@@ -13,7 +13,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from gearwright.dynamics.kept_code import COMPILING, folder, read_code, write_code
-from gearwright.signals import notice
+from gearwright.notices import notice
 
 Given = ParamSpec("Given")
 Result = TypeVar("Result")

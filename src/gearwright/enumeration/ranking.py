@@ -23,7 +23,7 @@ from gearwright.processes import computed
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
-from gearwright.sizing.rating import remembering
+from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, at_level, edited, parse
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
@@ -150,7 +150,7 @@ def _middle(requirement: Requirement, architecture: Architecture) -> Candidate |
     return Candidate(architecture, made.ratios, made.motor_speed, places, _first_mass(sizing), whole)
 
 
-@remembering()
+@MESHES.sharing()
 def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
     """Return a sketched architecture sized against fatigue, with everything in its mass.
 
@@ -166,7 +166,7 @@ def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate
         return replace(row, refused=_words(error))
 
 
-@remembering()
+@MESHES.sharing()
 def proportioned(requirement: Requirement, row: Candidate, *, life: float) -> Candidate:
     """Return an architecture whose numbers promise most against fatigue, of a star of points about those it has.
 

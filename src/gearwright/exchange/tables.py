@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.errors import Problem, install, near, refuse
+from gearwright.particulars import particulars
 from gearwright.render.grid import MARKS, Cell, Column, Table, csv_text
 from gearwright.render.tables.checks import factor_tables
 from gearwright.render.tables.sizing import flow_tables, tables_of
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, rated_factors
 from gearwright.store import netcdf_bytes
 from gearwright.verbs import verb
 
@@ -39,9 +40,10 @@ def all_tables(sizing: Sizing) -> dict[str, Table]:
     Args:
         sizing: As sized.
     """
-    flows = {f"flow_{place}": table for place, table in enumerate(flow_tables(sizing), start=1)}
-    factors = {f"factors_{place}": table for place, table in enumerate(factor_tables(sizing).values(), start=1)}
-    every = {**tables_of(sizing), **flows, **factors}
+    facts, rated = particulars(sizing), factor_tables(rated_factors(sizing))
+    flows = {f"flow_{place}": table for place, table in enumerate(flow_tables(facts.branches), start=1)}
+    factors = {f"factors_{place}": table for place, table in enumerate(rated.values(), start=1)}
+    every = {**tables_of(facts), **flows, **factors}
     return {name: table for name, table in every.items() if table.rows and table.columns}
 
 

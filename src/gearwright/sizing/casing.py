@@ -15,7 +15,7 @@ import numpy as np
 from gearwright.arrays import Floats, following, smallest
 from gearwright.catalogue import housing_materials
 from gearwright.identity import HOUSING, Kind
-from gearwright.latest import of_latest
+from gearwright.memo import of_latest
 from gearwright.parts.joints import MODULES, ROOT_DEPTH, Spline, spline, spline_length, spline_pressure
 from gearwright.sizing.gear_geometry import ring_radii
 from gearwright.sizing.housing_shell import (
@@ -47,7 +47,7 @@ BOSS = 0.12
 """Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 
 
-@of_latest
+@of_latest(1)
 def housed(sizing: Sizing) -> tuple[Body, ...]:
     """Return the bodies around which a housing stands: all but the ends of built shafts that leave it.
 
@@ -62,7 +62,7 @@ def housed(sizing: Sizing) -> tuple[Body, ...]:
     return (*inside, *_still(sizing, ends))
 
 
-@of_latest
+@of_latest(1)
 def shell_of(sizing: Sizing) -> Shell:
     """Return the shell of a housing around all that stands in it.
 

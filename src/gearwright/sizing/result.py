@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cache, cached_property
 from types import NoneType
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, get_type_hints
 
 from gearwright.checks import Check, worst
 from gearwright.errors import DesignError, Problem
@@ -588,8 +588,8 @@ _STANDS_OUT = 1.0
 
 _PLAIN = frozenset({int, str, bool, NoneType, Role, Row, PartId})
 """Kinds of values that hold no number which could be none."""
-_WORDS = {"str", "bool", "int", "PartId", "Role", "Row", "tuple[str, str]"}
-"""Annotations of fields that hold no number which could be none."""
+_WORDS = _PLAIN | {tuple[str, str]}
+"""Declared types of fields that hold no number which could be none."""
 
 
 def refuse_no_numbers(sizing: Sizing) -> Sizing:
@@ -648,8 +648,10 @@ def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
     """Return the fields of a kind of record that hold numbers, each with whether it may be infinite."""
     if not is_dataclass(kind):
         return ()
-    marks = marks_of(kind)
-    return tuple((entry.name, marks[entry.name].endless) for entry in fields(kind) if entry.type not in _WORDS)
+    marks, declared = marks_of(kind), get_type_hints(kind)
+    return tuple(
+        (entry.name, marks[entry.name].endless) for entry in fields(kind) if declared[entry.name] not in _WORDS
+    )
 
 
 def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:

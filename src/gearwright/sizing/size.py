@@ -37,7 +37,7 @@ from gearwright.sizing.places import (
     settle,
 )
 from gearwright.sizing.planets import film_checks, fit_planets
-from gearwright.sizing.rating import Context, Known, remembered
+from gearwright.sizing.rating import MESHES, Context, Known
 from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
@@ -169,7 +169,7 @@ def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still
     """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
     best = dict[bool, Sizing]()
     masses: Mapping[bool, list[float]] = {True: [], False: []}
-    refused, known = list[DesignError](), remembered()
+    refused, known = list[DesignError](), MESHES.now()
     for choice in choose_teeth(design, train):
         try:
             sizing = completed(geared(design, train, choice, given=given, known=known), given, still=still)
@@ -205,7 +205,7 @@ def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given]) 
     """Return the transmission of the teeth whose gears come nearest to meeting everything, the lightest of equals."""
     choices = choose_teeth(considering(design), train)
     trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
-    known, refused, found = remembered(), list[DesignError](), dict[int, Geared]()
+    known, refused, found = MESHES.now(), list[DesignError](), dict[int, Geared]()
     while (place := trying.next()) is not None:
         try:
             gears = geared(design, train, choices[place], given=given, known=known)

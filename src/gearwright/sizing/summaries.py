@@ -13,7 +13,7 @@ from gearwright.parts.gears import form_radius, span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import DynamicFactorBySpeed, MeshGeometry
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.mass import tooth_of
-from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, load_sharing, rating_of
+from gearwright.sizing.rating import METHODS, Factor, bevel_pair, cylindrical_mesh, factor_rows, load_sharing, rating_of
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
 from gearwright.spec import Design, Epicyclic, Planetary
@@ -262,6 +262,32 @@ def _bevel(sizing: Sizing, pinion: GearSizing, wheel: GearSizing) -> BevelPairDa
         dedendum=pair.dedenda,
         blank=bevel_blank(pair, cutter) if cut else None,
     )
+
+
+class RatedMesh(NamedTuple):
+    """A mesh whose method has more than stresses and margins."""
+
+    mesh: MeshSizing
+    factors: tuple[Factor, ...]
+    """Its geometry and its factors, in the heaviest case over the whole life."""
+
+
+def rated_factors(sizing: Sizing) -> tuple[RatedMesh, ...]:
+    """Return every mesh whose method has more than stresses and margins, with its geometry and its factors.
+
+    Args:
+        sizing: As sized.
+    """
+    rated = [(mesh, _factors(mesh)) for mesh in sizing.meshes]
+    return tuple(
+        RatedMesh(mesh, (*factor_rows(pair_data(sizing, mesh), "geometry"), *factors))
+        for mesh, factors in rated
+        if factors
+    )
+
+
+def _factors(mesh: MeshSizing) -> tuple[Factor, ...]:
+    return (*METHODS[mesh.rating.method].factors(mesh.rating),) if mesh.rating.method else ()
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.reviews import Review, Verdict, review
 from gearwright.showing import Shown
 from gearwright.sizing.mass import Statistics, statistics_beside
-from gearwright.sizing.rating import remembering
+from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running import comparison_of
 from gearwright.units import Life, Mass, Ratio, margin_text
@@ -82,7 +82,7 @@ def equal_life(
     for name, design in chosen.items():
         say = None if tell is None else _named(tell, name)
         try:
-            with remembering():
+            with MESHES.sharing():
                 rows += _rows(name, design, asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))

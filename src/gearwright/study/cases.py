@@ -15,6 +15,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
+from gearwright.memo import Memo
 from gearwright.signals import heard_after
 from gearwright.sizing import TEXT, Named, Sizing, asked_results, in_lanes, pick, size
 from gearwright.spec import (
@@ -457,8 +458,8 @@ def _mission_problem(mission: Mission | None, path: str) -> Problem | None:
 
 _LONE_VERBS = ("review", "modes", "simulate")
 """Beginnings of results for which a case is computed alone."""
-_kept: list[tuple[Design, Mapping[str, Value], Sizing]] = []
-"""The last sizing."""
+_SIZED = Memo[tuple[int, str], tuple[Design, Sizing]](1)
+"""The last sizing with its design, by which object that is and by its changes."""
 
 
 TOGETHER = 64
@@ -528,12 +529,7 @@ def _flown_rows(study: Study, design: Design, changes: Mapping[str, Value], case
 
 def _sized(design: Design, changes: Mapping[str, Value]) -> Sizing:
     """Return the sizing of a design with changes; the last one is kept."""
-    for known, same, sizing in _kept:
-        if known is design and same == changes:
-            return sizing
-    sizing = size(edited(design, changes))
-    _kept[:] = [(design, dict(changes), sizing)]
-    return sizing
+    return _SIZED.of((id(design), repr(sorted(changes.items()))), lambda: (design, size(edited(design, changes))))[1]
 
 
 def _edited(mission: Mission, changes: Mapping[str, Value]) -> Mission | DesignError:

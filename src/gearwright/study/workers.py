@@ -21,8 +21,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from gearwright.errors import DesignError, Problem, SolveError, install, refuse
+from gearwright.notices import notice, noticed
 from gearwright.processes import TRIES, dismiss, hire
-from gearwright.signals import notice, noticed
 from gearwright.spec import Design, Study
 from gearwright.study.cases import LEAST, TOGETHER, Case, evaluate, evaluated, fly_together, goes_together
 from gearwright.study.cases import LEAST as LEAST_TOGETHER

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache, wraps
+from functools import wraps
 from typing import TypeVar
 
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.memo import Memo
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Remember what a matrix gave: the trains of a study repeat their matrices from load case to load case and design.
@@ -27,8 +28,9 @@ def remembered(function: Callable[[Floats], Result]) -> Callable[[Floats], Resul
         function: Its result, one array or several, depends on the matrix alone.
     """
 
-    @lru_cache(maxsize=KEPT)
-    def kept(content: bytes, shape: tuple[int, ...]) -> Result:
+    memo = Memo[tuple[bytes, tuple[int, ...]], Result](KEPT)
+
+    def made(content: bytes, shape: tuple[int, ...]) -> Result:
         result = function(np.frombuffer(content).reshape(shape))
         for array in (result,) if isinstance(result, np.ndarray) else result:
             array.flags.writeable = False
@@ -36,7 +38,8 @@ def remembered(function: Callable[[Floats], Result]) -> Callable[[Floats], Resul
 
     @wraps(function)
     def looked_up(matrix: Floats) -> Result:
-        return kept(matrix.tobytes(), matrix.shape)
+        key = (matrix.tobytes(), matrix.shape)
+        return memo.of(key, lambda: made(*key))
 
     return looked_up
 

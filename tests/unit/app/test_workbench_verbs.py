@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.schema import plain
 
@@ -24,7 +25,7 @@ def test_every_shipped_design_has_the_numbers_of_the_command_line(asked, name):
     text = text_of(name)
     told = asked.post("/api/size", text=text)
     assert told.status_code == 200, told.text
-    expected = plain(size_answer(gw.size(gw.read(name))))
+    expected = plain(size_answer(particulars(gw.size(gw.read(name)))))
     assert told.json()["result"] == json.loads(json.dumps(expected))
     groups = asked.post("/api/form", text=text).json()
     keys = {(*group["path"], field["key"]) for group in groups for field in group["written"]}
@@ -163,7 +164,7 @@ def test_random_changes_of_the_form_have_the_numbers_or_the_problems_of_the_comm
         text = changed.json()["text"]
         answer = asked.post("/api/size", text=text)
         try:
-            expected = plain(size_answer(gw.size(gw.parse(text))))
+            expected = plain(size_answer(particulars(gw.size(gw.parse(text)))))
         except gw.DesignError as error:
             told = [problem["message"] for problem in answer.json()["problems"]]
             assert answer.status_code == 422 and told == [problem.message for problem in error.problems]

@@ -12,8 +12,9 @@ from gearwright.dynamics.code_cache import CodeCache
 from gearwright.dynamics.codegen import assembler
 from gearwright.dynamics.codegen import generate as native
 from gearwright.dynamics.model import system as plan
+from gearwright.memo import Memo
+from gearwright.notices import notice, noticed
 from gearwright.shipped import shipped_mission
-from gearwright.signals import notice, noticed
 
 THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
 TOLD = "compiling the steps"
@@ -48,8 +49,8 @@ def nothing_kept(monkeypatch):
     monkeypatch.setattr(assembler, "keep_code", lambda *_: None)
     monkeypatch.setattr(assembler, "LONG", 0)
     native.compiled.cache_clear()
-    plan._PLANS.clear()
-    plan._KNOWN.clear()
+    monkeypatch.setattr(plan, "_PLANS", Memo(plan.PLANS))
+    monkeypatch.setattr(plan, "_KNOWN", Memo(plan.PLANS))
 
 
 def errors_of(command, monkeypatch, capsys):

@@ -14,6 +14,7 @@ from built_design import BORES, JOINTS, STEPS, built_sizing
 
 import gearwright as gw
 from gearwright.errors import DesignError
+from gearwright.particulars import particulars
 from gearwright.parts.bevel_geometry import face_and_root
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
@@ -293,7 +294,7 @@ def test_every_part_of_every_shipped_design_has_its_sheet_and_the_page_shows_the
         for gear in {gear.name for gear in sizing.gears} - integral:
             assert any(each == f"gear-{gear}" or each.startswith(f"gear-{gear}-") for each in found), (name, gear)
         rows = [DrawnSheet(one.name, one.name, one.size.name, "1:1", sheet_svg(one, f"{one.name}-")) for one in its]
-        page = sheets_page(sizing, rows)
+        page = sheets_page(particulars(sizing), rows)
         stands_alone(page)
         ids = re.findall(r' id="?([^"> ]+)', page)
         assert len(ids) == len(set(ids)), name

@@ -10,6 +10,7 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.model import Bearing, Rotor, Segment, add_bearing, add_rotor
 from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, peaks, run_up
 from gearwright.errors import DesignError
+from gearwright.particulars import particulars, reported
 from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure, waterfall_figure
 from gearwright.render.figures.motion import (
     drawn_modes_figure,
@@ -34,6 +35,7 @@ def sized(name="in-line-h2", more=""):
 
 SIZING = sized()
 SYSTEM = assemble(SIZING)
+REPORTED = reported(particulars(SIZING), SYSTEM)
 FOUND = critical_speeds(SIZING)[0]
 MOVING = sized(more='\n[dynamics]\nfidelity = "translational"\n')
 
@@ -62,7 +64,7 @@ def test_every_shipped_design_has_its_campbell_diagram_and_drawn_modes(design):
     for found in critical_speeds(sizing):
         assert "Campbell diagram" in "".join(words(campbell_figure(sizing, found)))
     system = assemble(sizing)
-    assert "2:" in "".join(words(drawn_modes_figure(sizing, system, modes(system), numbers=[2])))
+    assert "2:" in "".join(words(drawn_modes_figure(particulars(sizing), system, modes(system), numbers=[2])))
 
 
 def test_the_critical_table_says_which_speeds_are_in_resonance_and_which_not_excited():
@@ -116,7 +118,7 @@ def test_drawn_modes_move_only_the_set_that_takes_part():
     found = modes(system)
     own = [name.startswith("second.") for name in system.labels.coordinates]
     place = int(np.argmax(np.sum(found.shapes[own] ** 2 * system.arrays.mass[own, None], axis=0) > 0.999))
-    figure = drawn_modes_figure(MOVING, system, found, numbers=[place + 1])
+    figure = drawn_modes_figure(particulars(MOVING), system, found, numbers=[place + 1])
     first, second = figure.axes[1:]
     still, moved = ([np.mean(disc.points[:12], axis=0) for disc in axes.of(Shape)] for axes in (first, second))
     assert np.allclose(still[::2], still[1::2])
@@ -143,7 +145,7 @@ def test_orbits_are_refused_where_nothing_moves_across():
 
 def test_chapters_of_the_report_hold_every_figure_with_ids_of_its_own():
     trace = simulate(SYSTEM, 0.004, outputs=Outputs(windows=((0.002, 0.004),)))
-    sections = dynamics_sections(SIZING, SYSTEM, case="rated", modes=modes(SYSTEM), trace=trace, campbell=(FOUND,))
+    sections = dynamics_sections(REPORTED, SYSTEM, case="rated", modes=modes(SYSTEM), trace=trace, campbell=(FOUND,))
     titles = ["Critical speeds", "Mode shapes", "Transmission error and paths", "Assumptions of the dynamic model"]
     assert [section.title for section in sections] == titles
     ids = [
@@ -153,7 +155,7 @@ def test_chapters_of_the_report_hold_every_figure_with_ids_of_its_own():
 
 
 def test_chapters_without_run_and_modes_are_the_assumptions_alone():
-    sections = dynamics_sections(SIZING, SYSTEM, case="rated")
+    sections = dynamics_sections(REPORTED, SYSTEM, case="rated")
     assert [section.title for section in sections] == ["Assumptions of the dynamic model"]
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.errors import DesignError
+from gearwright.particulars import particulars
 from gearwright.render import style as theme
 from gearwright.render.figures.masses import (
     bent_shafts,
@@ -21,7 +22,7 @@ from gearwright.sizing.mass import complete_mass
 
 
 def every_figure(sizing, modal, run):
-    return [mass_figure(sizing), margin_figure(sizing), mode_figure(modal), time_figure(run),
+    return [mass_figure(particulars(sizing)), margin_figure(sizing), mode_figure(modal), time_figure(run),
             spectrum_figure(run, {"first.mesh": 5e3})]  # fmt: skip
 
 
@@ -32,7 +33,7 @@ def test_the_same_input_gives_the_same_svg(in_line_h2, modal, run) -> None:
 
 
 def test_an_svg_needs_nothing_from_outside(in_line_h2) -> None:
-    svg = theme.to_svg(mass_figure(in_line_h2), "mass")
+    svg = theme.to_svg(mass_figure(particulars(in_line_h2)), "mass")
     assert svg.startswith("<svg")
     for word in ("<image", "<metadata", "<!DOCTYPE", "href=", "url(http", "@import"):
         assert word not in svg
@@ -43,7 +44,7 @@ def test_an_svg_needs_nothing_from_outside(in_line_h2) -> None:
 
 def test_drawing_leaves_the_settings_of_matplotlib_alone(in_line_h2) -> None:
     before = dict(mpl.rcParams)
-    theme.to_png(mass_figure(in_line_h2))
+    theme.to_png(mass_figure(particulars(in_line_h2)))
     assert dict(mpl.rcParams) == before
 
 
@@ -57,13 +58,13 @@ def test_without_matplotlib_a_png_says_what_to_install(in_line_h2, monkeypatch, 
     monkeypatch.delitem(sys.modules, "gearwright.render.vector.pixels", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(DesignError, match=r"PNG needs matplotlib.*\[png\].*or end the name with \.svg"):
-        mass_figure(in_line_h2).savefig(tmp_path / "mass.png")
-    mass_figure(in_line_h2).savefig(tmp_path / "mass.svg")
+        mass_figure(particulars(in_line_h2)).savefig(tmp_path / "mass.png")
+    mass_figure(particulars(in_line_h2)).savefig(tmp_path / "mass.svg")
     assert [path.name for path in tmp_path.iterdir()] == ["mass.svg"]
 
 
 def test_the_bars_of_the_mass_figure_are_the_masses(in_line_h2) -> None:
-    widths = [bar.width for bar in mass_figure(in_line_h2).axes[0].of(Box)]
+    widths = [bar.width for bar in mass_figure(particulars(in_line_h2)).axes[0].of(Box)]
     assert sum(widths) == pytest.approx(in_line_h2.parts_mass)
     assert widths[: len(widths) - 3] == sorted(widths[: len(widths) - 3], reverse=True)  # three more for the legend
 

@@ -11,6 +11,7 @@ from rich.console import Console
 
 from gearwright.checks import Check, Status, not_assessed
 from gearwright.identity import Kind, PartId
+from gearwright.particulars import particulars
 from gearwright.render.figures.masses import margin_figure
 from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
@@ -127,7 +128,7 @@ def test_a_waived_failure_is_shown_as_such_with_its_reason():
     for page in (plain(review_text(reviewed)), said(report(sizing, review=reviewed))):
         assert "measured: silent" in page
         assert "The waiver of input Tresca is not needed: it passes" in page
-    assert any("waived: measured: silent" in words for words in warnings(sizing, {}, reviewed))
+    assert any("waived: measured: silent" in words for words in warnings(particulars(sizing), {}, reviewed))
 
 
 def test_a_waived_failure_is_no_longer_too_small_in_the_figure():

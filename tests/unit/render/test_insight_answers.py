@@ -7,18 +7,22 @@ import pytest
 import gearwright as gw
 from designs import PAIR
 from gearwright.cli.answers import answer_schema, answer_text
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import Asked, SizeAnswer, size_answer
 from gearwright.render.answers.schema import plain
 from gearwright.render.tables.checks import influence_tables
+from gearwright.sizing import influences, methods_beside, rated_factors
 from gearwright.spec import parse
 from json_schema import faults
 
 SIZING = gw.size(parse(f'{PAIR}pinion_teeth = 24\nwheel_teeth = 71\n\n[gears]\nrating = "agma2001"\n'))
-ANSWER: SizeAnswer = size_answer(SIZING, Asked(factors=True, methods=True, wish=1.3))
+FACTS = particulars(SIZING)
+ASKED = Asked(rated_factors(SIZING), methods_beside(SIZING), influences(SIZING, 1.3))
+ANSWER: SizeAnswer = size_answer(FACTS, ASKED)
 
 
 def test_what_nobody_asks_for_is_null():
-    told = plain(size_answer(SIZING))
+    told = plain(size_answer(FACTS))
     assert (told["factors"], told["methods"], told["influences"]) == (None, None, None)
 
 
@@ -28,7 +32,7 @@ def test_the_answer_with_everything_fits_its_schema():
 
 def test_a_mesh_that_no_standard_rates_has_no_factors_in_the_answer():
     plainly = gw.size(parse(f"{PAIR}pinion_teeth = 24\nwheel_teeth = 71\n"))
-    assert size_answer(plainly, Asked(factors=True)).factors == ()
+    assert size_answer(particulars(plainly), Asked(rated_factors(plainly))).factors == ()
 
 
 def test_factors_stand_in_their_units_with_clause_and_limit():
@@ -63,6 +67,6 @@ def test_influences_are_those_of_the_verb_in_units_that_people_read():
 
 def test_what_moves_a_margin_is_one_block_on_eighty_columns():
     """Widest cell of every column, two spaces between them, one before the first and one after the last."""
-    for table in influence_tables(SIZING, 1.25).values():
+    for table in influence_tables(influences(SIZING, 1.25)).values():
         cells = [[column.header for column in table.columns], *([cell.text for cell in row] for row in table.rows)]
         assert sum(max(map(len, column)) + 2 for column in zip(*cells, strict=True)) <= 80

@@ -4,6 +4,7 @@ import pytest
 from rich.console import Console
 
 from designs import PAIR
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.schema import plain
 from gearwright.render.pages.report import report
@@ -21,7 +22,7 @@ def estimated():
 
 
 def rows(sizing):
-    return {row[1].text: row for row in materials_table(sizing).rows}
+    return {row[1].text: row for row in materials_table(particulars(sizing).materials).rows}
 
 
 def test_a_strength_that_no_source_gives_is_marked_with_its_rule(estimated):
@@ -48,9 +49,9 @@ def test_a_material_without_a_class_is_rated_by_the_one_that_the_design_asks_for
 def test_terminal_json_and_report_tell_what_is_estimated(estimated):
     console = Console(width=200, no_color=True)
     with console.capture() as shown:
-        console.print(sizing_text(estimated))
+        console.print(sizing_text(particulars(estimated)))
     assert "Materials: what is estimated" in shown.get()
-    told = plain(size_answer(estimated))["materials"]
+    told = plain(size_answer(particulars(estimated)))["materials"]
     (strength,) = [row for row in told if row["quantity"] == "strength of flanks σ_Hlim"]
     assert (strength["value"], strength["unit"]) == (1500.0, "MPa")
     assert strength["source"].startswith("estimated: ISO 6336-5:2016")
@@ -62,10 +63,10 @@ def test_terminal_json_and_report_tell_what_is_estimated(estimated):
 def test_a_design_without_estimates_has_no_table_of_them_on_the_screen():
     console = Console(width=200, no_color=True)
     with console.capture() as shown:
-        console.print(sizing_text(size(parse(PAIR))))
+        console.print(sizing_text(particulars(size(parse(PAIR)))))
     assert "what is estimated" not in shown.get()
 
 
 def test_every_material_that_is_used_stands_in_the_table():
     text = PAIR + '[gears]\nmaterial = "16MnCr5"\n[shafting]\nmaterial = "C45"\n'
-    assert {row[0].text for row in materials_table(size(parse(text))).rows} == {"16MnCr5", "C45"}
+    assert {row[0].text for row in materials_table(particulars(size(parse(text))).materials).rows} == {"16MnCr5", "C45"}

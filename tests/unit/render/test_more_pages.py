@@ -2,6 +2,7 @@
 
 import re
 
+from gearwright.particulars import particulars
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.writers import sheet_svg
 from gearwright.render.pages.report import DrawnSheet, sheets_page
@@ -30,7 +31,7 @@ def test_a_page_of_drawings_has_every_sheet_once_and_its_ids_apart():
         DrawnSheet(sheet.name, sheet.title, sheet.size.name, "1:1", sheet_svg(sheet, f"{sheet.name}-"))
         for sheet in sheets(sizing, ["shaft"])
     ]
-    page = sheets_page(sizing, drawn)
+    page = sheets_page(particulars(sizing), drawn)
     stands_alone(page)
     ids = re.findall(r'\bid="([^"]+)"', page)
     assert len(ids) == len(set(ids)) and page.count("<figure") == len(drawn)

@@ -11,15 +11,16 @@ from gearwright.parts.iso10300 import BevelRating
 from gearwright.render.tables.checks import check_sentence, factor_tables
 from gearwright.render.words.design_file import entries
 from gearwright.shipped import shipped_design
-from gearwright.sizing import pair_data, size
+from gearwright.sizing import pair_data, rated_factors, size
 from gearwright.spec import read
 
 DESIGN = read(shipped_design("ec120b"))
 SIZING = size(DESIGN)
+FACTORS = rated_factors(SIZING)
 
 
 def test_every_factor_of_both_standards_stands_in_a_table_with_its_clause():
-    tables = factor_tables(SIZING)
+    tables = factor_tables(FACTORS)
     helical, bevel = tables["helical"], tables["bevel"]
     for one, standard in ((helical, "ISO 6336"), (bevel, "ISO 10300")):
         rows = {row[2].text.partition(" = ")[0]: [cell.text for cell in row] for row in one.rows}
@@ -47,7 +48,7 @@ def test_every_factor_of_both_standards_stands_in_a_table_with_its_clause():
 def test_the_tables_values_are_those_of_the_rating():
     """S_H and S_F as printed, to the digits that are shown (5)."""
     helical = next(mesh for mesh in SIZING.meshes if mesh.name == "helical")
-    rows = {row[2].text.partition(" = ")[0]: row for row in factor_tables(SIZING)["helical"].rows}
+    rows = {row[2].text.partition(" = ")[0]: row for row in factor_tables(FACTORS)["helical"].rows}
     pinion, wheel = (float(rows["S_H"][k].text) for k in (3, 4))
     assert (pinion, wheel) == pytest.approx([float(each) for each in helical.rating.factors.pitting.safeties], rel=5e-5)
 
@@ -61,8 +62,11 @@ def _numbers(one, column):
 @pytest.mark.parametrize("column", [3, 4])
 def test_stresses_and_limits_are_the_products_of_the_shown_factors(column):
     """σ_H0, σ_HG, σ_F0 and σ_FG by hand from the other lines, in MPa and mm; to the digits that are shown."""
-    it, pinion = _numbers(factor_tables(SIZING)["helical"], column), _numbers(factor_tables(SIZING)["helical"], 3)
-    ratio = _numbers(factor_tables(SIZING)["helical"], 4)["z"] / pinion["z"]
+    it, pinion = (
+        _numbers(factor_tables(FACTORS)["helical"], column),
+        _numbers(factor_tables(FACTORS)["helical"], 3),
+    )
+    ratio = _numbers(factor_tables(FACTORS)["helical"], 4)["z"] / pinion["z"]
     flank = it["F_t"] / (pinion["d"] * it["b"]) * (ratio + 1.0) / ratio
     assert math.prod(it[each] for each in ("Z_H", "Z_E", "Z_ε", "Z_β")) * math.sqrt(flank) == pytest.approx(
         it["σ_H0"], rel=2e-4
@@ -82,7 +86,7 @@ def test_stresses_and_limits_are_the_products_of_the_shown_factors(column):
 
 def test_limits_of_a_bevel_pair_are_the_products_of_the_shown_factors():
     """σ_HP with Z_X = Z_W = 1 and Z_KP = 1.2, σ_FP with Y_ST = 2; to the digits that are shown."""
-    bevel = factor_tables(SIZING)["bevel"]
+    bevel = factor_tables(FACTORS)["bevel"]
     films = next(row[3].text for row in bevel.rows if row[2].text == "Z_L, Z_v, Z_R")
     for it in (_numbers(bevel, 3), _numbers(bevel, 4)):
         flank = 1.2 * it["σ_Hlim"] * it["Z_NT"] * math.prod(map(float, films.split(", ")))

@@ -7,6 +7,7 @@ from drawn_designs import MIXED, sized
 
 from gearwright.checks import Check
 from gearwright.identity import Kind, PartId
+from gearwright.particulars import particulars
 from gearwright.render.answers.schema import described, plain
 from gearwright.render.grid import table
 from gearwright.render.tables.checks import check_sentence, review_tables
@@ -52,7 +53,7 @@ def test_machines_get_every_digit_and_no_infinity() -> None:
 
 def test_values_that_the_user_gives_are_marked_where_they_act_and_nowhere_else() -> None:
     sizing = sized(MIXED + '[overrides]\n"second.module_mm" = 4\n"lay.diameter_mm" = 80\n')
-    gears = tables_of(sizing)["gears"]
+    gears = tables_of(particulars(sizing))["gears"]
     module = [column.name for column in gears.columns].index("module")
     marks = {row[0].value: row[module].mark for row in gears.rows}
     assert marks == {
@@ -73,7 +74,7 @@ def test_an_inertia_is_marked_as_given_or_as_estimated() -> None:
     sizing = sized(MIXED)
     marks = {machine.name: given_by_user(sizing, machine, "inertia") for machine in sizing.machines}
     assert marks == {"gas-turbine": "estimated", "electric": "given", "propeller": "estimated"}
-    assert tables_of(sizing)["machines"].marks == ("given", "estimated")
+    assert tables_of(particulars(sizing))["machines"].marks == ("given", "estimated")
 
 
 @pytest.mark.parametrize("margin", [0.7196, 0.99962, 0.99996, 0.9999996, 1.0, 1.00004])

@@ -6,6 +6,7 @@ from rich.console import Console
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
 from gearwright.render.answers.schema import plain
@@ -26,18 +27,18 @@ def on_screen(what, width=100) -> str:
 
 
 def test_the_terminal_report_tells_what_an_engineer_asks(in_line_h2) -> None:
-    words = on_screen(sizing_text(in_line_h2))
+    words = on_screen(sizing_text(particulars(in_line_h2)))
     for asked in ("46.27 kW/kg", "Margins, worst first", "499.4", "16035", "first.planet", "Carriers",
                   "Speeds that deviate from those asked", "Not in the mass: housing", "~ estimated"):  # fmt: skip
         assert asked in words, asked
 
 
 def test_no_line_of_the_report_is_wider_than_the_terminal(in_line_h2) -> None:
-    assert max(len(line) for line in on_screen(sizing_text(in_line_h2), width=80).splitlines()) <= 80
+    assert max(len(line) for line in on_screen(sizing_text(particulars(in_line_h2)), width=80).splitlines()) <= 80
 
 
 def test_a_narrow_terminal_shows_every_number_whole(in_line_h2) -> None:
-    wide, narrow = (on_screen(sizing_text(in_line_h2), width=width) for width in (400, 60))
+    wide, narrow = (on_screen(sizing_text(particulars(in_line_h2)), width=width) for width in (400, 60))
     numbers = re.compile(r"[−\d.e+-]*\d")
     assert set(numbers.findall(wide)) - set(numbers.findall(narrow)) == set()
     assert "continued" in narrow
@@ -45,13 +46,13 @@ def test_a_narrow_terminal_shows_every_number_whole(in_line_h2) -> None:
 
 
 def test_motors_are_named_only_where_there_are_some(designs) -> None:
-    assert "Motors" in summary(designs["mixed"])
-    assert "Motors" not in summary(designs["star"])
+    assert "Motors" in summary(particulars(designs["mixed"]))
+    assert "Motors" not in summary(particulars(designs["star"]))
 
 
 def test_groups_that_are_named_add_up_to_the_mass_that_is_told_and_the_complete_one_comes_first() -> None:
     sizing = size(read(shipped_design("hybrid-turboprop")))
-    words = summary(sizing)
+    words = summary(particulars(sizing))
     complete = complete_mass(sizing)
     assert words.startswith(f"Complete mass {text(complete.total, 'mass', 3)}, 68 % from ")
     whole, *groups = (
@@ -62,7 +63,7 @@ def test_groups_that_are_named_add_up_to_the_mass_that_is_told_and_the_complete_
 
 
 def test_the_answer_of_a_sizing_has_units_in_its_keys(in_line_h2) -> None:
-    read = plain(size_answer(in_line_h2))
+    read = plain(size_answer(particulars(in_line_h2)))
     sun = read["gears"][0]
     assert sun["face_width_mm"] == 1e3 * in_line_h2.gears[0].face_width
     assert set(read["cases"]) == {"rated", "cruise"}

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from designs import ONE_SET, PAIR
+from gearwright.particulars import particulars
 from gearwright.render.drawings.tooth_data import tooth_grid
 from gearwright.render.tables.sizing import tables_of
 from gearwright.sizing import size
@@ -50,5 +51,5 @@ def test_pins_that_stand_unequally_are_told_with_their_angles(keys, told):
     sun, ring = (27, 99) if told else (28, 100)
     teeth = f'sun = "fast"\nring = "ground"\ncarrier = "slow"\nplanets = 4\nsun_teeth = {sun}\nring_teeth = {ring}\n'
     sizing = size(parse(ONE_SET.format(speed=6000.0 * sun / (sun + ring)) + teeth + keys))
-    note = tables_of(sizing)["carriers"].note
+    note = tables_of(particulars(sizing))["carriers"].note
     assert note == ("Pins of set stand at 0°, 91.42857°, 180°, 271.4286°." if told else "")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
+from gearwright.particulars import particulars
 from gearwright.render.figures.masses import margin_figure, mass_figure
 from gearwright.render.schematic import schematic_figure
 from gearwright.render.vector.layout import Scale, linear_ticks, log_ticks, nice_step
@@ -45,17 +46,18 @@ def test_a_path_that_repeats_is_drawn_once():
 
 
 def test_every_figure_is_xml_with_text_title_and_ids_of_its_own(in_line_h2):
-    for draw in (mass_figure, margin_figure, schematic_figure):
-        root = ET.fromstring(svg_text(draw(in_line_h2), "a"))
+    figures = (mass_figure(particulars(in_line_h2)), margin_figure(in_line_h2), schematic_figure(in_line_h2))
+    for figure in figures:
+        root = ET.fromstring(svg_text(figure, "a"))
         assert len(root.findall(f".//{SVG}text")) > 5
         assert root.find(f"{SVG}title").text
         assert all(node.get("id").startswith("a-") for node in root.iter() if node.get("id"))
 
 
 def test_a_figure_writes_itself_as_the_name_asks(in_line_h2, tmp_path):
-    mass_figure(in_line_h2).savefig(tmp_path / "mass.svg")
-    mass_figure(in_line_h2).savefig(tmp_path / "mass.png")
+    mass_figure(particulars(in_line_h2)).savefig(tmp_path / "mass.svg")
+    mass_figure(particulars(in_line_h2)).savefig(tmp_path / "mass.png")
     assert (tmp_path / "mass.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "mass.svg").stat().st_size < 10_000
     with pytest.raises(DesignError, match="is not drawn"):
-        mass_figure(in_line_h2).savefig(tmp_path / "mass.tiff")
+        mass_figure(particulars(in_line_h2)).savefig(tmp_path / "mass.tiff")

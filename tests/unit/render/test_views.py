@@ -1,6 +1,7 @@
 import pytest
 from drawn_designs import MIXED, sized
 
+from gearwright.particulars import particulars
 from gearwright.render.tables.dynamics import energy_table, mode_table, motion_tables
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.sizing import asked_speeds, bearing_forces, mass_parts
@@ -61,7 +62,7 @@ def test_only_speeds_that_really_deviate_are_listed(in_line_h2) -> None:
 
 
 def test_there_is_one_flow_table_a_case(in_line_h2) -> None:
-    assert [each.title for each in flow_tables(in_line_h2)] == ["Case rated", "Case cruise"]
+    assert [each.title for each in flow_tables(particulars(in_line_h2).branches)] == ["Case rated", "Case cruise"]
 
 
 def test_the_mode_table_lists_each_frequency_once_with_what_is_strained(modal) -> None:
@@ -86,7 +87,7 @@ def test_overrides_are_listed_as_written_with_their_origin() -> None:
         MIXED
         + '[overrides]\n"lay.diameter_mm" = 80\n"gearbox.mass_kg" = 60\n[origins]\n"gearbox.mass_kg" = "weighed"\n'
     )
-    rows = tables_of(sized(text))["overrides"].rows
+    rows = tables_of(particulars(sized(text)))["overrides"].rows
     assert [[cell.text for cell in row] for row in rows] == [
         ["lay.diameter_mm", "80.00", NO_ORIGIN], ["gearbox.mass_kg", "60.00", "weighed"],
     ]  # fmt: skip

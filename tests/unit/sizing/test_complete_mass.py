@@ -10,10 +10,11 @@ import pytest
 
 import gearwright as gw
 from gearwright.identity import Kind, PartId
+from gearwright.particulars import particulars
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.schema import plain
-from gearwright.render.tables.sizing import sum_sentence, with_band
+from gearwright.render.tables.sizing import mass_sentence, with_band
 from gearwright.render.tables.weights import summary
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import housed
@@ -25,6 +26,7 @@ from gearwright.sizing.mass import (
     gear_blanks,
     held_torques,
     reaction_torque,
+    statistics_beside,
     wall_of,
     weighed_wall,
 )
@@ -247,8 +249,8 @@ def test_a_complete_gearbox_weighs_no_less_than_its_train_as_the_headline_and_th
     assert whole.train == pytest.approx(sum(whole.of(group) for group in TRAIN), rel=1e-12)
     total, *_, train = map(float, re.findall(r"([\d.]+) kg", with_band(whole)))
     assert total >= train == pytest.approx(whole.train, rel=5e-3)
-    assert sum_sentence(sizing, whole).startswith(f"Sum {with_band(whole)}; ")
+    assert mass_sentence(whole, statistics_beside(sizing, whole)).startswith(f"Sum {with_band(whole)}; ")
     if sizing.level != "concept":
-        assert summary(sizing).startswith(f"Complete mass {with_band(whole)}. Train as sized ")
-    answer = plain(size_answer(sizing))
+        assert summary(particulars(sizing)).startswith(f"Complete mass {with_band(whole)}. Train as sized ")
+    answer = plain(size_answer(particulars(sizing)))
     assert answer["complete_total_kg"] > answer["complete_train_kg"] == answer["complete_mass"]["train_kg"]

@@ -65,9 +65,10 @@ def test_a_life_may_be_endless_and_no_more():
 
 
 def test_fields_that_may_be_endless_are_known_by_their_marks():
+    """A word is none by its declared type; what may be a role or nothing is looked at."""
     assert dict(_numbers_of(Part)) == {
         "size": False, "turns": True, "pair": True, "maybe": True, "fatigue_life": False, "by_case": False,
-        "role": False, "text": False,
+        "role": False,
     }  # fmt: skip
     assert _numbers_of(list) == ()
 

@@ -6,6 +6,7 @@ import pytest
 
 from designs import PAIR, problem, problems
 from gearwright.errors import DesignError
+from gearwright.particulars import particulars
 from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, pair_data, size
@@ -135,7 +136,7 @@ def test_an_origin_belongs_to_either_place():
     assert {path: entry.origin for path, entry in given.items()} == {
         "stage.module": "hobs at hand", "slow.mass": NO_ORIGIN,
     }  # fmt: skip
-    rows = tables_of(size(parse(text)))["overrides"].rows
+    rows = tables_of(particulars(size(parse(text))))["overrides"].rows
     assert [[cell.text for cell in row] for row in rows] == [
         ["pairs.stage.module_mm", "3.000", "hobs at hand"], ["slow.mass_kg", "2.000", NO_ORIGIN],
     ]  # fmt: skip

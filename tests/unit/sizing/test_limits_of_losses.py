@@ -5,6 +5,7 @@ import math
 import pytest
 
 from designs import PAIR
+from gearwright.particulars import particulars
 from gearwright.parts.losses import MeshDuty, MeshLaw, OilState, load_intensity, seal_oil_factor, tooth_contact
 from gearwright.render.tables.sizing import loss_tables
 from gearwright.shipped import shipped_design
@@ -100,12 +101,12 @@ def test_straight_gears_in_a_bath_are_told():
 
 def test_the_table_names_each_limit_once_and_counts_many_parts():
     sizing: Sizing = size(edited(read(shipped_design("ec120b")), {"losses.seals": "simrit", "oil.temperature": 150.0}))
-    note = loss_tables(sizing)["losses"].note
+    note = loss_tables(particulars(sizing))["losses"].note
     assert note.count("held at half") == 1
     assert "and 3 more: factor" in note
-    assert "limit" in [column.name for column in loss_tables(sizing)["loss_parts"].columns]
+    assert "limit" in [column.name for column in loss_tables(particulars(sizing))["loss_parts"].columns]
 
 
 def test_a_table_without_limits_has_no_column_for_them():
     sizing = size(parse(f"{PAIR}pinion_teeth = 24\nwheel_teeth = 71\n"))
-    assert "limit" not in [column.name for column in loss_tables(sizing)["loss_parts"].columns]
+    assert "limit" not in [column.name for column in loss_tables(particulars(sizing))["loss_parts"].columns]

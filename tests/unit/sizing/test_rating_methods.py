@@ -11,6 +11,7 @@ from gearwright.checks import Check, Status
 from gearwright.errors import DesignError, Problem
 from gearwright.mission import fly, gear_damage
 from gearwright.mission.lives.life import STRENGTHENING, strengthened
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import SizeAnswer, size_answer
 from gearwright.render.answers.schema import described, plain
 from gearwright.render.pages.report import report
@@ -95,7 +96,9 @@ class Dummy:
 
 
 def stress_column(sizing):
-    return next(column for column in tables_of(sizing)["rating"].columns if column.name == "bending_stress")
+    return next(
+        column for column in tables_of(particulars(sizing))["rating"].columns if column.name == "bending_stress"
+    )
 
 
 def test_a_new_method_is_a_record_and_a_line(monkeypatch):
@@ -109,7 +112,7 @@ def test_a_new_method_is_a_record_and_a_line(monkeypatch):
         assert mesh.bending_stress == pytest.approx(400e6, rel=1e-9)
         assert named_results(sizing)[f"meshes.{mesh.name}.module_bending"].value == mesh.module_bending > 0.0
     assert {"dummy, eq. 3"} == {check.clause for check in sizing.checks if check.mode == "dummy bending"}
-    written = plain(size_answer(sizing))["meshes"][0]["rating"]
+    written = plain(size_answer(particulars(sizing)))["meshes"][0]["rating"]
     assert written["method"] == "dummy" and written["bending_stress_mpa"] == pytest.approx(400.0, rel=1e-9)
     definitions = {}
     described(SizeAnswer, definitions)

@@ -3,6 +3,7 @@
 import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
+from gearwright.particulars import particulars
 from gearwright.render.answers.design import check_answer, size_answer
 from gearwright.render.pages.report import key_numbers
 from gearwright.render.words.sizing import implied_text
@@ -85,9 +86,9 @@ def test_answers_say_once_which_level_was_taken():
     assert implied_text(parse(SILENT + STATIC)).startswith(
         'By default level = "concept": its gears ask for lewis-hertz'
     )
-    for answer in (size_answer(taken), check_answer(taken)):
+    for answer in (size_answer(particulars(taken)), check_answer(taken)):
         assert answer.implied == {"level": "preliminary", "gears.rating": "iso6336"}
-    assert size_answer(stated).implied == check_answer(stated).implied == {}
+    assert size_answer(particulars(stated)).implied == check_answer(stated).implied == {}
 
 
 def test_a_silent_file_whose_cases_say_no_duration_is_told_both_ways_out():
@@ -148,8 +149,8 @@ def test_a_level_that_there_is_not_is_told_with_those_that_there_are():
 def test_pages_and_data_say_the_level():
     stated, silent = size(parse(PAIR)), size(parse(SILENT))
     for sizing, said in ((stated, "concept"), (silent, "preliminary, by default")):
-        assert ("level", said) in [(number.name, number.text) for number in key_numbers(sizing)]
-        assert size_answer(sizing).level == said.split(",")[0]
+        assert ("level", said) in [(number.name, number.text) for number in key_numbers(particulars(sizing))]
+        assert size_answer(particulars(sizing)).level == said.split(",")[0]
 
 
 @pytest.mark.parametrize("name", [*read_study(shipped_study("architectures")).designs, "face-gear-split-torque"])

@@ -8,7 +8,7 @@ import time
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from gearwright.signals import notice
+from gearwright.notices import notice
 from gearwright.sizing import Named
 from gearwright.study.tables import Row
 

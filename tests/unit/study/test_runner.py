@@ -11,8 +11,8 @@ import pytest
 
 import gearwright.study.running as runner_module
 from gearwright.errors import DesignError, SolveError
+from gearwright.notices import noticed
 from gearwright.shipped import shipped_design
-from gearwright.signals import noticed
 from gearwright.spec import Study, edited, parse_study, read
 from gearwright.study import run
 from gearwright.study.cases import cases

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from gearwright.closure import Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.particulars import Particulars
     from gearwright.render.pages.page import Stamp
     from gearwright.reviews import Review
     from gearwright.sizing import Sizing
@@ -238,18 +239,29 @@ def size(
     ] = None,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
+    from gearwright.particulars import particulars, paths_of
+    from gearwright.sizing import influences, methods_beside, rated_factors
+    from gearwright.sizing.insight import usual_values
+
     sizing = sized(design, level, life_h)
+    facts = particulars(sizing)
+    rated = rated_factors(sizing) if factors else None
+    beside = methods_beside(sizing) if methods else None
+    moving = None if wish is None else influences(sizing, wish)
     if json:
         from gearwright.render.answers.design import Asked, size_answer
 
-        show_answer("size", size_answer(sizing, Asked(factors, methods, wish)), design=sizing.design.name)
+        show_answer("size", size_answer(facts, Asked(rated, beside, moving)), design=sizing.design.name)
         return
     from gearwright.render.words.sizing import factors_text, influences_text, methods_text, sizing_text
 
-    asked = ((factors, factors_text), (methods, methods_text))
-    show(sizing_text(sizing), *(text(sizing) for wanted, text in asked if wanted))
-    if wish is not None:
-        show(influences_text(sizing, wish))
+    show(sizing_text(facts, paths=paths_of(sizing)))
+    if rated is not None:
+        show(factors_text(rated, usual_values(sizing)))
+    if beside is not None:
+        show(methods_text(beside))
+    if moving is not None:
+        show(influences_text(moving))
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
@@ -307,6 +319,7 @@ def report(
     from gearwright.cli.printing import find_browser, print_pdf
     from gearwright.dynamics import modes as find_modes
     from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.particulars import particulars, reported
     from gearwright.render.pages.report import report as make_report
     from gearwright.sizing import governing_case
 
@@ -318,7 +331,7 @@ def report(
     case = stored.case if stored else governing_case(sizing)
     system, campbell = _assemble(sizing, case), critical_speeds(sizing)
     page = make_report(
-        sizing,
+        reported(particulars(sizing), system),
         modes=find_modes(system),
         trace=stored.trace if stored else None,
         case=case,
@@ -416,6 +429,7 @@ def run(
     from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.errors import DesignError, Problem
+    from gearwright.particulars import particulars
     from gearwright.render.words.review import run_text, run_verdict
 
     if date and json and folder is None:
@@ -427,18 +441,19 @@ def run(
     solved = find_modes(system)
     campbell = () if last.interrupted else critical_speeds(sizing)
     review = None if last.interrupted else reviewed(sizing, design, campbell)
+    facts = particulars(sizing)
     if json:
         from gearwright.render.answers.motion import run_answer
 
-        answer = run_answer(sizing, solved, traces, verdict=run_verdict(sizing, review))
+        answer = run_answer(facts, solved, traces, verdict=run_verdict(sizing, review))
         show_answer("run", answer, design=sizing.design.name)
     else:
-        show(run_text(sizing, solved, traces, review=review, campbell=campbell))
+        show(run_text(facts, solved, traces, review=review, campbell=campbell))
         if full:
-            _show_tables(sizing, solved, traces, review)
+            _show_tables(facts, solved, traces, review)
     if folder is not None or not json:
         drawn = Drawn(solved, traces, system, campbell, review)
-        written = _write(folder or named_after(design, "results"), sizing, drawn, stamped(design, date))
+        written = _write(folder or named_after(design, "results"), facts, drawn, stamped(design, date))
         if not json:
             show(f"\nwrote {', '.join(map(str, written))}")
             if not full:
@@ -446,11 +461,14 @@ def run(
     end_interrupted(last, None)
 
 
-def _show_tables(sizing: Sizing, modes: Modes, traces: Mapping[str, Trace], review: Review | None) -> None:
+def _show_tables(facts: Particulars, modes: Modes, traces: Mapping[str, Trace], review: Review | None) -> None:
+    from gearwright.particulars import paths_of
     from gearwright.render.words.sizing import modes_text, sizing_text, trace_text
 
-    runs = (trace_text(trace, sizing, case=case) for case, trace in traces.items())
-    show("", sizing_text(sizing, review), modes_text(modes, case=next(iter(traces))), *runs)
+    runs = (trace_text(trace, facts.sizing, case=case) for case, trace in traces.items())
+    show(
+        "", sizing_text(facts, review, paths=paths_of(facts.sizing)), modes_text(modes, case=next(iter(traces))), *runs
+    )
 
 
 class Drawn(NamedTuple):
@@ -465,20 +483,21 @@ class Drawn(NamedTuple):
     review: Review | None
 
 
-def _write(folder: Path, sizing: Sizing, drawn: Drawn, stamp: Stamp) -> list[Path]:
+def _write(folder: Path, facts: Particulars, drawn: Drawn, stamp: Stamp) -> list[Path]:
     """Write sizing, run and report; of a run that was interrupted no report."""
+    from gearwright.particulars import reported
     from gearwright.render.answers.design import size_answer
     from gearwright.render.pages.report import report as make_report
 
     make_folder(folder)
     numbers = folder / "sizing.json"
-    write_text(numbers, answer_text("size", size_answer(sizing), design=sizing.design.name) + "\n")
-    kept = save_runs(folder / "run.nc", drawn.traces, sizing)
+    write_text(numbers, answer_text("size", size_answer(facts), design=facts.sizing.design.name) + "\n")
+    kept = save_runs(folder / "run.nc", drawn.traces, facts.sizing)
     end_interrupted([*drawn.traces.values()][-1], kept[-1])
     (case, trace), *others = drawn.traces.items()
     page = make_report(
-        sizing, modes=drawn.modes, trace=trace, case=case, others=dict(others), system=drawn.system,
-        campbell=drawn.campbell, review=drawn.review, stamp=stamp,
+        reported(facts, drawn.system), modes=drawn.modes, trace=trace, case=case, others=dict(others),
+        system=drawn.system, campbell=drawn.campbell, review=drawn.review, stamp=stamp,
     )  # fmt: skip
     write_text(folder / "report.html", page)
     return [folder / "report.html", *kept, numbers]

@@ -200,6 +200,7 @@ def draw(
 
 def _page(sizing: Sizing, drawn: Sequence[Sheet], date: str) -> str:
     """Return all sheets on one page."""
+    from gearwright.particulars import particulars
     from gearwright.render.drawings.paper import scale_text
     from gearwright.render.drawings.writers import sheet_svg
     from gearwright.render.pages.page import Stamp
@@ -209,7 +210,7 @@ def _page(sizing: Sizing, drawn: Sequence[Sheet], date: str) -> str:
         DrawnSheet(sheet.name, sheet.name, sheet.size.name, scale_text(sheet.scale), sheet_svg(sheet, f"{sheet.name}-"))
         for sheet in drawn
     ]
-    return sheets_page(sizing, rows, stamp=Stamp(date))
+    return sheets_page(particulars(sizing), rows, stamp=Stamp(date))
 
 
 def _sized(name: str) -> Sizing:

@@ -12,7 +12,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.kept_code import COMPILING, keep_code, kept_code
-from gearwright.signals import notice
+from gearwright.notices import notice
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Emitter: a few words of LLVM assembly, for numbers alone (one trajectory) or side by side (lanes).

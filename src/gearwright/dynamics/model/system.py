@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import wraps
+from functools import partial, wraps
 from hashlib import blake2b
 from operator import attrgetter
-from threading import Lock
 from typing import Any, Concatenate, NamedTuple, ParamSpec, TypeVar, cast
 
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.identity import PartId
+from gearwright.memo import Memo
 from gearwright.showing import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -458,7 +458,6 @@ ANSWERS = 4
 
 Given = ParamSpec("Given")
 Result = TypeVar("Result")
-_MISSING = object()
 
 
 class Plan(NamedTuple):
@@ -466,13 +465,13 @@ class Plan(NamedTuple):
 
     arrays: Arrays
     """The numbers, in arrays that no one else has."""
-    answers: dict[Hashable, dict[Hashable, Any]]
+    answers: defaultdict[Hashable, Memo[Hashable, Any]]
     """By function, and by what else it was given."""
 
 
-_PLANS = OrderedDict[bytes, Plan]()
-_KNOWN = dict[int, Plan]()
-_LOCK = Lock()
+_PLANS = Memo[bytes, Plan](PLANS)
+_KNOWN = Memo[int, Plan](PLANS)
+"""The same plans, by which object their numbers are."""
 
 
 def plan_of(arrays: Arrays) -> Arrays:
@@ -483,13 +482,8 @@ def plan_of(arrays: Arrays) -> Arrays:
     """
     if _known(arrays):
         return arrays
-    key = _digest(arrays)
-    with _LOCK:
-        plan = _PLANS.pop(key, None) or Plan(_own(arrays), {})
-        _PLANS[key] = _KNOWN[id(plan.arrays)] = plan
-        while len(_PLANS) > PLANS:
-            _KNOWN.pop(id(_PLANS.popitem(last=False)[1].arrays))
-    return plan.arrays
+    plan = _PLANS.of(_digest(arrays), lambda: Plan(_own(arrays), defaultdict(partial(Memo, ANSWERS))))
+    return _KNOWN.keep(id(plan.arrays), plan).arrays
 
 
 def _known(arrays: Arrays) -> Plan | None:
@@ -508,15 +502,8 @@ def kept(arrays: Arrays, key: tuple[Hashable, ...], make: Callable[[], Result]) 
     plan = _known(arrays)
     if plan is None:
         return make()
-    answers = plan.answers.setdefault(key[0], {})
-    made = answers.get(key, _MISSING)
-    if made is _MISSING:
-        made = make()
-        with _LOCK:
-            while len(answers) >= ANSWERS:
-                answers.pop(next(iter(answers)))
-            answers[key] = made
-    return made  # type: ignore[no-any-return]
+    answers: Memo[Hashable, Result] = plan.answers[key[0]]
+    return answers.of(key, make)
 
 
 def planned(

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.render.tables.checks import Judged, judged, rated_factors
-from gearwright.render.tables.sizing import Property, Stands, material_properties, shaft_by_shaft, stands
+from gearwright.particulars import Particulars
+from gearwright.render.tables.checks import Judged, judged
+from gearwright.render.tables.sizing import Property, Stands, material_properties, stands
 from gearwright.sizing import (
     AskedSpeed,
     Beside,
@@ -18,17 +19,13 @@ from gearwright.sizing import (
     MeshBeside,
     MeshInfluences,
     Passing,
+    RatedMesh,
     Sizing,
     Turn,
-    asked_speeds,
-    influences,
-    mass_parts,
-    methods_beside,
-    passing,
 )
-from gearwright.sizing.arrangement import Envelope, envelope
-from gearwright.sizing.losses import Loss, loss_balance
-from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
+from gearwright.sizing.arrangement import Envelope
+from gearwright.sizing.losses import Loss
+from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.sizing.rating import METHODS, Factor
 from gearwright.sizing.result import GearSizing, MachineSizing, MeshSizing
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, JointSizing, ShaftSizing
@@ -132,38 +129,37 @@ class InfluencesOnMesh:
     handles: tuple[InfluenceEntry, ...]
 
 
-def factors_answer(sizing: Sizing) -> tuple[FactorsOfMesh, ...]:
+def factors_answer(rated: Iterable[RatedMesh]) -> tuple[FactorsOfMesh, ...]:
     """Return every factor of every rated mesh, as `gearwright size --factors --json` answers.
 
     Args:
-        sizing: As sized.
+        rated: From `rated_factors`.
     """
     return tuple(
         FactorsOfMesh(
             mesh.name, mesh.gears, mesh.rating.method, METHODS[mesh.rating.method].edition, mesh.rating.case,
             tuple(map(_factor, rows)),
         )
-        for mesh, rows in rated_factors(sizing)
+        for mesh, rows in rated
     )  # fmt: skip
 
 
-def methods_answer(sizing: Sizing) -> tuple[MethodsOfMesh, ...]:
+def methods_answer(meshes: Iterable[MeshBeside]) -> tuple[MethodsOfMesh, ...]:
     """Return every mesh by every method, as `gearwright size --methods --json` answers.
 
     Args:
-        sizing: As sized.
+        meshes: From `methods_beside`.
     """
-    return tuple(map(_methods, methods_beside(sizing)))
+    return tuple(map(_methods, meshes))
 
 
-def influences_answer(sizing: Sizing, wish: float) -> tuple[InfluencesOnMesh, ...]:
+def influences_answer(meshes: Iterable[MeshInfluences]) -> tuple[InfluencesOnMesh, ...]:
     """Return what moves the margins of every mesh, as `gearwright size --wish --json` answers.
 
     Args:
-        sizing: As sized.
-        wish: Margin that is wished [-].
+        meshes: From `influences`.
     """
-    return tuple(map(_influences, influences(sizing, wish)))
+    return tuple(map(_influences, meshes))
 
 
 def _factor(row: Factor) -> FactorEntry:
@@ -289,26 +285,28 @@ class SizeAnswer:
 
 
 class Asked(NamedTuple):
-    """What is asked for beside the sizing itself."""
+    """What is asked for beside the sizing itself; None of what nobody asks for."""
 
-    factors: bool = False
-    methods: bool = False
-    wish: float | None = None
-    """Margin that is wished [-]; None: nobody asks what moves the margins."""
+    factors: Sequence[RatedMesh] | None = None
+    """From `rated_factors`."""
+    methods: Sequence[MeshBeside] | None = None
+    """From `methods_beside`."""
+    influences: Sequence[MeshInfluences] | None = None
+    """From `influences`."""
 
 
 NOTHING_MORE = Asked()
 """The sizing alone."""
 
 
-def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
+def size_answer(facts: Particulars, asked: Asked = NOTHING_MORE) -> SizeAnswer:
     """Return what `gearwright size --json` answers.
 
     Args:
-        sizing: As sized.
+        facts: Of the sizing.
         asked: Beside it.
     """
-    complete = complete_mass(sizing)
+    sizing, complete = facts.sizing, facts.complete
     return SizeAnswer(
         level=sizing.level,
         implied=implied(sizing.design),
@@ -322,11 +320,11 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         power_density=sizing.power_density,
         worst_margin=sizing.worst_margin,
         teeth=sizing.teeth,
-        cases={case: tuple(shaft_by_shaft(sizing, case)) for case in sizing.flows},
-        efficiencies=passing(sizing),
-        losses=tuple(loss for case in sizing.flows for loss in loss_balance(sizing, case).losses),
+        cases=facts.branches,
+        efficiencies=facts.passing,
+        losses=tuple(loss for balance in facts.losses.values() for loss in balance.losses),
         margins=judged(sizing.checks),
-        asked_speeds=asked_speeds(sizing),
+        asked_speeds=facts.asked_speeds,
         gears=sizing.gears,
         meshes=sizing.meshes,
         shafts=sizing.shafts,
@@ -335,21 +333,21 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         joints=sizing.joints,
         carriers=sizing.carriers,
         machines=sizing.machines,
-        masses=mass_parts(sizing),
+        masses=facts.mass_parts,
         complete_mass=complete,
         complete_total=complete.total,
         complete_low=complete.band[0],
         complete_high=complete.band[1],
         complete_train=complete.train,
-        statistics=statistics_beside(sizing, complete),
-        envelope=envelope(sizing),
+        statistics=facts.statistics,
+        envelope=facts.envelope,
         places=stands(sizing.arrangement.bodies),
         turns=sizing.arrangement.turns,
-        materials=material_properties(sizing),
+        materials=material_properties(facts.materials),
         given=tuple(GivenEntry(row.entry, row.amount, row.origin) for row in sizing.given.values()),
-        factors=factors_answer(sizing) if asked.factors else None,
-        methods=methods_answer(sizing) if asked.methods else None,
-        influences=None if asked.wish is None else influences_answer(sizing, asked.wish),
+        factors=None if asked.factors is None else factors_answer(asked.factors),
+        methods=None if asked.methods is None else methods_answer(asked.methods),
+        influences=None if asked.influences is None else influences_answer(asked.influences),
     )
 
 

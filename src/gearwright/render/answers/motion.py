@@ -10,6 +10,7 @@ from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.assembly import Assumption
 from gearwright.dynamics.sharing import Allocation, Distribution, SharingStudy
 from gearwright.dynamics.vibration import Loudest, Peak, SpeedCase
+from gearwright.particulars import Particulars
 from gearwright.render.answers.design import SizeAnswer, size_answer
 from gearwright.render.tables.dynamics import (
     ByMachine,
@@ -25,7 +26,6 @@ from gearwright.render.tables.dynamics import (
     machine_rows,
     mode_rows,
 )
-from gearwright.sizing import Sizing
 from gearwright.units import Angle, Force, Length, Number, Quantity, Ratio, Speed, Time, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -146,17 +146,17 @@ class RunAnswer:
     simulate: SimulateAnswer
 
 
-def run_answer(sizing: Sizing, modes: Modes, traces: Mapping[str, Trace], *, verdict: tuple[str, ...]) -> RunAnswer:
+def run_answer(facts: Particulars, modes: Modes, traces: Mapping[str, Trace], *, verdict: tuple[str, ...]) -> RunAnswer:
     """Return what `gearwright run --json` answers.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         modes: Of its train.
         traces: Load case -> run of it; the modes are those of the first.
         verdict: In sentences.
     """
     first = next(iter(traces))
-    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, first), simulate_answer(traces))
+    return RunAnswer(verdict, size_answer(facts), modes_answer(modes, first), simulate_answer(traces))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

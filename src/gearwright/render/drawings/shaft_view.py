@@ -18,7 +18,7 @@ from gearwright.catalogue import (
     thread_chamfer,
 )
 from gearwright.catalogue.standard_parts import SHAFT as UNDER_SEAL
-from gearwright.latest import of_latest
+from gearwright.memo import of_latest
 from gearwright.parts.bevel_geometry import BevelProfile
 from gearwright.parts.bevel_geometry import bevel_profile as bevel_teeth
 from gearwright.parts.gears import Blank
@@ -768,7 +768,7 @@ class Made(NamedTuple):
     """External gear -> its body."""
 
 
-@of_latest
+@of_latest(1)
 def made_of(sizing: Sizing) -> Made:
     """Return the parts of a sizing as they are made.
 

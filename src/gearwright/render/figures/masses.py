@@ -11,12 +11,13 @@ from gearwright.arrays import Floats, largest_first, smallest_first
 from gearwright.catalogue import Engine, Series, all_series, engines, weighed_gearboxes
 from gearwright.checks import ROUNDING, Check
 from gearwright.identity import Kind
+from gearwright.particulars import Particulars
 from gearwright.render import style as theme
 from gearwright.render.style import WIDTH
 from gearwright.render.tables.sizing import not_in_the_mass
 from gearwright.render.vector.figure import Axes, Figure, tinted
 from gearwright.render.vector.layout import text_width
-from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_groups, mass_parts
+from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing
 from gearwright.sizing.mass import CompleteMass
 from gearwright.units import POUND, margin_text
 from gearwright.weights import Comparison, LogLine, Score, checked_engines, gearbox_mass, log_line, refit, scores
@@ -45,13 +46,13 @@ LARGEST_MARGIN = 4.0
 
 
 @theme.drawn
-def mass_figure(sizing: Sizing) -> Figure:
+def mass_figure(facts: Particulars) -> Figure:
     """Return the mass of every part, heaviest first, in its group's colour.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
-    parts = mass_parts(sizing)
+    sizing, parts, groups = facts.sizing, facts.mass_parts, facts.mass_groups
     figure = theme.sheet(WIDTH, _FRAME + 6.0 + _ROW * len(parts))
     axes = figure.panel()
     names = [f"{part.count} × {part.part}" if part.count > 1 else part.part for part in parts]
@@ -60,13 +61,12 @@ def mass_figure(sizing: Sizing) -> Figure:
     for place, part in enumerate(parts):
         axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
                        va="center", fontsize=7.5)  # fmt: skip
-    groups = mass_groups(sizing)
     for group, colour in _GROUP_COLOURS.items():
         if group in groups:
             axes.barh([0], [0.0], color=colour, label=f"{group}  {groups[group]:.2f} kg")
     axes.legend("lower right")
     axes.invert_yaxis()
-    axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(sizing)}")
+    axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {not_in_the_mass(groups)}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
     axes.set_title(f"Train as sized {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     axes.only_grid("x")

@@ -15,6 +15,7 @@ from gearwright.dynamics.model import PIN, Owner, System
 from gearwright.dynamics.motion import Samples, index_of
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
+from gearwright.particulars import Particulars
 from gearwright.render import skeleton as glyphs
 from gearwright.render import style as theme
 from gearwright.render.schematic import draw_train, member_side
@@ -22,7 +23,7 @@ from gearwright.render.skeleton import Layout, lay_out
 from gearwright.render.style import WIDTH
 from gearwright.render.vector.figure import Axes, Figure, circle
 from gearwright.render.vector.svg import band
-from gearwright.sizing import Sizing, planet_positions
+from gearwright.sizing import Sizing
 from gearwright.spec import GROUND
 from gearwright.train import attachments
 from gearwright.verbs import verb
@@ -387,26 +388,27 @@ QUIET = 1e-3
 
 
 @theme.drawn
-def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers: Sequence[int]) -> Figure:
+def drawn_modes_figure(facts: Particulars, system: System, modes: Modes, *, numbers: Sequence[int]) -> Figure:
     """Return some modes on the skeleton of the train and, beside it, on its planetary sets from the front.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         system: Assembled from it.
         modes: Of that.
         numbers: Modes, counted from 1 as the table of modes does.
     """
+    sizing = facts.sizing
     sets = list(sizing.design.planetaries)
     layout = lay_out(sizing.train, sizing.gears, {machine.name: machine.kind for machine in sizing.machines})
     figure = theme.sheet(WIDTH, 12.0 + 50.0 * len(numbers))
     grid = figure.grid(len(numbers), 1 + len(sets), widths=[2.2, *[1.0] * len(sets)])
     for row, number in zip(grid, numbers, strict=True):
         motion = _Motion(system, modes, number - 1)
-        scale = _scale(sizing, motion)
+        scale = _scale(facts, motion)
         _draw_skeleton(row[0], sizing, layout, motion)
         row[0].set_title(f"{number}:  {modes.frequency[number - 1]:.4g} Hz")
         for axes, name in zip(row[1:], sets, strict=True):
-            _draw_front(axes, sizing, name, motion=motion, scale=scale)
+            _draw_front(axes, facts, name, motion=motion, scale=scale)
             axes.set_title(name, fontsize=7.5, weight="normal")
     figure.caption = "dots: kinetic energy of rotation; blue and orange: the two senses; sets: common scale"
     return figure
@@ -474,10 +476,11 @@ def _radii(sizing: Sizing, stage: str) -> Mapping[Role, float]:
     return {gear.role: 0.5 * gear.pitch_diameter for gear in sizing.gears if gear.stage == stage}
 
 
-def _scale(sizing: Sizing, motion: _Motion) -> float:
+def _scale(facts: Particulars, motion: _Motion) -> float:
     """Return paper over motion for all planetary sets of a mode; zero if they stand still."""
+    sizing = facts.sizing
     sets = [(_radii(sizing, stage), stage) for stage in sizing.design.planetaries]
-    largest = max((disc.reach for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
+    largest = max((disc.reach for radii, stage in sets for disc in _discs(facts, stage, radii, motion)), default=0.0)
     labels = motion.system.labels
     owned = zip(labels.coordinates, labels.coordinate_owners, strict=True)
     energy = sum(motion.share(name) for name, owner in owned if _stage(owner) in sizing.design.planetaries)
@@ -507,12 +510,12 @@ class _Disc(NamedTuple):
         return max(math.hypot(*self.shift), self.radius * abs(self.turn))
 
 
-def _draw_front(axes: Axes, sizing: Sizing, stage: str, *, motion: _Motion, scale: float) -> None:
+def _draw_front(axes: Axes, facts: Particulars, stage: str, *, motion: _Motion, scale: float) -> None:
     """Draw a planetary set from the front, at rest in grey and displaced in colour."""
     axes.set_axis_off()
     axes.set_aspect("box")
-    radii = _radii(sizing, stage)
-    for disc in _discs(sizing, stage, radii, motion):
+    radii = _radii(facts.sizing, stage)
+    for disc in _discs(facts, stage, radii, motion):
         moved = _Disc(
             (disc.centre[0] + scale * disc.shift[0], disc.centre[1] + scale * disc.shift[1]),
             (0.0, 0.0), disc.radius, scale * disc.turn,
@@ -538,12 +541,12 @@ def _arm_of(sizing: Sizing, stage: str) -> float:
     return next(carrier.radius for carrier in sizing.carriers if carrier.stage == stage)
 
 
-def _discs(sizing: Sizing, stage: str, radii: Mapping[Role, float], motion: _Motion) -> Iterator[_Disc]:
+def _discs(facts: Particulars, stage: str, radii: Mapping[Role, float], motion: _Motion) -> Iterator[_Disc]:
     for role in (Role.RING, Role.SUN):
         name = str(gear_part(stage, role))
         yield _Disc((0.0, 0.0), (motion.of(f"{name}.x"), motion.of(f"{name}.y")), radii[role], motion.of(name))
-    arm, carrier = _arm_of(sizing, stage), motion.of(str(carrier_part(stage)))
-    for k, angle in enumerate(planet_positions(sizing.design, stage, sizing.teeth), start=1):
+    arm, carrier = _arm_of(facts.sizing, stage), motion.of(str(carrier_part(stage)))
+    for k, angle in enumerate(facts.pins[stage], start=1):
         planet, cosine, sine = gear_part(stage, Role.PLANET, number=k), math.cos(angle), math.sin(angle)
         # Rotating bearings only: the planet's centre goes where its pin goes.
         along = motion.of(f"{planet}.tangential") or arm * carrier

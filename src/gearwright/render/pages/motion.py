@@ -14,9 +14,9 @@ from markupsafe import Markup
 from gearwright.arrays import Floats
 from gearwright.checks import Check, worst_first
 from gearwright.dynamics import Modes, System, Trace
-from gearwright.dynamics.assembly import assumptions
 from gearwright.dynamics.vibration import SpeedCase, first_meshes
 from gearwright.identity import HOUSING, Kind, PartId
+from gearwright.particulars import Particulars, Reported, particulars
 from gearwright.render import solids
 from gearwright.render import style as theme
 from gearwright.render.figures.dynamics import campbell_figure
@@ -229,7 +229,7 @@ def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> st
     three = solids.bundled()
     return environment().get_template("turning.html.j2").render(
         name=sizing.design.name,
-        summary=summary(sizing),
+        summary=summary(particulars(sizing)),
         style=Markup(solids.text("turning.css")),
         scripts=[Markup(script) for script in solids.scripts()],
         facts=Markup(_json(facts)),
@@ -293,7 +293,7 @@ MOST_PATHS = 6
 
 
 def dynamics_sections(
-    sizing: Sizing,
+    reported: Reported,
     system: System,
     *,
     case: str,
@@ -304,18 +304,19 @@ def dynamics_sections(
     """Return the report's chapters on dynamics beside the tables of modes and forces, as far as there is something.
 
     Args:
-        sizing: As sized.
+        reported: What the report shows of the sizing.
         system: Assembled from it for the case.
         case: Load case of the run.
         modes: Of the system.
         trace: A run of the system.
         campbell: From `critical_speeds`.
     """
+    sizing = reported.particulars.sizing
     sections = [
         _critical(sizing, campbell),
-        _shapes(sizing, system, modes, campbell, case=case),
+        _shapes(reported.particulars, system, modes, campbell, case=case),
         _paths(sizing, system, trace, case),
-        Section("Assumptions of the dynamic model", tables=(assumption_table(assumptions(sizing, system)),)),
+        Section("Assumptions of the dynamic model", tables=(assumption_table(reported.assumptions),)),
     ]
     return tuple(section for section in sections if section.tables or section.figures)
 
@@ -328,7 +329,7 @@ def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
 
 
 def _shapes(
-    sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase], *, case: str
+    facts: Particulars, system: System, modes: Modes | None, campbell: Sequence[SpeedCase], *, case: str
 ) -> Section:
     """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
     if modes is None:
@@ -338,7 +339,7 @@ def _shapes(
     numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
     which = "Modes excited nearest to the operating speed" if near else "Lowest modes"
     caption = f"{which}, on the train, case {case}."
-    drawing = drawn_modes_figure(sizing, system, modes, numbers=numbers)
+    drawing = drawn_modes_figure(facts, system, modes, numbers=numbers)
     return Section("Mode shapes", figures=(figure(drawing, "drawn-modes", caption),))
 
 

@@ -338,9 +338,9 @@ def _check_tables(value: Any) -> tuple[Table, ...]:
 
 
 def _gear_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.sizing import tables_of
+    from gearwright.render.tables.sizing import gear_table
 
-    return (tables_of(value)["gears"],)
+    return (gear_table(value),)
 
 
 _FIGURES: Mapping[str, Callable[[Any], theme.Drawing]] = MappingProxyType(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import NamedTuple
@@ -14,6 +14,7 @@ from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, SpeedCase, dynamic_loads
 from gearwright.errors import by_name
+from gearwright.particulars import Particulars, Reported, particulars, reported
 from gearwright.render.figures.masses import (
     aged_bearings,
     bearing_life_figure,
@@ -51,13 +52,9 @@ from gearwright.render.tables.sizing import flow_tables, mass_sentence, passing_
 from gearwright.render.words.design_file import entries
 from gearwright.render.words.sizing import unneeded_text
 from gearwright.reviews import Review
-from gearwright.sizing import Sizing, asked_speeds, governing_case, remarks
-from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.mass import complete_mass
-from gearwright.sizing.rating import method_for, rating_of
+from gearwright.sizing import AskedSpeed, Sizing
 from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
-from gearwright.train import recirculation
 from gearwright.units import CELSIUS, Origin, margin_text, text
 from gearwright.verbs import verb
 
@@ -72,17 +69,17 @@ TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
 
 
-def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, ...]:
+def key_numbers(facts: Particulars, review: Review | None = None) -> tuple[Number, ...]:
     """Return what a reader asks first, with bands where they are known.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         review: Of it; left out: the margin is that of the checks of sizing alone.
     """
+    sizing, whole = facts.sizing, facts.complete
     rated = sizing.reference
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
-    whole = complete_mass(sizing)
     gears = Origin("gears, shafts, carriers", "sum; by this mass designs are chosen")
     numbers = [
         quantity("complete mass", whole.total, "mass", digits=3, band=whole.band, share="68 %"),
@@ -98,25 +95,26 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[Number, .
     return tuple(numbers)
 
 
-def warnings(sizing: Sizing, traces: Mapping[str, Trace], review: Review | None = None) -> tuple[str, ...]:
+def warnings(facts: Particulars, traces: Mapping[str, Trace], review: Review | None = None) -> tuple[str, ...]:
     """Return what is not as asked.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         traces: Load case -> run, of those that were simulated.
         review: Of it, if it is shown.
     """
+    sizing = facts.sizing
     checks = sizing.checks if review is None else review.checks
     sentences = [f"{check_sentence(check)}; it should be 1 or more." for check in checks if check.fails]
     sentences += [f"{check_sentence(check)}; waived: {check.waiver}." for check in checks if check.waiver]
     if review is not None:
         sentences += [f"{unneeded_text(name)}." for name in review.unneeded]
-    sentences += remarks(sizing)
-    sentences += _yielded(sizing)
+    sentences += facts.remarks
+    sentences += _yielded(facts.asked_speeds)
     sentences += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."
-        for case, flow in sizing.flows.items()
-        for loop in recirculation(sizing.train, flow)
+        for case, loops in facts.loops.items()
+        for loop in loops
     ]
     sentences += _given(sizing)
     for case, trace in traces.items():
@@ -147,10 +145,10 @@ def _given(sizing: Sizing) -> list[str]:
     return [f"Given in place of computed values ({origin}): {', '.join(names)}." for origin, names in paths.items()]
 
 
-def _yielded(sizing: Sizing) -> list[str]:
+def _yielded(speeds: Iterable[AskedSpeed]) -> list[str]:
     """Return one sentence for each speed that yields, whatever the number of cases."""
     cases: dict[str, list[str]] = {}
-    for speed in asked_speeds(sizing):
+    for speed in speeds:
         words = (
             f"{speed.machine} turns at {text(speed.actual, 'speed')}, asked were {text(speed.asked, 'speed')}"
             f" ({speed.deviation:+.2%}): the teeth give no better"
@@ -173,11 +171,12 @@ _MOUNTED = (
 )
 
 
-def assumptions(sizing: Sizing) -> tuple[str, ...]:
+def assumptions(sizing: Sizing, nominal: Collection[str]) -> tuple[str, ...]:
     """Return what was assumed, as far as the design leaves it open.
 
     Args:
         sizing: As sized.
+        nominal: Stages whose method has no factors for peaks of the load.
     """
     design = sizing.design
     sentences = [_COUNTED]
@@ -185,7 +184,7 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
         sentences.append("Power flow without losses in the meshes.")
     if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
         sentences.append("Parallel meshes share the load equally: K_γ = 1.")
-    sentences += _nominal(design)
+    sentences += _nominal(design, nominal)
     if any(_keeps_idlers(design, stage) for stage in design.planetaries):
         sentences.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
@@ -200,13 +199,11 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     return tuple(sentences)
 
 
-def _nominal(design: Design) -> list[str]:
+def _nominal(design: Design, stages: Collection[str]) -> list[str]:
     """Return a sentence where the method of some stages has no factors for peaks of the load."""
-    ratings = {stage: rating_of(design, stage) for stage in design.stages}
-    stages = [stage for stage, rating in ratings.items() if not method_for(rating).peaks]
     if not stages:
         return []
-    whose = "Gears" if len(stages) == len(ratings) else f"Gears of {', '.join(stages)}"
+    whose = "Gears" if len(stages) == len(design.stages) else f"Gears of {', '.join(stages)}"
     return [f"{whose} are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run."]
 
 
@@ -222,7 +219,7 @@ def _keeps_idlers(design: Design, stage: str) -> bool:
 
 @verb
 def report(
-    sizing: Sizing,
+    sizing: Sizing | Reported,
     *,
     modes: Modes | None = None,
     trace: Trace | None = None,
@@ -236,7 +233,7 @@ def report(
     """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
-        sizing: As sized.
+        sizing: As sized, or what `reported` gives of it.
         modes: Natural modes, if they are to be in it.
         trace: A run, if it is to be in it.
         case: Load case of the summary, of modes and run; left out: the governing one, which has the least margin.
@@ -246,28 +243,30 @@ def report(
         review: Every check, from `gw.review`; left out: the page shows those of sizing alone, and says so.
         stamp: Date of the page and lines of the design file, which only the caller knows.
     """
-    case = case or governing_case(sizing)
+    told = sizing if isinstance(sizing, Reported) else reported(particulars(sizing), system)
+    facts, sizing = told.particulars, told.particulars.sizing
+    case = case or facts.governing
     traces = {**({case: trace} if trace else {}), **(others or {})}
     for name in traces:
         by_name(name, sizing.flows, "case")
-    tables = tables_of(sizing)
-    told = warnings(sizing, traces, review)
+    tables, warned = tables_of(facts), warnings(facts, traces, review)
     sections = [
-        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=told),
-        _power(sizing, tables["speeds"], case),
-        *_parts(sizing, tables),
+        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),), listed=warned),
+        _power(told, tables["speeds"], case),
+        *_parts(told, tables),
         *([_modes(modes, case, drawn=system is not None)] if modes else []),
         *(_dynamics(sizing, run, name) for name, run in traces.items()),
     ]
     if system is not None:
-        sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    sections.append(Section("Assumptions", tables=_filled(usual_table(sizing)), listed=assumptions(sizing)))
+        sections += dynamics_sections(told, system, case=case, modes=modes, trace=trace, campbell=campbell)
+    assumed = assumptions(sizing, told.nominal)
+    sections.append(Section("Assumptions", tables=_filled(usual_table(told.usual)), listed=assumed))
     given, default = inputs(entries(sizing.design), of="design", lines=stamp.lines)
     given = replace(given, tables=_filled(tables["overrides"]))
     return set_page(
         Page(
             "Report", sizing.design.name, sizing.design.description, _verdict(sizing, traces, review),
-            key_numbers(sizing, review), tuple(sections), (given, default), sizing.design, stamp,
+            key_numbers(facts, review), tuple(sections), (given, default), sizing.design, stamp,
         )
     )  # fmt: skip
 
@@ -297,25 +296,26 @@ def _flow(sizing: Sizing, case: str) -> Figure:
     return figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
 
 
-def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
+def _power(reported: Reported, speeds: Table, told: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
+    facts, sizing = reported.particulars, reported.particulars.sizing
     skeleton = figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
-    others = [_flow(sizing, case) for case in sizing.flows if case != shown]
-    tables = _filled(speeds, *flow_tables(sizing), passing_table(sizing), path_table(sizing))
+    others = [_flow(sizing, case) for case in sizing.flows if case != told]
+    tables = _filled(speeds, *flow_tables(facts.branches), passing_table(facts.passing), path_table(reported.paths))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 
-def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
+def _parts(told: Reported, tables: Mapping[str, Table]) -> Iterator[Section]:
+    sizing = told.particulars.sizing
     margins = figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
-    mass = figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
+    mass = figure(mass_figure(told.particulars), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
     yield _chapter(
         "Meshes: forces, stresses and margins", tables, "meshes", "load_factors", "rating", figures=(margins,)
     )
-    factors = tuple(factor_tables(sizing).values())
-    if factors:
-        yield Section("Rating of the gears", tables=factors)
-        yield Section("The gears by every method", tables=tuple(method_tables(sizing).values()))
+    if told.factors:
+        yield Section("Rating of the gears", tables=tuple(factor_tables(told.factors).values()))
+        yield Section("The gears by every method", tables=tuple(method_tables(told.methods).values()))
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     bent = (figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
     loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "planet_bearings", "machines")
@@ -471,18 +471,18 @@ class DrawnSheet(NamedTuple):
     """With ids of its own."""
 
 
-def sheets_page(sizing: Sizing, drawn: Sequence[DrawnSheet], *, stamp: Stamp = UNSTAMPED) -> str:
+def sheets_page(facts: Particulars, drawn: Sequence[DrawnSheet], *, stamp: Stamp = UNSTAMPED) -> str:
     """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         drawn: Its sheets.
         stamp: Date of the page.
     """
-    room = envelope(sizing)
+    sizing, room = facts.sizing, facts.envelope
     numbers = (
         Number("sheets", f"{len(drawn)}", "", float(len(drawn))),
-        quantity("gears, shafts, carriers", complete_mass(sizing).train, "mass"),
+        quantity("gears, shafts, carriers", facts.complete.train, "mass"),
         quantity("width", room.width, "length"),
         quantity("height", room.height, "length"),
         quantity("length", room.length, "length"),

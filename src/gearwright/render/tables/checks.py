@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Annotated, Any
 
@@ -11,19 +11,9 @@ import numpy as np
 
 from gearwright.checks import Check, Status
 from gearwright.render.grid import Cell, Column, Table, table
-from gearwright.sizing import (
-    Beside,
-    Influence,
-    MeshBeside,
-    MeshInfluences,
-    MeshSizing,
-    Sizing,
-    influences,
-    methods_beside,
-    pair_data,
-)
-from gearwright.sizing.insight import usual_values
-from gearwright.sizing.rating import METHODS, Factor, factor_rows
+from gearwright.sizing import Beside, Influence, MeshBeside, MeshInfluences, RatedMesh
+from gearwright.sizing.insight import UsualValue
+from gearwright.sizing.rating import METHODS, Factor
 from gearwright.units import Quantity, digits_apart, margin_text, shown, unit, written
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -156,40 +146,28 @@ class FactorView:
     clause: str
 
 
-def factor_tables(sizing: Sizing) -> dict[str, Table]:
-    """Return mesh -> table of the factors of its rating; none where its method has no more than stresses and margins.
+def factor_tables(rated: Iterable[RatedMesh]) -> dict[str, Table]:
+    """Return mesh -> table of the factors of its rating.
 
     Args:
-        sizing: As sized.
+        rated: Meshes, from `rated_factors`.
     """
-    return {mesh.name: _factor_table(mesh, rows) for mesh, rows in rated_factors(sizing)}
+    return {one.mesh.name: _factor_table(one) for one in rated}
 
 
-def usual_table(sizing: Sizing) -> Table:
+def usual_table(usual: Sequence[UsualValue]) -> Table:
     """Return the load factors, reliefs and classes that a design leaves open, and what others would weigh.
 
     Args:
-        sizing: As sized.
+        usual: From `usual_values`.
     """
     fields = ("stage", "quantity", "value", "source", "otherwise", "mass")
-    return table("Usual values taken", usual_values(sizing), fields, note=_USUAL)
+    return table("Usual values taken", usual, fields, note=_USUAL)
 
 
-def rated_factors(sizing: Sizing) -> Iterator[tuple[MeshSizing, tuple[Factor, ...]]]:
-    """Yield every mesh whose method has more than stresses and margins, with its geometry and its factors.
-
-    Args:
-        sizing: As sized.
-    """
-    for mesh in sizing.meshes:
-        factors = METHODS[mesh.rating.method].factors(mesh.rating) if mesh.rating.method else ()
-        if rows := (*factors,):
-            yield mesh, (*factor_rows(pair_data(sizing, mesh), "geometry"), *rows)
-
-
-def _factor_table(mesh: MeshSizing, rows: tuple[Factor, ...]) -> Table:
-    method = METHODS[mesh.rating.method]
-    views = [_view(row) for row in rows]
+def _factor_table(rated: RatedMesh) -> Table:
+    mesh, method = rated.mesh, METHODS[rated.mesh.rating.method]
+    views = [_view(row) for row in rated.factors]
     chapters = ["", *(view.chapter for view in views)]
     views = [
         replace(view, chapter="") if view.chapter == last else view for view, last in zip(views, chapters, strict=False)
@@ -226,13 +204,13 @@ _METHOD_NOTE = (
 )
 
 
-def method_tables(sizing: Sizing) -> dict[str, Table]:
+def method_tables(meshes: Iterable[MeshBeside]) -> dict[str, Table]:
     """Return mesh -> table of its factors by every method.
 
     Args:
-        sizing: As sized.
+        meshes: From `methods_beside`.
     """
-    return {mesh.mesh: _method_table(mesh) for mesh in methods_beside(sizing)}
+    return {mesh.mesh: _method_table(mesh) for mesh in meshes}
 
 
 def _method_table(mesh: MeshBeside) -> Table:
@@ -280,14 +258,13 @@ _INFLUENCE_NOTE = (
 )
 
 
-def influence_tables(sizing: Sizing, wish: float) -> dict[str, Table]:
+def influence_tables(meshes: Iterable[MeshInfluences]) -> dict[str, Table]:
     """Return mesh -> table of what moves its margins.
 
     Args:
-        sizing: As sized.
-        wish: Margin that is wished [-].
+        meshes: From `influences`.
     """
-    return {mesh.mesh: _influence_table(mesh) for mesh in influences(sizing, wish)}
+    return {mesh.mesh: _influence_table(mesh) for mesh in meshes}
 
 
 def _influence_table(mesh: MeshInfluences) -> Table:

@@ -6,39 +6,27 @@ Tables of how it moves and lives stand beside this folder, drawings of its numbe
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Annotated
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
 
-from gearwright.catalogue import rated_steel
+from gearwright.particulars import Particulars, UsedMaterial
 from gearwright.parts import Material
-from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
+from gearwright.parts.iso6336 import GearSteel, LifeCurve
 from gearwright.render.grid import Mark, Table, table
 from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
-from gearwright.sizing import (
-    Body,
-    BuiltShaft,
-    MachineSizing,
-    ShaftSizing,
-    Sizing,
-    asked_speeds,
-    bearing_forces,
-    mass_groups,
-    mass_parts,
-    passing,
-    planet_positions,
-)
-from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.losses import ORIGINS, Loss, LossBalance, loss_balance
-from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
-from gearwright.sizing.rating import method_for, rating_of
+from gearwright.sizing import Body, BuiltShaft, MachineSizing, Passing, ShaftSizing, Sizing
+from gearwright.sizing.losses import ORIGINS, Loss, LossBalance
+from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.sizing.result import PRELIMINARY, TeethSearch
-from gearwright.sizing.summaries import mesh_factors
 from gearwright.spec import Design
 from gearwright.spec.design import NOTHING_GIVEN, module_owners
-from gearwright.train import Branch, branches
+from gearwright.train import Branch
 from gearwright.units import Length, Mass, Number, Origin, Power, Quantity, Slope, Speed, shown, text, unit
+
+if TYPE_CHECKING:
+    from gearwright.dynamics.sharing import PathShare
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What the user gave in place of computed values, and how it is marked.
@@ -132,13 +120,13 @@ class LossesOfCase:
     """[-]"""
 
 
-def losses_of_cases(sizing: Sizing) -> tuple[LossesOfCase, ...]:
+def losses_of_cases(balances: Iterable[LossBalance]) -> tuple[LossesOfCase, ...]:
     """Return what every case loses, by origin.
 
     Args:
-        sizing: As sized.
+        balances: Of the cases.
     """
-    return tuple(_row(loss_balance(sizing, case)) for case in sizing.flows)
+    return tuple(map(_row, balances))
 
 
 def _limits(losses: Iterable[Loss]) -> str:
@@ -159,20 +147,20 @@ def _row(balance: LossBalance) -> LossesOfCase:
     return LossesOfCase(balance.case, balance.power, **parts, lost=balance.lost, efficiency=balance.efficiency)
 
 
-def loss_tables(sizing: Sizing) -> dict[str, Table]:
+def loss_tables(facts: Particulars) -> dict[str, Table]:
     """Return the tables of losses by a short name.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
+    sizing = facts.sizing
     fields = ("case", "power", *ORIGINS, "lost", "efficiency")
-    losses = loss_balance(sizing).losses
+    losses = facts.losses[sizing.reference.case].losses
     limits = ("limit",) if any(loss.limit for loss in losses) else ()
     columns = ("origin", "part", "count", "power", "share", "method", *limits)
+    of_cases, note = losses_of_cases(facts.losses.values()), _note(sizing.design) + _limits(losses)
     return {
-        "losses": table(
-            "Losses by origin", losses_of_cases(sizing), fields, note=_note(sizing.design) + _limits(losses)
-        ),
+        "losses": table("Losses by origin", of_cases, fields, note=note),
         "loss_parts": table("Losses part by part", losses, columns, note=f"Case {sizing.reference.case}."),
     }
 
@@ -263,13 +251,13 @@ class Property:
         return self.source.startswith(ESTIMATED)
 
 
-def properties(material: Material, steel: GearSteel | None) -> Iterator[Property]:
+def properties(used: UsedMaterial) -> Iterator[Property]:
     """Yield every property of a material that is known.
 
     Args:
-        material: The material.
-        steel: As its gears are rated; None where they are not.
+        used: The material, with the steel as which its gears are rated.
     """
+    material, steel = used.material, used.steel
     for key, (words, kind) in NUMBERS.items():
         value: float | None = getattr(material, key)
         if value is not None and (steel is not None or key != _HARDNESS):
@@ -278,20 +266,21 @@ def properties(material: Material, steel: GearSteel | None) -> Iterator[Property
     for key, words in (("group", "group of DIN 743"), ("melting", "melting")):
         if getattr(material, key) is not None:
             yield Property(material.name, words, getattr(material, key), "", _source(material, key))
-    if steel is not None:
-        yield from _rated(material, steel)
+    if steel is not None and used.lives is not None:
+        yield from _rated(material, steel, used.lives, as_stated=used.as_stated)
 
 
-def _rated(material: Material, steel: GearSteel) -> Iterator[Property]:
+def _rated(
+    material: Material, steel: GearSteel, lives: tuple[LifeCurve, LifeCurve], *, as_stated: bool
+) -> Iterator[Property]:
     """Yield strengths and S-N lines."""
     yield Property(material.name, "class and grade", f"{steel.name} {steel.grade}", "", steel.source)
-    own = material.steel is not None and steel == rated_steel(material)
     for key, words in STRENGTHS.items():
-        stated = own and (key in material.estimated or getattr(material, key) is not None)
+        stated = as_stated and (key in material.estimated or getattr(material, key) is not None)
         source = _source(material, key) if stated else steel.source
         yield Property(material.name, words, shown(getattr(steel, key), "stress"), unit("stress"), source)
     lines = (("contact_life", "flanks", steel.contact_life), ("bending_life", "roots", steel.bending_life))
-    for (key, part, line), curve, standard in zip(lines, life_curves(steel), _STANDARDS, strict=True):
+    for (key, part, line), curve, standard in zip(lines, lives, _STANDARDS, strict=True):
         source = standard if line is None else _source(material, key)
         yield Property(material.name, f"S-N line of {part}, N and factor", _line(curve), "", source)
 
@@ -306,30 +295,23 @@ def _line(curve: LifeCurve) -> str:
     return ", ".join(f"{n:.3g} × {factor:.3g}" for n, factor in zip(curve.cycles, curve.factors, strict=True))
 
 
-def materials_table(sizing: Sizing) -> Table:
+def materials_table(materials: Iterable[UsedMaterial]) -> Table:
     """Return every property of the materials that a design uses.
 
     Args:
-        sizing: As sized.
+        materials: Of the design.
     """
     fields = ("material", "quantity", "value", "unit", "source")
-    return table("Materials", material_properties(sizing), fields, mark=_mark)
+    return table("Materials", material_properties(materials), fields, mark=_mark)
 
 
-def material_properties(sizing: Sizing) -> tuple[Property, ...]:
+def material_properties(materials: Iterable[UsedMaterial]) -> tuple[Property, ...]:
     """Return every property of the materials that a design uses.
 
     Args:
-        sizing: As sized.
+        materials: Of the design.
     """
-    used: dict[tuple[str, GearSteel | None], Material] = {}
-    for stage in sizing.design.stages:
-        rating = rating_of(sizing.design, stage)
-        used[rating.material.name, method_for(rating).making(rating).iso_steel] = rating.material
-    shaft = sizing.design.shaft_material
-    if shaft.name not in {name for name, _ in used}:
-        used[shaft.name, None] = shaft
-    return tuple(line for (_, steel), material in used.items() for line in properties(material, steel))
+    return tuple(line for used in materials for line in properties(used))
 
 
 def estimated_only(materials: Table) -> Table:
@@ -494,12 +476,13 @@ class Bend:
     """First one of the shaft in bending [rad/s]."""
 
 
-def mounted_tables(sizing: Sizing) -> dict[str, Table]:
+def mounted_tables(facts: Particulars) -> dict[str, Table]:
     """Return the tables of built shafts, bearings and joints by a short name; without rows where there are none.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
+    sizing = facts.sizing
     shafts, strength = sizing.built_shafts, [section for shaft in sizing.built_shafts for section in shaft.sections]
     steps = [step for shaft in shafts for step in _steps(shaft)]
     bends = [bend for shaft in shafts for bend in _bends(shaft)]
@@ -511,7 +494,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
         "stiffness": table("Shafts: how they bend", bends,
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
         "bearing_sizes": table(
-            "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(sizing)}"
+            "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(facts)}"
         ),
         "bearing_oil": table("Bearings: oil, least load, speeds", sizing.bearings, _OILED_FIELDS, note=_OILED),
         "joints": table("Shaft-hub joints", joined, (*_JOINT_FIELDS, *fitted), note=_JOINTS),
@@ -529,11 +512,11 @@ def _bends(shaft: BuiltShaft) -> Iterator[Bend]:
         yield Bend(shaft.name, place, slope, deflections.get(place), shaft.critical_speed)
 
 
-def _system(sizing: Sizing) -> str:
+def _system(facts: Particulars) -> str:
     """Return what all bearings together live and weigh."""
-    if sizing.system_life is None:
+    if facts.system_life is None:
         return ""
-    life, mass = text(sizing.system_life, "life"), text(sizing.bearing_mass, "mass")
+    life, mass = text(facts.system_life, "life"), text(facts.sizing.bearing_mass, "mass")
     return f" All of them reach {life} with 90 % reliability (Weibull's product) and weigh {mass}."
 
 
@@ -588,32 +571,22 @@ def _rows(sizing: Sizing) -> Iterator[PlanetRow]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def mass_tables(sizing: Sizing) -> dict[str, Table]:
+def mass_tables(mass: CompleteMass, statistics: Statistics) -> dict[str, Table]:
     """Return the tables of the complete mass, by a short name.
 
     Args:
-        sizing: As sized.
+        mass: Complete mass.
+        statistics: Of real gearboxes of the same power and speeds.
     """
-    mass = complete_mass(sizing)
     return {
         "complete_mass": table(
-            "Complete mass", mass.groups, ("group", "total", "share", "deviation"), note=sum_sentence(sizing, mass)
+            "Complete mass", mass.groups, ("group", "total", "share", "deviation"), note=mass_sentence(mass, statistics)
         ),
         "mass_parts": table(
             "Complete mass, part by part", mass.parts,
             ("part", "group", "count", "each", "total", "uncertainty", "formula", "source"),
         ),
     }  # fmt: skip
-
-
-def sum_sentence(sizing: Sizing, mass: CompleteMass) -> str:
-    """Return the sum with its band, and how it stands to the statistics.
-
-    Args:
-        sizing: As sized.
-        mass: Its complete mass.
-    """
-    return mass_sentence(mass, statistics_beside(sizing, mass))
 
 
 def mass_sentence(mass: CompleteMass, statistics: Statistics) -> str:
@@ -657,70 +630,70 @@ _THICKEST = "d of a shaft with steps is its thickest; the stress is of a section
 _ENVELOPE = "Box around tip circles and shafts, without housing."
 
 
-def not_in_the_mass(sizing: Sizing) -> str:
+def not_in_the_mass(groups: Collection[str]) -> str:
     """Return what the mass of the train leaves out.
 
     Args:
-        sizing: As sized.
+        groups: Of parts that are in it.
     """
-    bearings = "bearings of shafts" if "planet bearings" in mass_groups(sizing) else "bearings"
+    bearings = "bearings of shafts" if "planet bearings" in groups else "bearings"
     return f"Not in the mass: housing, {bearings}, oil system, accessories, motors."
 
 
-def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
+def flow_tables(branches: Mapping[str, Sequence[Branch]]) -> tuple[Table, ...]:
     """Return one table per load case: speed, torque and power of every part on every shaft.
 
     Args:
-        sizing: As sized.
+        branches: Load case -> every part on every shaft, shaft by shaft.
     """
     note = "Torque on the shaft; power into the shaft is positive."
     fields = ("shaft", "part", "speed", "torque", "power")
-    return tuple(table(f"Case {case}", shaft_by_shaft(sizing, case), fields, note=note) for case in sizing.flows)
+    return tuple(table(f"Case {case}", of_case, fields, note=note) for case, of_case in branches.items())
 
 
-def shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
-    """Return every part on every shaft in a load case, shaft by shaft.
-
-    Args:
-        sizing: As sized.
-        case: Load case.
-    """
-    of_case = branches(sizing.train, sizing.flows[case])
-    return [branch for shaft in sizing.design.shafts for branch in of_case if branch.shaft == shaft]
-
-
-def passing_table(sizing: Sizing) -> Table:
+def passing_table(ways: Sequence[Passing]) -> Table:
     """Return how the gearbox and its epicyclic sets pass power, forwards and backwards, in every case.
 
     Args:
-        sizing: As sized.
+        ways: From `passing`.
     """
     fields = ("case", "part", "driving", "driven", "forwards", "backwards", "locking")
-    return table("Efficiency of the teeth", passing(sizing), fields, note=_PASSING)
+    return table("Efficiency of the teeth", ways, fields, note=_PASSING)
 
 
-def tables_of(sizing: Sizing) -> dict[str, Table]:
-    """Return every table of a sizing, by a short name.
+def gear_table(sizing: Sizing) -> Table:
+    """Return the gears of a sizing.
 
     Args:
         sizing: As sized.
     """
+    return table("Gears", sizing.gears, _gear_fields(sizing), mark=partial(given_by_user, sizing),
+                 note=_searched(sizing))  # fmt: skip
+
+
+def tables_of(facts: Particulars) -> dict[str, Table]:
+    """Return every table of a sizing, by a short name.
+
+    Args:
+        facts: Of the sizing.
+    """
+    sizing = facts.sizing
 
     def mark(record: object, field: str) -> Mark:
         return given_by_user(sizing, record, field)
 
     return {
-        **mounted_tables(sizing),
-        **loss_tables(sizing),
+        **mounted_tables(facts),
+        **loss_tables(facts),
         **place_tables(sizing),
-        **mass_tables(sizing),
+        **mass_tables(facts.complete, facts.statistics),
         "margins": table("Margins, worst first", judged(sizing.checks), COLUMNS, note=JUST_ENOUGH),
-        "speeds": table("Speeds that deviate from those asked", asked_speeds(sizing),
+        "speeds": table("Speeds that deviate from those asked", facts.asked_speeds,
                         ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),
-        "passing": passing_table(sizing),
-        "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark, note=_searched(sizing)),
+        "passing": passing_table(facts.passing),
+        "gears": gear_table(sizing),
         "meshes": table("Mesh forces", sizing.meshes, _mesh_fields(sizing), note="Forces of one mesh."),
-        "load_factors": table("Load factors", tuple(mesh_factors(sizing)), _FACTORS, note=_OF_FACTORS),
+        "load_factors": table("Load factors", facts.load_factors, _FACTORS, note=_OF_FACTORS),
         "rating": table("Mesh rating", sizing.meshes,
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
                          "contact_stress", "contact_margin")),
@@ -729,20 +702,20 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                         mark=mark, note=_THICKEST if sizing.built_shafts else ""),
         "shaft_sizes": table("Shafts: sizes", sizing.shafts,
                              ("name", "length", "diameter", "bore", "stiffness", "mass", "inertia"), mark=mark),
-        "bearings": table("Bearing loads", bearing_forces(sizing), ("shaft", "case", "position", "radial_force"),
+        "bearings": table("Bearing loads", facts.bearing_forces, ("shaft", "case", "position", "radial_force"),
                           note=_BEARINGS),
-        "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
+        "envelope": table("Envelope", [facts.envelope], ("width", "height", "length", "volume"),
                           note=_ENVELOPE),
         "overrides": overrides_table(sizing),
-        "materials": materials_table(sizing),
+        "materials": materials_table(facts.materials),
         "carriers": table("Carriers", sizing.carriers,
                           ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
-                           "plate_thickness", "mass", "inertia"), mark=mark, note=_unequal(sizing)),
+                           "plate_thickness", "mass", "inertia"), mark=mark, note=_unequal(facts)),
         "planet_bearings": planet_table(sizing),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
-        "mass": table("Train as sized", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
-                      note=not_in_the_mass(sizing)),
+        "mass": table("Train as sized", facts.mass_parts, ("part", "group", "count", "each", "total", "share"),
+                      note=not_in_the_mass(facts.mass_groups)),
     }  # fmt: skip
 
 
@@ -752,13 +725,13 @@ def _searched(sizing: Sizing) -> str:
     return f"Teeth: {chosen}." if chosen else ""
 
 
-def _unequal(sizing: Sizing) -> str:
+def _unequal(facts: Particulars) -> str:
     """Say at which angles the pins of carriers stand that are not evenly divided."""
     words = []
-    for stage, planetary in sizing.design.planetaries.items():
+    for stage, planetary in facts.sizing.design.planetaries.items():
         if planetary.unequal_places:
-            angles = planet_positions(sizing.design, stage, sizing.teeth)
-            words.append(f"Pins of {stage} stand at {', '.join(f'{math.degrees(angle):.7g}°' for angle in angles)}.")
+            angles = ", ".join(f"{math.degrees(angle):.7g}°" for angle in facts.pins[stage])
+            words.append(f"Pins of {stage} stand at {angles}.")
     return " ".join(words)
 
 
@@ -790,16 +763,10 @@ NOTE = (
 )
 
 
-def path_table(sizing: Sizing) -> Table:
+def path_table(paths: Sequence[PathShare]) -> Table:
     """Return the shares of all parallel meshes in the governing case; no rows where there are none.
 
     Args:
-        sizing: As sized.
+        paths: From `path_shares`.
     """
-    meshes = Counter(mesh.stage for mesh in sizing.train.meshes)
-    if all(meshes[stage] < 2 for stage in sizing.design.pairs):
-        return table(TITLE, (), ())
-    from gearwright.dynamics.sharing import PathShare, path_shares
-
-    names = tuple(field.name for field in fields(PathShare))
-    return table(TITLE, path_shares(sizing), names, note=NOTE)
+    return table(TITLE, paths, [field.name for field in fields(paths[0])] if paths else (), note=NOTE)

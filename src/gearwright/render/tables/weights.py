@@ -8,11 +8,12 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.catalogue import Engine
+from gearwright.particulars import Particulars
 from gearwright.render.grid import csv_text
 from gearwright.render.tables.sizing import with_band
 from gearwright.render.terminal import Grid
-from gearwright.sizing import Sizing, mass_groups
-from gearwright.sizing.mass import band_of, complete_mass, requirement_of
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import band_of, requirement_of
 from gearwright.spec.design import CONCEPT, PRELIMINARY
 from gearwright.study import Table
 from gearwright.units import RPM, text
@@ -275,42 +276,43 @@ def _printed(row: CheckedEngine, column: str) -> str:
 _ROWS = ("complete_mass.low", "complete_mass.high")
 
 
-def train_mass(sizing: Sizing) -> str:
+def train_mass(facts: Particulars) -> str:
     """Return the mass of the train as sized with its groups, which add up to it unless it is given.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
+    sizing, groups = facts.sizing, facts.mass_groups
     discs = {} if sizing.level in (CONCEPT, PRELIMINARY) else {"gears": "gears as discs of their pitch circles"}
-    parts = ", ".join(f"{discs.get(group, group)} {text(mass, 'mass')}" for group, mass in mass_groups(sizing).items())
+    parts = ", ".join(f"{discs.get(group, group)} {text(mass, 'mass')}" for group, mass in groups.items())
     if "gearbox.mass" in sizing.given:
         return f"{text(sizing.mass, 'mass')}, given, in place of the {text(sizing.parts_mass, 'mass')} of {parts}"
     return f"{text(sizing.mass, 'mass')} ({parts})"
 
 
-def complete_words(sizing: Sizing) -> str:
+def complete_words(facts: Particulars) -> str:
     """Return the complete mass with its band, nothing at level ``concept`` or where a mass is given.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
-    if sizing.level == CONCEPT or "gearbox.mass" in sizing.given:
+    if facts.sizing.level == CONCEPT or "gearbox.mass" in facts.sizing.given:
         return ""
-    return with_band(complete_mass(sizing))
+    return with_band(facts.complete)
 
 
-def summary(sizing: Sizing) -> str:
+def summary(facts: Particulars) -> str:
     """Return mass and power density in a few sentences; above level ``concept`` the complete mass comes first.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
     """
-    complete = complete_words(sizing)
-    turning = 0.0 if "planet bearings" in mass_groups(sizing) else sizing.planet_bearing_mass
+    sizing, complete = facts.sizing, complete_words(facts)
+    turning = 0.0 if "planet bearings" in facts.mass_groups else sizing.planet_bearing_mass
     beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
     told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
     first = f"Complete mass {complete}. Train as sized " if complete else ""
-    return f"{first}{train_mass(sizing)}, {text(sizing.power_density, 'specific_power')}.{told}"
+    return f"{first}{train_mass(facts)}, {text(sizing.power_density, 'specific_power')}.{told}"
 
 
 def beside_statistics(table: Table, sizing: Sizing) -> str:

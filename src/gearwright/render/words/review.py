@@ -12,6 +12,7 @@ from gearwright.closure import Closed, Contradiction, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.particulars import Particulars
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing import mass_sentence
 from gearwright.render.tables.weights import complete_words, train_mass
@@ -19,7 +20,6 @@ from gearwright.render.terminal import Grid
 from gearwright.render.words.sizing import energy_text, headline, sizing_headline, table_text, unneeded_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
-from gearwright.sizing.arrangement import envelope
 from gearwright.units import shown, text, written
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -143,7 +143,7 @@ LABEL = 20
 
 
 def run_text(
-    sizing: Sizing,
+    facts: Particulars,
     modes: Modes,
     traces: Mapping[str, Trace],
     *,
@@ -153,13 +153,14 @@ def run_text(
     """Return the verdict and the key numbers of a run, one below the other.
 
     Args:
-        sizing: As sized.
+        facts: Of a sizing.
         modes: Of its train.
         traces: Load case -> run of it.
         review: Of the design; None where the run was interrupted.
         campbell: Critical speeds that were looked at.
     """
-    numbers = (*_sized(sizing), *_moved(modes, traces, campbell), *_peaks(sizing, traces))
+    sizing = facts.sizing
+    numbers = (*_sized(facts), *_moved(modes, traces, campbell), *_peaks(sizing, traces))
     grid = Table.grid(padding=(0, 1))
     grid.add_column(no_wrap=True, min_width=LABEL)
     grid.add_column()
@@ -179,12 +180,12 @@ def run_verdict(sizing: Sizing, review: Review | None) -> tuple[str, ...]:
     return (f"{said[:1].upper()}{said[1:]}.",)
 
 
-def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
-    complete = complete_words(sizing)
-    flow, box = sizing.reference, envelope(sizing)
+def _sized(facts: Particulars) -> Iterator[tuple[str, str]]:
+    sizing, complete, box = facts.sizing, complete_words(facts), facts.envelope
+    flow = sizing.reference
     if complete:
         yield "complete mass", complete
-    yield "train as sized" if complete else "mass", train_mass(sizing)
+    yield "train as sized" if complete else "mass", train_mass(facts)
     yield "power", f"{text(sizing.rated_power, 'power')}, {text(sizing.power_density, 'specific_power')}"
     speeds = [f"{machine.name} {abs(shown(flow.speeds[machine.shaft], 'speed')):.0f}" for machine in sizing.machines]
     yield "speeds", f"{', '.join(speeds)} rpm{f', case {flow.case}' if len(sizing.flows) > 1 else ''}"

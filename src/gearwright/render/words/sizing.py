@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.checks import worst
+from gearwright.particulars import Particulars
 from gearwright.render.grid import MARKS, Cell, Column, Table
 from gearwright.render.tables.checks import check_sentence, factor_tables, influence_tables, method_tables, usual_table
 from gearwright.render.tables.sizing import estimated_only, flow_tables, path_table, tables_of
 from gearwright.render.tables.weights import summary
 from gearwright.render.terminal import Grid
-from gearwright.sizing import Sizing, remarks
+from gearwright.sizing import MeshBeside, MeshInfluences, RatedMesh, Sizing
+from gearwright.sizing.insight import UsualValue
 from gearwright.spec import Design, implied
 from gearwright.spec.design import CONCEPT, PRELIMINARY, STATIC
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Modes, Trace
+    from gearwright.dynamics.sharing import PathShare
     from gearwright.reviews import Review
 
 
@@ -157,51 +161,52 @@ _ORDER = (
 )
 
 
-def sizing_text(sizing: Sizing, review: Review | None = None) -> RenderableType:
+def sizing_text(facts: Particulars, review: Review | None = None, *, paths: Sequence[PathShare] = ()) -> RenderableType:
     """Return the report of a sizing for the terminal.
 
     Args:
-        sizing: As sized.
+        facts: Of the sizing.
         review: Of it; left out: the checks of sizing alone are told, and who looks at the rest.
+        paths: Shares of its parallel meshes, if they are to be in it.
     """
-    tables = tables_of(sizing)
+    sizing, tables = facts.sizing, tables_of(facts)
     tables["materials"] = estimated_only(tables["materials"])
     verdict = sizing_headline(sizing) if review is None else headline(review)
-    said = (summary(sizing), f"{verdict}.", implied_text(sizing.design), *remarks(sizing))
+    said = (summary(facts), f"{verdict}.", implied_text(sizing.design), *facts.remarks)
     head = [Text(words) for words in said if words]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
-    parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]
+    parts += [table_text(table) for table in (*flow_tables(facts.branches), path_table(paths)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
 
 
-def factors_text(sizing: Sizing) -> RenderableType:
+def factors_text(rated: Iterable[RatedMesh], usual: Sequence[UsualValue]) -> RenderableType:
     """Return every factor of every mesh whose method has some beside stresses and margins.
 
     Args:
-        sizing: As sized.
+        rated: From `rated_factors`.
+        usual: From `usual_values`, of the same sizing.
     """
-    usual = usual_table(sizing)
-    return Group(*map(table_text, ([usual] if usual.rows else []) + [*factor_tables(sizing).values()]))
+    tables = [usual_table(usual)] if usual else []
+    return Group(*map(table_text, [*tables, *factor_tables(rated).values()]))
 
 
-def influences_text(sizing: Sizing, wish: float) -> RenderableType:
+def influences_text(meshes: Iterable[MeshInfluences]) -> RenderableType:
     """Return what moves the margins of every mesh.
 
     Args:
-        sizing: As sized.
-        wish: Margin that is wished [-].
+        meshes: From `influences`.
     """
-    return Group(*map(table_text, influence_tables(sizing, wish).values()))
+    return Group(*map(table_text, influence_tables(meshes).values()))
 
 
-def methods_text(sizing: Sizing) -> RenderableType:
+def methods_text(meshes: Iterable[MeshBeside]) -> RenderableType:
     """Return every cylindrical mesh by every method, factor by factor.
 
     Args:
-        sizing: As sized.
+        meshes: From `methods_beside`.
     """
-    return Group(*map(table_text, method_tables(sizing).values()))
+    return Group(*map(table_text, method_tables(meshes).values()))
 
 
 def modes_text(modes: Modes, *, case: str = "", maximum: int = 30) -> RenderableType:

@@ -14,8 +14,11 @@ import numpy as np
 from gearwright.arrays import ALIKE, Ints
 from gearwright.checks import ROUNDING, Status
 from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, lanes_of, twin
+from gearwright.memo import Memo
 from gearwright.spec.design import stage_shifts
 
+Matrix = tuple[bytes, tuple[int, ...]]
+"""Content and shape."""
 KEPT = 20_000
 """Matrices of which the results are kept [-]."""
 SOME, MANY = 16, 512
@@ -24,30 +27,28 @@ SOME, MANY = 16, 512
 
 def _remembered(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     """Return a function of one matrix that looks every lane up by its own."""
-    kept: dict[tuple[bytes, tuple[int, ...]], Any] = {}
-    latest: list[Any] = [np.zeros(0), None]
+    kept, latest = Memo[Matrix, Any](KEPT), Memo[Matrix, Any](1)
 
     @wraps(function)
     def looked_up(matrix: Any) -> Any:
         data = np.ascontiguousarray(lanes_of(matrix).data)
-        if len(data) >= MANY and np.array_equal(latest[0], data.view(np.uint64)):
-            return latest[1]
+        whole = (data.tobytes(), data.shape) if len(data) >= MANY else (b"", ())
+        if (found := latest.get(whole)) is not None:
+            return found
         first, place = _distinct(data)
         own, shape = data[first], data.shape[1:]
         keys = [(content.tobytes(), shape) for content in own]
-        missing = [k for k, key in enumerate(keys) if key not in kept]
+        results: list[Any] = [kept.get(key) for key in keys]
+        missing = [k for k, result in enumerate(results) if result is None]
         if len(missing) == len(keys) >= MANY:
-            latest[:] = data.view(np.uint64).copy(), _spread(_together(function, own, place), place, len(own))
-            return latest[1]
-        if len(kept) + len(missing) > KEPT:
-            kept.clear()
-            missing = list(range(len(keys)))
+            return latest.keep(whole, _spread(_together(function, own, place), place, len(own)))
         if len(missing) >= SOME:
             found = _together(function, own[missing], np.searchsorted(missing, place))
-            kept.update((keys[k], _lane(found, n)) for n, k in enumerate(missing))
+            made = [_lane(found, n) for n in range(len(missing))]
         else:
-            kept.update((keys[k], _plain(function(own[k]))) for k in missing)
-        results = [kept[key] for key in keys]
+            made = [_plain(function(own[k])) for k in missing]
+        for k, result in zip(missing, made, strict=True):
+            results[k] = kept.keep(keys[k], result)
         if not isinstance(results[0], tuple):
             return _gathered(results, place)
         return tuple(_gathered([result[k] for result in results], place) for k in range(len(results[0])))

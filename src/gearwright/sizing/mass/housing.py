@@ -9,7 +9,7 @@ from typing import NamedTuple
 from gearwright.arrays import largest_first
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.identity import Role
-from gearwright.latest import of_latest
+from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.casing import (
     BOSS,
@@ -139,7 +139,7 @@ def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> W
     return max(asked)
 
 
-@of_latest
+@of_latest(1)
 def weighed_wall(sizing: Sizing) -> Wall:
     """Return the wall of a housing around all that stands in it.
 
@@ -149,7 +149,7 @@ def weighed_wall(sizing: Sizing) -> Wall:
     return wall_of(sizing, shell_of(sizing))
 
 
-@of_latest
+@of_latest(1)
 def weighed_flanges(sizing: Sizing) -> Flanges:
     """Return the flanges of a housing around all that stands in it.
 
@@ -159,7 +159,7 @@ def weighed_flanges(sizing: Sizing) -> Flanges:
     return flanges_of(sizing, shell_of(sizing), reaction_torque(sizing))
 
 
-@of_latest
+@of_latest(1)
 def carried_in_walls(sizing: Sizing) -> tuple[Carried, ...]:
     """Return how the housing, in its wall as it is weighed, carries the bosses of bearings.
 

@@ -4,6 +4,7 @@ The formulas are in `parts`. `protocol` says what a method does, `methods` has a
 """
 
 from gearwright.sizing.rating.context import (
+    MESHES,
     Context,
     Demand,
     Known,
@@ -11,8 +12,6 @@ from gearwright.sizing.rating.context import (
     context_of,
     demands_of,
     rate_row,
-    remembered,
-    remembering,
     reverse_parts,
     row_ask,
     row_reserve,
@@ -73,6 +72,7 @@ __all__ = [
     "JUST",
     "LEAST_RING",
     "LEAST_TORQUE",
+    "MESHES",
     "METHODS",
     "RIMMED",
     "STANDARD_MODULES",
@@ -118,8 +118,6 @@ __all__ = [
     "push_angle",
     "rate_row",
     "rating_of",
-    "remembered",
-    "remembering",
     "reverse_parts",
     "rim_below_roots",
     "row_ask",

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -16,6 +14,7 @@ import numpy as np
 from gearwright.arrays import largest
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
+from gearwright.memo import Memo, SharedMemo
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso6336_scuffing import scuffing_safeties
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth
@@ -38,26 +37,10 @@ _ALIKE = 0.9
 
 NO_SHARING: Mapping[str, float] = MappingProxyType({})
 """Where no K_γ follows from sizes."""
-Known = dict[tuple[Any, ...], list[tuple[Rating, Any]]]
+Known = Memo[tuple[Any, ...], list[tuple[Rating, Any]]]
 """Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
-
-_REMEMBERED: ContextVar[Known | None] = ContextVar("remembered", default=None)
-
-
-@contextmanager
-def remembering() -> Iterator[None]:
-    """Let all sizings within share what meshes give: equal meshes give the same bits, whichever design they are of."""
-    token = _REMEMBERED.set(remembered())
-    try:
-        yield
-    finally:
-        _REMEMBERED.reset(token)
-
-
-def remembered() -> Known:
-    """Return what meshes have given so far where sizings share it; else nothing."""
-    shared = _REMEMBERED.get()
-    return {} if shared is None else shared
+MESHES = SharedMemo[tuple[Any, ...], list[tuple[Rating, Any]]](200_000)
+"""What meshes give: equal meshes give the same bits, whichever design they are of, so that sizings may share it."""
 
 
 class Demand(NamedTuple):
@@ -87,7 +70,7 @@ class Context:
     """Path -> value that the user gives instead of the computed one [SI]."""
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
-    known: Known = field(default_factory=dict, compare=False, repr=False)
+    known: Known = field(default_factory=MESHES.now, compare=False, repr=False)
     """What meshes have given so far, also with other teeth of other stages."""
 
     @cached_property
@@ -184,13 +167,13 @@ def context_of(
         teeth: Tooth number of every gear.
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
-        known: What meshes of the design have given with other teeth; left out: what is remembered.
+        known: What meshes of the design have given with other teeth; left out: what sizings share here.
         sharing: Stage -> K_γ by the sizes of its gears [-].
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
     ratings |= {name: replace(ratings[name], load_factor=factor) for name, factor in sharing.items()}
     values = {path: entry.value for path, entry in given.items()}
-    return Context(design, train, teeth, flows, values, ratings, remembered() if known is None else known)
+    return Context(design, train, teeth, flows, values, ratings, MESHES.now() if known is None else known)
 
 
 def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Callable[[], Any]) -> Any:
@@ -204,7 +187,7 @@ def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Calla
     """
     if rating.proportions is None:  # closed forms are quicker than a look
         return computed()
-    results = context.known.setdefault(key, [])
+    results = context.known.of(key, list)
     for rules, result in results:
         if rules == rating:
             return result

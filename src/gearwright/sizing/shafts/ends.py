@@ -20,7 +20,7 @@ from gearwright.catalogue import (
 from gearwright.catalogue.standard_parts import FAST, FAST_HARDNESS, HARDNESS, PRELOAD, PROOF_STRESS, SHAFT
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import Kind, PartId
-from gearwright.latest import of_latest
+from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.parts.material import vickers_of_rockwell
@@ -140,7 +140,7 @@ class Exit(NamedTuple):
         return None if self.elastomer is None else lip_speed(self.diameter, self.elastomer)
 
 
-@of_latest
+@of_latest(1)
 def exits_of(sizing: Sizing) -> tuple[Exit, ...]:
     """Return where shafts leave the housing; nothing where the gearbox has none of its own.
 
@@ -344,7 +344,7 @@ class Held(NamedTuple):
     """Parts for it, none of which is the shaft's or the housing's own."""
 
 
-@of_latest
+@of_latest(1)
 def held_rings(sizing: Sizing) -> tuple[Held, ...]:
     """Return what holds every side of every ring that has to be held.
 
@@ -369,7 +369,7 @@ def held_rings(sizing: Sizing) -> tuple[Held, ...]:
     return tuple(found)
 
 
-@of_latest
+@of_latest(1)
 def holders_of(sizing: Sizing) -> tuple[Holder, ...]:
     """Return the parts that hold bearings and seal their shafts, each once, in order along every shaft.
 

@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError
 from gearwright.identity import Role
+from gearwright.memo import Memo
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, nearest_positions, neighbours_clear, tip_gap
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
@@ -387,9 +388,8 @@ def _reached(stage: Pair, small: Ints, large: Ints, *, helix: float) -> Bools:
 
 LARGEST = 4096
 """Teeth of planets that are tabulated; sets of larger ones are looked at one by one [-]."""
-_KEPT = 64
-"""Tables that are kept [-]."""
-_KNOWN: dict[tuple[Any, ...], Any] = {}
+_WINDOWS = Memo[tuple[Any, ...], Any](64)
+"""Tables by what they depend on."""
 
 
 def admitted(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
@@ -446,17 +446,17 @@ def _windows(task: Task, design: Design, suns: Ints, *, size: int, around: int) 
     """
     rules, counts = design.teeth, tuple(planet_counts(task.name, design))
     key = (counts, rules.planet_minimum, rules.hunting, len(suns), *suns[:1].tolist(), size, around)
-    if key not in _KNOWN:
-        if len(_KNOWN) >= _KEPT:
-            _KNOWN.clear()
+
+    def tabulated() -> Any:
         planets = np.arange(size + around)
         grid = (np.broadcast_to(axis, (len(suns), len(planets))) for axis in (suns[:, None], planets))
         fits = admitted(task, design, *grid).astype(np.uint8)
         windows = np.zeros((len(suns), size), dtype=np.uint8)
         for bit in range(2 * around):
             windows |= fits[:, np.maximum(planets[:size] + 1 - around + bit, 1)] << np.uint8(bit)
-        _KNOWN[key] = windows
-    return _KNOWN[key]
+        return windows
+
+    return _WINDOWS.of(key, tabulated)
 
 
 def _looked_up(windows: Any, low: Ints, suns: Ints, around: int) -> tuple[Ints, Ints, Ints]:

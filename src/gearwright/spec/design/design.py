@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 from gearwright.catalogue import material_of, materials
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES, Role
-from gearwright.latest import of_latest_two
+from gearwright.memo import of_latest
 from gearwright.parts import Material
 from gearwright.showing import Shown
 from gearwright.spec.bounds import Name, range_of
@@ -359,12 +359,12 @@ class Design(Shown, Record):
         return method_of(self.rules(stage).rating, self.stages[stage].meshes)
 
 
-@of_latest_two
+@of_latest(2)
 def _machines(design: Design) -> dict[str, Machine]:
     return {name: machine for table in MACHINES for name, machine in getattr(design, table).items()}
 
 
-@of_latest_two
+@of_latest(2)
 def _rules(design: Design) -> dict[str, GearRules]:
     own = {name: stage.gears for name, stage in design.stages.items()}
     overlaid = {name: design.gears if rules is None else _overlaid(design.gears, rules) for name, rules in own.items()}
@@ -414,7 +414,7 @@ def gear_owner(design: Design, pair: str, side: Role) -> str:
     return owner if owner in design.pairs else pair
 
 
-@of_latest_two
+@of_latest(2)
 def module_owners(design: Design) -> dict[str, str]:
     """Return stage -> the stage whose module it has: of all that gears join, the first that shares no gear of another.
 
@@ -523,7 +523,7 @@ class GivenValues(NamedTuple):
     """What names nothing, is given twice, or is none that a part has."""
 
 
-@of_latest_two
+@of_latest(2)
 def given_values(design: Design) -> GivenValues:
     """Return what a design gives in place of computed values, from both places.
 
@@ -692,7 +692,7 @@ def drives_of(design: Design, case: str) -> Mapping[str, Drive]:
     return drives[case if case in drives else ""]
 
 
-@of_latest_two
+@of_latest(2)
 def _drives(design: Design) -> dict[str, dict[str, Drive]]:
     """Return case -> what every machine does in it; under an empty name what it does in a design without cases."""
     machines = design.machines
@@ -763,7 +763,7 @@ class _Link(NamedTuple):
     ends: tuple[str, str]
 
 
-@of_latest_two
+@of_latest(2)
 def split_levels(design: Design) -> Mapping[str, float]:
     """Return pair -> how often the power has split in two where it passes, of pairs on parallel paths [-].
 
