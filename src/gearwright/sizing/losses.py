@@ -16,7 +16,7 @@ import numpy as np
 from gearwright.arrays import Floats, largest_first
 from gearwright.catalogue import bearing_friction, equivalent_loads
 from gearwright.elementwise import Values, functions, plain
-from gearwright.errors import DesignError, Problem, by_name, near, refuse
+from gearwright.errors import Problem, by_name, near, refuse
 from gearwright.parts.bearings import BearingKind, LoadFactors, run_film, taper_factors
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.iso6336 import RZ_OVER_RA
@@ -501,7 +501,10 @@ def _deciding(fitted: Fitted, radial: Values, axial: Values) -> Values:
         return max(equivalent_loads(fitted.bearing, radial, axial)[0], radial)
     pushed = np.flatnonzero(axial)
     loads = [radial, np.broadcast_to(axial, radial.shape)]
-    equal = [equivalent_loads(fitted.bearing, *load)[0] for load in zip(*(one[pushed].tolist() for one in loads))]
+    equal = [
+        equivalent_loads(fitted.bearing, *load)[0]
+        for load in zip(*(one[pushed].tolist() for one in loads), strict=True)
+    ]
     deciding = radial.copy()
     deciding[pushed] = np.maximum(equal, radial[pushed])
     return deciding

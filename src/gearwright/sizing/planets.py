@@ -14,9 +14,9 @@ from typing import NamedTuple, NoReturn
 import numpy as np
 
 from gearwright.arrays import largest, smallest
-from gearwright.elementwise import Values
 from gearwright.catalogue import Bearing, bearings, check_bearing
 from gearwright.checks import Check, Status, not_assessed
+from gearwright.elementwise import Values
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role, gear_part
 from gearwright.parts.bearings import (
