@@ -76,8 +76,8 @@ def functions(*values: Values) -> Any:
         values: That the formula is given.
 
     Returns:
-        ``sqrt``, ``exp``, ``log``, ``log10``, ``sin``, ``cos``, ``tan``, ``pow``, ``radians``, ``where``, ``interp``, and
-        ``min`` and ``max`` of two or more values.
+        ``sqrt``, ``exp``, ``log``, ``log10``, ``sin``, ``cos``, ``tan``, ``pow``, ``radians``, ``where``, ``interp``,
+        and ``min`` and ``max`` of two or more values.
 
     >>> functions(2.0).max(2.0, 3.0), functions(np.array([2.0, 4.0])).max(np.array([2.0, 4.0]), 3.0).tolist()
     (3.0, [3.0, 4.0])

@@ -114,7 +114,7 @@ def entropy(gas: Gas, temperature: float) -> float:
     """
     _, _, first, rest = _coefficients(gas)
     part = temperature / 1000.0
-    return first * math.log(part) + _horner(rest, part) * part
+    return float(first * math.log(part) + _horner(rest, part) * part)
 
 
 def temperature_of(gas: Gas, wanted: Values) -> Values:
@@ -294,7 +294,7 @@ def _standard() -> Inlet:
 def _compressed(rated: Rated, temperature: float, ratio: float) -> float:
     """Return T_3 [K]."""
     ideal = enthalpy(AIR, isentropic(AIR, temperature, ratio)) - enthalpy(AIR, temperature)
-    return temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor)
+    return float(temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor))
 
 
 def _ratio(rated: Rated, part: float, temperature: float, exit_temperature: float) -> float:
@@ -387,7 +387,7 @@ def _fuel_ratio(rated: Rated, cold: float, hot: float) -> float:
         if abs(found - ratio) <= _SETTLED:
             break
         ratio = found
-    return found
+    return float(found)
 
 
 def _expanded(
@@ -437,7 +437,7 @@ def first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> fl
         expansion: p_4/p_45 [-].
     """
     ideal = enthalpy(gas, hot) - enthalpy(gas, isentropic(gas, hot, 1.0 / expansion))
-    return temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal)
+    return float(temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal))
 
 
 def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
@@ -472,7 +472,7 @@ def leaving(state: EngineState) -> float:
         state: Of the engine.
     """
     burnt = state.fuel_flow - state.unburnt / HEATING_VALUE
-    return (state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust)
+    return float((state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust))
 
 
 def entering(state: EngineState, inlet: Inlet) -> float:
@@ -482,7 +482,7 @@ def entering(state: EngineState, inlet: Inlet) -> float:
         state: Of the engine.
         inlet: The air before it.
     """
-    return state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE
+    return float(state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

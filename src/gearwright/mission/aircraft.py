@@ -540,7 +540,7 @@ def _start_speed(mission: Mission, phase: Phase, before: _Before) -> float:
     if phase.from_tas is not None:
         return phase.from_tas
     if phase.from_cas is not None:
-        return true_of_calibrated(phase.from_cas, air)
+        return float(true_of_calibrated(phase.from_cas, air))
     stated = any(value is not None for value in (phase.cas, phase.tas, phase.mach))
     if stated and phase.kind not in ("take-off", "speed-change", "landing"):
         return speed_by_law(phase, air)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -56,8 +56,8 @@ def _cell(chart: PropellerMap, ratio: Floats) -> _Cell:
 
 
 def at_tips(
-    chart: PropellerMap | MachMap, tip_mach: Floats, law: Callable[..., tuple[Floats, ...]], *columns: Floats
-) -> tuple[Floats, ...]:
+    chart: PropellerMap | MachMap, tip_mach: Floats, law: Callable[..., tuple[Any, ...]], *columns: Floats
+) -> tuple[Any, ...]:
     """Return what a law reads of a map, or of the map at every Mach number of the tips.
 
     Args:
@@ -69,7 +69,7 @@ def at_tips(
     if isinstance(chart, PropellerMap):
         return law(chart, *columns)
     known = [(tip_mach == tip, float(tip)) for tip in np.unique(tip_mach)]
-    found: tuple[Floats, ...] = ()
+    found: tuple[Any, ...] = ()
     beyond = np.zeros(len(tip_mach), bool)
     for lanes, tip in known:
         try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -304,14 +304,19 @@ def _flown_together(flying: Flying) -> Together:
         point, found.friction, powers, work, mesh_loss, electric.heat + asked.dragged, asked.spin_up, share,
         performance, burnt, electric.winding, settled.after, settled.moving,
     )  # fmt: skip
-    values: tuple[Any, ...] = spread(columns, source)
-    return Together(*values, battery, tuple(doubts))
+    values: tuple[Any, ...] = (*spread(columns, source), battery, tuple(doubts))
+    return Together(*values)
 
 
 def _all(deck: Deck, source: Ints, doubts: Sequence[Doubt]) -> Iterator[Doubt]:
     """Yield what laws refuse of all intervals, from what they refuse of those that speak for them."""
-    for where, words in doubts:
-        yield Doubt(where[source], lambda k, words=words: words(int(source[k])))
+    for doubt in doubts:
+        yield Doubt(doubt.where[source], _asked_by(doubt.words, source))
+
+
+def _asked_by(words: Callable[[int], None], source: Ints) -> Callable[[int], None]:
+    """Return the words on an interval that are those on another one."""
+    return lambda k: words(int(source[k]))
 
 
 def _blamed(flying: Flying, source: Ints, settled: Followed, doubt: Doubt) -> Doubt:
@@ -341,10 +346,9 @@ def _limits(flying: Flying, deck: Deck, powers: Mapping[str, Floats], speeds: Ma
             ratings = {name: power * overload[name] for name, power in supply.ratings.items()}
             sets.append((bounds_of(machines, ratings), deck.rating[lanes] == rating))
         columns = [{name: column[lanes] for name, column in source.items()} for source in (powers, speeds)]
-        where, words = outlasted(sets, deck.course.duration[lanes], *columns)
-        everywhere = np.zeros(len(deck.pitch), bool)
-        everywhere[lanes] = where
-        yield Doubt(everywhere, lambda k, words=words, first=lanes.start: words(k - first))
+        doubt, late = outlasted(sets, deck.course.duration[lanes], *columns), np.zeros(len(deck.pitch), bool)
+        late[lanes] = doubt.where
+        yield Doubt(late, _asked_by(doubt.words, np.arange(len(late)) - lanes.start))
 
 
 def _history_of(deck: Deck, found: Together) -> History[Floats]:

@@ -261,6 +261,15 @@ Faults = NDArray[np.object_]
 """Why there is no balance under each load, or None, shape (n,)."""
 
 
+def has_fault(faults: Faults) -> Bools:
+    """Tell under which loads there is no balance, shape (n,).
+
+    Args:
+        faults: Of every load.
+    """
+    return np.array([fault is not None for fault in faults])
+
+
 class Carried(NamedTuple):
     """What a train carries under many loads."""
 
@@ -304,8 +313,8 @@ class Carried(NamedTuple):
         Args:
             factor: Of each load, shape (n,) [-].
         """
-        columns = [column * (factor[:, None] if column.ndim == 2 else factor) for column in self[1:-1]]
-        return Carried(self.speeds, *columns, self.faults)
+        columns: Any = [column * (factor[:, None] if column.ndim == 2 else factor) for column in self[1:-1]]
+        return self._replace(**dict(zip(self._fields[1:-1], columns, strict=True)))
 
 
 def machine_powers(gearbox: Gearbox, parts: Floats, taken: Floats, power: Floats) -> Floats:
@@ -471,14 +480,14 @@ def _one_by_one(gearbox: Gearbox, powers: Floats, propeller_speed: Floats, lost:
         torques[:, k] = np.array([flow.meshes[mesh.name].torques for mesh in train.meshes]).T
         balancing[k] = flow.machine_torques[gearbox.propeller]
         links[k] = [flow.given(link.name) for link in train.links]
-    return Carried(speeds, powers, *torques, balancing, links, faults)
+    return Carried(speeds, powers, torques[0], torques[1], torques[2], balancing, links, faults)
 
 
 def _mesh_losses(gearbox: Gearbox, carried: Carried) -> Floats:
     """Return what each mesh row loses, shape (n, meshes) [W]."""
     full = np.concatenate([carried.speeds, np.zeros((len(carried.speeds), 1))], axis=1)
     first, second, third = (full[:, places] for places in _ends(gearbox))
-    return -carried.first * (first - third) - carried.second * (second - third)
+    return np.asarray(-carried.first * (first - third) - carried.second * (second - third))
 
 
 def _ends(gearbox: Gearbox) -> list[list[int]]:
@@ -712,7 +721,7 @@ class Balanced(NamedTuple):
     @property
     def fails(self) -> Bools:
         """Where there is no balance."""
-        return ~np.isnan(self.short) | np.not_equal(self.faults, None).astype(bool)
+        return ~np.isnan(self.short) | has_fault(self.faults)
 
 
 class Known(NamedTuple):
@@ -792,7 +801,8 @@ def _handed_on(gearbox: Gearbox, asked: Asked, lost: Floats, known: Known | None
     """Return what teeth lose by the loads of the interval before, with the oil of this one [-]."""
     if known is None or np.isnan(asked.oil).all():
         return np.roll(lost, 1, axis=0)
-    return stage_losses(gearbox, *(np.roll(column, 1, axis=0) for column in (known.torques, known.nodes)), asked.oil)
+    torques, nodes = np.roll(known.torques, 1, axis=0), np.roll(known.nodes, 1, axis=0)
+    return stage_losses(gearbox, torques, nodes, asked.oil)
 
 
 def _idle(gearbox: Gearbox, asked: Asked) -> Idle | None:
@@ -872,7 +882,7 @@ def _met_by_trials(gearbox: Gearbox, asked: Asked, idle: Idle | None, lost: Floa
         work[going] = reached
         carried.put(going, found)
     missed = by_work & ~(np.abs(asked.wanted - work) <= MET * (np.abs(asked.wanted) + np.abs(power)))
-    for k in np.flatnonzero(missed & np.equal(carried.faults, None).astype(bool)):
+    for k in np.flatnonzero(missed & ~has_fault(carried.faults)):
         carried.faults[k] = SolveError(
             f"no power of the machines gives the propeller its {asked.wanted[k] / 1e3:.4g} kW"
         )

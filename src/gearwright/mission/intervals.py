@@ -19,6 +19,7 @@ from gearwright.mission.gearbox import (
     Known,
     balanced_rounds,
     given_powers,
+    has_fault,
     no_losses,
     runs_of,
     warm_oil,
@@ -121,7 +122,7 @@ class Deck(NamedTuple):
         Args:
             k: Its number.
         """
-        return self.stretches[self.whose[k]].mission
+        return self.stretches[int(self.whose[k])].mission
 
     def phase(self, k: int) -> Phase:
         """Return the phase of an interval.
@@ -129,7 +130,7 @@ class Deck(NamedTuple):
         Args:
             k: Its number.
         """
-        return self.stretches[self.whose[k]].phase
+        return self.stretches[int(self.whose[k])].phase
 
     def at(self, kept: Ints) -> Deck:
         """Return the deck of some intervals, of every flight at least one; none follows from those before it.
@@ -292,7 +293,7 @@ class Followed(NamedTuple):
     guess: Guess
     """With what they were found."""
     starts: Floats
-    """Temperatures of the gearbox at the start of each interval by what it loses, shape (n, 4); NaN: not followed [K]."""
+    """Temperatures of the gearbox at the start of each interval by its losses, shape (n, 4); NaN: not followed [K]."""
     after: Floats
     """At its end."""
     unflown: Bools
@@ -337,7 +338,7 @@ def followed(flying: Flying) -> Followed:
 
 
 def _open(flying: Flying, round_: Followed, moving: Bools) -> Bools:
-    """Return the intervals of flights that have not settled; what follows on one that cannot be flown does not count."""
+    """Return the intervals of flights that have not settled; what follows on one that is refused does not count."""
     counts, stops = moving.copy(), round_.unflown | round_.unoiled | round_.found.fails
     if stops.any():
         for lanes in flying.deck.flights:
@@ -389,9 +390,9 @@ def _round(flying: Flying, asked: Asked, guess: Guess, outside: Bools) -> Follow
         unflown[rows] = stalled | beyond
     driven = deck.driven
     if deck.strategies is not None:
-        parts, none = deck.strategies.parts(deck.parts, guess.share), np.zeros(len(pitch))
+        parts, idle = deck.strategies.parts(deck.parts, guess.share), np.zeros(len(pitch))
         driven = {name: np.where(deck.strategies.follows, parts[name] != 0.0, on) for name, on in driven.items()}
-        asked = asked._replace(parts=np.stack([parts.get(name, none) for name in gearbox.machines], axis=1))
+        asked = asked._replace(parts=np.stack([parts.get(name, idle) for name in gearbox.machines], axis=1))
     asked = asked._replace(dragged=dragged_along(supply, driven, speeds))
     tails: dict[int, tuple[int, Trim]] = {}
     if len(deck.rotors):
@@ -593,7 +594,7 @@ def doubts_before(flying: Flying, round_: Followed) -> list[Doubt]:
         Doubt(lone, mode),
         *strategy_doubts(supply, deck.stretches, deck.whose, share),
         Doubt(lacking, tail),
-        Doubt(np.not_equal(found.faults, None).astype(bool), unbalanced),
+        Doubt(has_fault(found.faults), unbalanced),
         Doubt(~np.isnan(found.short), eaten),
         Doubt(round_.moving & ~found.settled, open_),
     ]

@@ -50,7 +50,7 @@ class Moment(NamedTuple):
     @property
     def mach(self) -> float:
         """Flight Mach number [-]."""
-        return self.true_airspeed / self.air.sound_speed
+        return float(self.true_airspeed / self.air.sound_speed)
 
 
 class Course(NamedTuple):
@@ -74,7 +74,7 @@ class Course(NamedTuple):
     @property
     def mach(self) -> Floats:
         """Flight Mach numbers [-]."""
-        return self.true_airspeed / self.air.sound_speed
+        return np.asarray(self.true_airspeed / self.air.sound_speed)
 
     def at(self, kept: Ints) -> Course:
         """Return some intervals.
@@ -227,7 +227,7 @@ def speed_by_law(phase: Phase, air: Air) -> float:
         stated.append(phase.tas)
     if phase.cas is not None:
         stated.append(true_of_calibrated(phase.cas, air))
-    return min(stated)
+    return float(min(stated))
 
 
 Paths = Mapping[str, Path]

@@ -82,7 +82,7 @@ def _charging(rules: StrategyRules, demand: Demand, battery: Battery | None) -> 
         return 0.0
     end = rules.until_charge or USUAL_END
     room = stored_energy(battery, max(end, demand.charge)) - stored_energy(battery, demand.charge)
-    return max(min(rules.charge_power or 0.0, demand.available - demand.power, room / demand.duration), 0.0)
+    return float(max(min(rules.charge_power or 0.0, demand.available - demand.power, room / demand.duration), 0.0))
 
 
 def driven(phase: Phase, share: float) -> Phase:

@@ -175,7 +175,7 @@ class Supply:
             power: At its shaft [W].
         """
         if self.deck is None:
-            return fuel_flow(self.engines[name], *stagnation_ratios(moment.air, moment.mach), power)
+            return float(fuel_flow(self.engines[name], *stagnation_ratios(moment.air, moment.mach), power))
         with _decked():
             return deck_fuel(self.deck, _day(moment), power)
 
@@ -321,7 +321,7 @@ def burnt_along(
     inlet = ratios[0] * SEA_LEVEL_TEMPERATURE
     fuel, available, given = np.zeros(count), np.zeros(count), np.zeros(count)
     exhausts, doubts = list[Exhaust](), list[Doubt]()
-    for name, engine in supply.engines.items():
+    for name in supply.engines:
         limits, power = limits_along(supply, name, course, speeds[name], rating), powers[name]
         least = np.minimum(np.minimum(*limits[:2]), limits[2])
         available, given = available + least, given + power
@@ -483,8 +483,8 @@ def electric_along(
         weak |= np.abs(power) > losses.peak_power * (1.0 + _SLACK)
 
         def words(k: int, name: str = name, usual: MotorLosses = usual) -> None:
-            at = {"power": float(powers[name][k]), "speed": float(speeds[name][k]), "mode": modes(k)}
-            supply.refuse_motor(name, motors[name][k] if name in motors else usual, **at)
+            motor, (power, speed) = motors[name][k] if name in motors else usual, (powers[name][k], speeds[name][k])
+            supply.refuse_motor(name, motor, power=float(power), speed=float(speed), mode=modes(k))
 
         doubts.append(Doubt(weak & (power != 0.0), words))
     bus = sum((powers[name] for name in supply.motors), np.zeros(count)) + heat
@@ -520,14 +520,14 @@ def _wound(
                 motors[name].append(now)
                 ends[name].append(warmth)
     winding = np.array([[warmth.winding for warmth in column] for column in ends.values()])
-    hot = [
-        Doubt(
-            winding[k] > rules.highest_winding_k * (1.0 + 1e-12),
-            lambda place, name=name: refuse_hot(rules, name, ends[name][place]),
-        )
-        for k, name in enumerate(ends)
-    ]
+    hottest = rules.highest_winding_k * (1.0 + 1e-12)
+    hot = [Doubt(winding[k] > hottest, _too_hot(rules, name, ends[name])) for k, name in enumerate(ends)]
     return winding.max(axis=0), motors, hot
+
+
+def _too_hot(rules: WindingRules, name: str, warmths: Sequence[Warmth]) -> Callable[[int], None]:
+    """Return the words of a winding that is too warm."""
+    return lambda k: refuse_hot(rules, name, warmths[k])
 
 
 def dragged_along(supply: Supply, driven: Mapping[str, Bools], speeds: Mapping[str, Floats]) -> Floats:

@@ -133,7 +133,7 @@ def stated_thrust(aircraft: Aircraft, phase: Phase, moment: Moment, mass: float)
     slope = moment.climb / moment.true_airspeed if moment.true_airspeed else 0.0
     at = Attitude(moment.air, moment.true_airspeed, slope, 1.0 if phase.kind == "taxi" else 0.0)
     refuse_stall(aircraft, phase, mass * GRAVITY, at)
-    return path_thrust(resistance(aircraft, phase, mass * GRAVITY, at), mass, at, moment.acceleration)
+    return float(path_thrust(resistance(aircraft, phase, mass * GRAVITY, at), mass, at, moment.acceleration))
 
 
 def path_thrust(held: Values, mass: Values, at: Attitude, acceleration: Values) -> Values:
@@ -364,7 +364,7 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     slope = moment.climb / moment.true_airspeed
     lift = weight * math.sqrt(1.0 - slope**2) / dynamic
     drag_force = dynamic * (aircraft.zero_lift_drag + phase.extra_drag + aircraft.induced * lift**2)
-    return (drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
+    return float(drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
 
 
 def _too_steep(error: DesignError, moment: Moment, phase: Phase, thrust: float) -> DesignError:
@@ -440,7 +440,7 @@ def _factor(name: str, moment: Moment, advance: Advance, thrust: float) -> float
 
 
 def _tip_mach(advance: Advance, moment: Moment) -> float:
-    return math.pi * advance.turns * advance.diameter / moment.air.sound_speed
+    return float(math.pi * advance.turns * advance.diameter / moment.air.sound_speed)
 
 
 def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, float]:
@@ -611,7 +611,7 @@ def angle_for_thrusts(blades: Blades, course: Course, craft: Craft, thrust: Floa
 
     angle, taken, ungoverned, beyond = at_tips(chart, tips, found, ratio, estimate)
     power = taken * course.air.density * turns**3 * blades.diameter**5
-    return angle, power, outside | beyond | ((craft.rolls == 0.0) & ungoverned)  # type: ignore[return-value]
+    return angle, power, outside | beyond | ((craft.rolls == 0.0) & ungoverned)
 
 
 def asked_power(blades: Blades, course: Course, pitch: Floats) -> tuple[Floats, Bools]:
@@ -662,7 +662,7 @@ def performance_along(blades: Blades, course: Course, work: Floats, *, pitch: Fl
     angle, thrust, outside = at_tips(blades.chart, tips, found, ratio, taken, np.where(held, pitch, math.nan))
     factor = squeezed_along(blades.map_name, ratio, thrust, mach=course.mach, tip_mach=tips)
     force = factor.value * thrust * density * turns**2 * blades.diameter**4
-    return Performance(ratio, angle, factor.value, force), outside | factor.outside  # type: ignore[return-value]
+    return Performance(ratio, angle, factor.value, force), outside | factor.outside
 
 
 def _chart(blades: Blades) -> PropellerMap | MachMap:
