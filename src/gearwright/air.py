@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-import sys
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.elementwise import Values, functions, plain
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.lanes import rebound
 from gearwright.units import FOOT, GRAVITY
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -38,27 +36,27 @@ _STRATOSPHERE_TEMPERATURE = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * TROPOPAUSE
 
 
 class Air(NamedTuple):
-    """State of still air at one altitude."""
+    """State of still air at one altitude, or at many."""
 
-    temperature: float
+    temperature: Values
     """T [K]."""
-    pressure: float
+    pressure: Values
     """p [Pa]."""
-    density: float
+    density: Values
     """ρ [kg/m³]."""
-    sound_speed: float
+    sound_speed: Values
     """a [m/s]."""
 
 
-def air_at(altitude: float, offset: float = 0.0) -> Air:
+def air_at(altitude: Values, offset: Values = 0.0) -> Air:
     """Return the state of the air at a pressure altitude.
 
     The offset warms the air at every pressure, and leaves the pressure at a pressure altitude as it is: this is what
     "ISA + 15" means on a performance chart.
 
     Args:
-        altitude: Geopotential pressure altitude H [m].
-        offset: Temperature above the standard one [K].
+        altitude: Geopotential pressure altitude H, one or shape (n,) [m].
+        offset: Temperature above the standard one, likewise [K].
 
     Source: ISO 2533:1975, equations for the layers of -6.5 K/km and 0 K/km.
 
@@ -70,20 +68,18 @@ def air_at(altitude: float, offset: float = 0.0) -> Air:
     >>> round(air_at(5000.0).pressure, 1)
     54019.9
     """
-    check_air(altitude, offset)
-    return _state(altitude, offset)
+    if isinstance(altitude, np.ndarray):
+        _check(float(altitude.min()), float(np.min(offset)))
+        _check(float(altitude.max()), float(np.max(offset)))
+    else:
+        _check(altitude, offset)
+    temperature, pressure = standard_temperature(altitude) + offset, standard_pressure(altitude)
+    density = pressure / (GAS_CONSTANT * temperature)
+    return Air(temperature, pressure, density, sound_speed(temperature))
 
 
-def check_air(altitude: float, offset: float) -> None:
-    """Refuse what the standard atmosphere does not reach.
-
-    Args:
-        altitude: Geopotential pressure altitude [m].
-        offset: Temperature above the standard one [K].
-
-    Raises:
-        DesignError: As `air_at`.
-    """
+def _check(altitude: float, offset: float) -> None:
+    """Refuse what the standard atmosphere does not reach."""
     problems = []
     if not 0.0 <= altitude <= CEILING:
         message = f"{altitude:g} m; the standard atmosphere is given from 0 to {CEILING:g} m"
@@ -93,13 +89,7 @@ def check_air(altitude: float, offset: float) -> None:
     refuse(problems)
 
 
-def _state(altitude: float, offset: float) -> Air:
-    temperature, pressure = standard_temperature(altitude) + offset, standard_pressure(altitude)
-    density = pressure / (GAS_CONSTANT * temperature)
-    return Air(temperature, pressure, density, sound_speed(temperature))
-
-
-def sound_speed(temperature: float) -> float:
+def sound_speed(temperature: Values) -> Values:
     """Return the speed of sound in air [m/s].
 
     Args:
@@ -107,10 +97,10 @@ def sound_speed(temperature: float) -> float:
 
     Source: ISO 2533:1975: a² = κ R T.
     """
-    return math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature)
+    return functions(temperature).sqrt(HEAT_RATIO * GAS_CONSTANT * temperature)
 
 
-def standard_temperature(altitude: float) -> float:
+def standard_temperature(altitude: Values) -> Values:
     """Return the temperature of the standard atmosphere [K].
 
     Args:
@@ -118,15 +108,15 @@ def standard_temperature(altitude: float) -> float:
 
     Source: ISO 2533:1975.
 
-    Valid for: 0 to 20 km; not checked, so that a compiled kernel can use it.
+    Valid for: 0 to 20 km; not checked.
 
     >>> round(standard_temperature(11000.0), 2)
     216.65
     """
-    return SEA_LEVEL_TEMPERATURE - LAPSE_RATE * min(altitude, TROPOPAUSE)
+    return SEA_LEVEL_TEMPERATURE - LAPSE_RATE * functions(altitude).min(altitude, TROPOPAUSE)
 
 
-def standard_pressure(altitude: float) -> float:
+def standard_pressure(altitude: Values) -> Values:
     """Return the pressure of the standard atmosphere [Pa].
 
     Args:
@@ -134,15 +124,15 @@ def standard_pressure(altitude: float) -> float:
 
     Source: ISO 2533:1975: p_0 (T/T_0)^(g/(L R)) in the troposphere, exponential above it.
 
-    Valid for: 0 to 20 km; not checked, so that a compiled kernel can use it.
+    Valid for: 0 to 20 km; not checked.
 
     >>> round(standard_pressure(20000.0), 2)
     5474.88
     """
-    temperature = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * min(altitude, TROPOPAUSE)
-    pressure = SEA_LEVEL_PRESSURE * math.pow(temperature / SEA_LEVEL_TEMPERATURE, _EXPONENT)
-    above = max(altitude - TROPOPAUSE, 0.0)
-    return pressure * math.exp(-GRAVITY * above / (GAS_CONSTANT * _STRATOSPHERE_TEMPERATURE))
+    of, temperature = functions(altitude), standard_temperature(altitude)
+    pressure = SEA_LEVEL_PRESSURE * of.pow(temperature / SEA_LEVEL_TEMPERATURE, _EXPONENT)
+    above = of.max(altitude - TROPOPAUSE, 0.0)
+    return pressure * of.exp(-GRAVITY * above / (GAS_CONSTANT * _STRATOSPHERE_TEMPERATURE))
 
 
 def height(altitude: float) -> str:
@@ -167,7 +157,7 @@ SEA_LEVEL_SOUND_SPEED = math.sqrt(HEAT_RATIO * GAS_CONSTANT * SEA_LEVEL_TEMPERAT
 _POWER = HEAT_RATIO / (HEAT_RATIO - 1.0)
 
 
-def impact_pressure_ratio(mach: float) -> float:
+def impact_pressure_ratio(mach: Values) -> Values:
     """Return the impact pressure of a pitot tube over the static pressure, q_c/p [-].
 
     Args:
@@ -175,10 +165,10 @@ def impact_pressure_ratio(mach: float) -> float:
 
     Source: Saint-Venant: (1 + (κ-1)/2 M²)^(κ/(κ-1)) - 1.
     """
-    return float((1.0 + 0.5 * (HEAT_RATIO - 1.0) * mach**2) ** _POWER - 1.0)
+    return (1.0 + 0.5 * (HEAT_RATIO - 1.0) * plain(mach) ** 2) ** _POWER - 1.0
 
 
-def mach_of_impact(ratio: float) -> float:
+def mach_of_impact(ratio: Values) -> Values:
     """Return the Mach number at which a pitot tube sees an impact pressure [-].
 
     Args:
@@ -186,10 +176,10 @@ def mach_of_impact(ratio: float) -> float:
 
     Source: Saint-Venant's equation solved for M.
     """
-    return math.sqrt(2.0 / (HEAT_RATIO - 1.0) * ((ratio + 1.0) ** (1.0 / _POWER) - 1.0))
+    return functions(ratio).sqrt(2.0 / (HEAT_RATIO - 1.0) * ((ratio + 1.0) ** (1.0 / _POWER) - 1.0))
 
 
-def stagnation_ratios(air: Air, mach: float) -> tuple[float, float]:
+def stagnation_ratios(air: Air, mach: Values) -> tuple[Values, Values]:
     """Return θ_t and δ_t: stagnation temperature and pressure over those of the standard sea level [-].
 
     Args:
@@ -206,7 +196,7 @@ def stagnation_ratios(air: Air, mach: float) -> tuple[float, float]:
     return theta, air.pressure / SEA_LEVEL_PRESSURE * (1.0 + impact_pressure_ratio(mach))
 
 
-def true_of_calibrated(calibrated: float, air: Air) -> float:
+def true_of_calibrated(calibrated: Values, air: Air) -> Values:
     """Return the true airspeed of a calibrated one [m/s].
 
     The airspeed indicator turns the impact pressure into the speed that gives it at sea level; the same impact
@@ -231,7 +221,7 @@ def true_of_calibrated(calibrated: float, air: Air) -> float:
     return _subsonic(mach_of_impact(rise / air.pressure)) * air.sound_speed
 
 
-def calibrated_of_true(true: float, air: Air) -> float:
+def calibrated_of_true(true: Values, air: Air) -> Values:
     """Return the calibrated airspeed of a true one [m/s].
 
     Args:
@@ -252,69 +242,13 @@ def calibrated_of_true(true: float, air: Air) -> float:
     return mach_of_impact(rise / SEA_LEVEL_PRESSURE) * SEA_LEVEL_SOUND_SPEED
 
 
-def _subsonic(mach: float) -> float:
-    if not 0.0 <= mach < 1.0:
-        raise DesignError([Problem("speed", f"Mach {mach:.3g}; the pitot equation holds below 1: fly slower or lower")])
+def _subsonic(mach: Values) -> Values:
+    """Return Mach numbers that a pitot tube measures; of many, the least and the largest are looked at."""
+    for value in (mach.min(), mach.max()) if isinstance(mach, np.ndarray) else (mach,):
+        if not 0.0 <= value < 1.0:
+            message = f"Mach {value:.3g}; the pitot equation holds below 1: fly slower or lower"
+            raise DesignError([Problem("speed", message)])
     return mach
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Air and airspeeds along a flight: the formulas for one place, over arrays of places.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-def _all_subsonic(mach: Floats) -> Floats:
-    for value in (np.min(mach), np.max(mach)):
-        _subsonic(float(value))
-    return mach
-
-
-_ALONG = rebound(sys.modules[__name__], _subsonic=_all_subsonic)
-
-
-def air_along(altitude: Floats, offset: float | Floats = 0.0) -> Air:
-    """Return the air at many pressure altitudes; its fields are arrays of their shape.
-
-    Args:
-        altitude: Geopotential pressure altitudes, shape (n,) [m].
-        offset: Temperature above the standard one, one or shape (n,) [K].
-
-    Source: `air_at`.
-
-    Raises:
-        DesignError: As `air_at`, for the least and the largest of them.
-    """
-    offsets = (offset, offset) if isinstance(offset, float) else (float(np.min(offset)), float(np.max(offset)))
-    for height, warmer in zip((altitude.min(), altitude.max()), offsets, strict=True):
-        check_air(float(height), warmer)
-    return cast(Air, _ALONG._state(altitude, offset))
-
-
-def true_along(calibrated: Floats, air: Air) -> Floats:
-    """Return the true airspeeds of calibrated ones, shape (n,) [m/s].
-
-    Args:
-        calibrated: CAS, shape (n,) [m/s].
-        air: Where they are flown; its fields are arrays.
-
-    Source: `true_of_calibrated`.
-
-    Raises:
-        DesignError: Mach 1 or above.
-    """
-    return cast(Floats, _ALONG.true_of_calibrated(calibrated, air))
-
-
-def stagnation_along(air: Air, mach: Floats) -> tuple[Floats, Floats]:
-    """Return stagnation temperatures and pressures over those of the standard sea level, each of shape (n,) [-].
-
-    Args:
-        air: Where it is flown; its fields are arrays.
-        mach: Flight Mach numbers, shape (n,) [-].
-
-    Source: `stagnation_ratios`.
-    """
-    return cast(tuple[Floats, Floats], _ALONG.stagnation_ratios(air, mach))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -325,15 +259,15 @@ def stagnation_along(air: Air, mach: Floats) -> tuple[Floats, Floats]:
 class Polar(NamedTuple):
     """A parabolic drag polar C_D = C_D0 + k C_L²."""
 
-    area: float
+    area: Values
     """Reference area S [m²]."""
-    zero_lift: float
+    zero_lift: Values
     """C_D0, with flaps and gear [-]."""
-    induced: float
+    induced: Values
     """k [-]."""
 
 
-def dynamic_force(polar: Polar, air: Air, speed: float) -> float:
+def dynamic_force(polar: Polar, air: Air, speed: Values) -> Values:
     """Return what a coefficient of 1 bears, q S [N].
 
     Args:
@@ -346,7 +280,7 @@ def dynamic_force(polar: Polar, air: Air, speed: float) -> float:
     return 0.5 * air.density * speed**2 * polar.area
 
 
-def drag_force(polar: Polar, reference: float, lift: float) -> float:
+def drag_force(polar: Polar, reference: Values, lift: Values) -> Values:
     """Return the drag of a lift [N].
 
     Args:

@@ -5,7 +5,6 @@ Here stands how; which modules have twins, and what is asked of them, is for `si
 
 from gearwright.lanes.builtin import chosen
 from gearwright.lanes.lanes import Diverged, Lanes, Unsupported, each, lanes_of
-from gearwright.lanes.rebound import rebound
 from gearwright.lanes.twins import change_twins, twin
 
-__all__ = ["Diverged", "Lanes", "Unsupported", "change_twins", "chosen", "each", "lanes_of", "rebound", "twin"]
+__all__ = ["Diverged", "Lanes", "Unsupported", "change_twins", "chosen", "each", "lanes_of", "twin"]

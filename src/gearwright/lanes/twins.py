@@ -21,7 +21,7 @@ from typing import Any
 PREFIX = "gearwright_lanes"
 """Package under which twins stand beside their modules."""
 TWINNED = (
-    "parts", "machines", "train", "sizing", "checks", "spec.checks", "spec.design.teeth",
+    "parts", "machines", "train", "sizing", "checks", "elementwise", "spec.checks", "spec.design.teeth",
     "catalogue.bearing_choice",
 )  # fmt: skip
 """What is computed with lanes; what only holds values is shared."""

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.elementwise import Values
 from gearwright.units import FOOT, POUND, POUND_FORCE
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -143,7 +144,7 @@ def shared_losses(power: float, speed: float, *, lost: float, shares: Sequence[f
     return MotorLosses(*coefficients, *limits, eddy / speed**2, stray / power)
 
 
-def motor_loss(motor: MotorLosses, torque: float, speed: float) -> float:
+def motor_loss(motor: MotorLosses, torque: Values, speed: Values) -> Values:
     """Return the power that a motor or generator turns into heat [W].
 
     Args:

@@ -368,7 +368,7 @@ def friction_torque(engine: Turboshaft) -> float:
     """
     rated = engine.rated
     rise = enthalpy(AIR, STANDARD_TEMPERATURE * (1.0 + engine.rise)) - enthalpy(AIR, STANDARD_TEMPERATURE)
-    return (1.0 / rated.mechanical - 1.0) * rated.air_flow * rise / rated.speed
+    return float((1.0 / rated.mechanical - 1.0) * rated.air_flow * rise / rated.speed)
 
 
 def started(engine: Turboshaft, starter: Starter, inlet: Inlet, *, idle: float, times: tuple[float, float]) -> Start:

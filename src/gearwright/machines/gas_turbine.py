@@ -7,6 +7,8 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from gearwright.elementwise import Values, functions
+
 # ----------------------------------------------------------------------------------------------------------------------
 # A free-turbine engine in flight: power that is left at altitude, fuel that it burns, limits that it keeps.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -47,15 +49,15 @@ class Engine(NamedTuple):
 class PowerLimits(NamedTuple):
     """What bounds the power of an engine; the least one counts."""
 
-    core: float
+    core: Values
     """What its core gives in this air [W]."""
-    rating: float
+    rating: Values
     """Flat rating [W]."""
-    torque: float
+    torque: Values
     """Torque limit at this speed [W]."""
 
 
-def power_limits(engine: Engine, theta: float, delta: float, speed: float) -> PowerLimits:
+def power_limits(engine: Engine, theta: Values, delta: Values, speed: Values) -> PowerLimits:
     """Return what bounds the power of an engine [W].
 
     Args:
@@ -70,11 +72,12 @@ def power_limits(engine: Engine, theta: float, delta: float, speed: float) -> Po
 
     Valid for: -20 to 40 K off the standard day up to 6 km, within some per cent; docs/theory/power.md.
     """
-    lapse = min(theta, 1.0) ** engine.temperature_exponent * max(theta, 1.0) ** engine.hot_exponent
+    of = functions(theta)
+    lapse = of.min(theta, 1.0) ** engine.temperature_exponent * of.max(theta, 1.0) ** engine.hot_exponent
     return PowerLimits(engine.thermal_power * delta * lapse, engine.rated_power, engine.rated_torque * speed)
 
 
-def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float:
+def fuel_flow(engine: Engine, theta: Values, delta: Values, power: Values) -> Values:
     """Return the fuel that an engine burns [kg/s].
 
     Args:
@@ -86,7 +89,7 @@ def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float
     Source: Willans line: idle fuel, which falls with δ_t √θ_t as the core's air does, and a part ∝ power.
     """
     idle = engine.idle_fuel * engine.thermal_power * delta * theta**0.5
-    return float(engine.fuel_per_energy * (idle + (1.0 - engine.idle_fuel) * power))
+    return engine.fuel_per_energy * (idle + (1.0 - engine.idle_fuel) * power)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

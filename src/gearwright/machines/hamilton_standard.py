@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.elementwise import Values, plain
 from gearwright.errors import SolveError
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -129,10 +130,10 @@ class Look:
         k = min(max(int(np.searchsorted(xs, inside, side="right")) - 1, 0), len(xs) - 2)
         if k == 0 or k == len(xs) - 2:
             first = 0 if k == 0 else len(xs) - 3
-            return _parabola(inside, xs[first : first + 3], ys[first : first + 3])
+            return float(parabola(inside, xs[first : first + 3], ys[first : first + 3]))
         weight = float((inside - xs[k]) / (xs[k + 1] - xs[k]))
-        left = _parabola(inside, xs[k - 1 : k + 2], ys[k - 1 : k + 2])
-        return (1.0 - weight) * left + weight * _parabola(inside, xs[k : k + 3], ys[k : k + 3])
+        left = parabola(inside, xs[k - 1 : k + 2], ys[k - 1 : k + 2])
+        return float((1.0 - weight) * left + weight * parabola(inside, xs[k : k + 3], ys[k : k + 3]))
 
     def over(self, nodes: Floats, x: float, values: Sequence[float]) -> float:
         """Return the value at a point from those at the nodes around it.
@@ -312,9 +313,16 @@ def _rising(chart: tuple[Floats, Floats]) -> tuple[Floats, Floats]:
     return chart[0][low:], chart[1][low:]
 
 
-def _parabola(x: float, xs: Floats, ys: Floats) -> float:
+def parabola(x: Values, xs: Values, ys: Values) -> Values:
+    """Return the parabola through three points at a place.
+
+    Args:
+        x: Where.
+        xs: Of the points.
+        ys: Of the points.
+    """
     a, b, c = xs
-    return float(
+    return plain(
         ys[0] * (x - b) * (x - c) / ((a - b) * (a - c))
         + ys[1] * (x - a) * (x - c) / ((b - a) * (b - c))
         + ys[2] * (x - a) * (x - b) / ((c - a) * (c - b))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Bools, Floats
+from gearwright.elementwise import Values, functions
 from gearwright.machines.gas_turbine import HEATING_VALUE
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -17,7 +18,7 @@ from gearwright.machines.gas_turbine import HEATING_VALUE
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-Terms = tuple[float, ...]
+Terms = tuple[Values, ...]
 REFERENCE = 298.15
 """Temperature of the enthalpies' zero, and of the heating value [K]."""
 GAS_CONSTANT = 287.05
@@ -35,11 +36,11 @@ _MOST_GAS_ROUNDS = 60
 class Gas(NamedTuple):
     """What flows through a turbine."""
 
-    fuel_ratio: float = 0.0
+    fuel_ratio: Values = 0.0
     """Burnt fuel over dry air f [-]."""
 
     @property
-    def burnt(self) -> float:
+    def burnt(self) -> Values:
         """f/(1 + f): how much of the products' coefficients counts [-]."""
         return self.fuel_ratio / (1.0 + self.fuel_ratio)
 
@@ -48,23 +49,31 @@ AIR = Gas()
 """Dry air."""
 
 
-@lru_cache(maxsize=256)
-def _coefficients(gas: Gas) -> tuple[Terms, Terms, float, Terms]:
+def _coefficients(gas: Gas) -> tuple[Terms, Terms, Values, Terms]:
     """Return those of c_p, of its integral, of ln T and of the rest of ∫ c_p dT/T, the highest power first."""
+    return _polynomials(gas) if isinstance(gas.fuel_ratio, np.ndarray) else _known_coefficients(gas)
+
+
+@lru_cache(maxsize=256)
+def _known_coefficients(gas: Gas) -> tuple[Terms, Terms, float, Terms]:
+    return _polynomials(gas)
+
+
+def _polynomials(gas: Gas) -> tuple[Terms, Terms, Values, Terms]:
     capacity = tuple(a + gas.burnt * b for a, b in zip(_AIR, _BURNT, strict=True))
     integral = tuple(1e3 * value / (k + 1) for k, value in enumerate(capacity))
     rest = tuple(value / k for k, value in enumerate(capacity) if k)
     return capacity[::-1], integral[::-1], capacity[0], rest[::-1]
 
 
-def _horner(terms: Terms, part: float) -> float:
-    total = 0.0
+def _horner(terms: Terms, part: Values) -> Values:
+    total: Values = 0.0
     for term in terms:
         total = total * part + term
     return total
 
 
-def heat_capacity(gas: Gas, temperature: float) -> float:
+def heat_capacity(gas: Gas, temperature: Values) -> Values:
     """Return c_p of air or of burnt gas [J/(kg K)].
 
     Args:
@@ -81,7 +90,7 @@ def heat_capacity(gas: Gas, temperature: float) -> float:
     return _horner(_coefficients(gas)[0], temperature / 1000.0)
 
 
-def enthalpy(gas: Gas, temperature: float) -> float:
+def enthalpy(gas: Gas, temperature: Values) -> Values:
     """Return the enthalpy over that at 298.15 K [J/kg].
 
     Args:
@@ -105,10 +114,10 @@ def entropy(gas: Gas, temperature: float) -> float:
     """
     _, _, first, rest = _coefficients(gas)
     part = temperature / 1000.0
-    return first * math.log(part) + _horner(rest, part) * part
+    return float(first * math.log(part) + _horner(rest, part) * part)
 
 
-def temperature_of(gas: Gas, wanted: float) -> float:
+def temperature_of(gas: Gas, wanted: Values) -> Values:
     """Return the temperature at which a gas has an enthalpy [K].
 
     Args:
@@ -121,10 +130,27 @@ def temperature_of(gas: Gas, wanted: float) -> float:
     700.0
     """
     temperature = REFERENCE + wanted / 1050.0
+    if isinstance(wanted, np.ndarray):
+        return _temperatures(gas, wanted, temperature)
     for _ in range(_MOST_GAS_ROUNDS):
         step = (wanted - enthalpy(gas, temperature)) / heat_capacity(gas, temperature)
         temperature += step
         if abs(step) <= _TOLERANCE * temperature:
+            break
+    return temperature
+
+
+def _temperatures(gas: Gas, wanted: Floats, temperature: Floats) -> Floats:
+    """Return the temperatures from first guesses: each stops where it would stop alone."""
+    capacity, integral, *_ = _coefficients(gas)
+    zero, going = REFERENCE / 1000.0, np.ones(len(wanted), bool)
+    held = _horner(integral, zero) * zero
+    for _ in range(_MOST_GAS_ROUNDS):
+        part = temperature / 1000.0
+        step = (wanted - (_horner(integral, part) * part - held)) / _horner(capacity, part)
+        temperature = np.where(going, temperature + step, temperature)
+        going = going & (np.abs(step) > _TOLERANCE * temperature)
+        if not going.any():
             break
     return temperature
 
@@ -268,7 +294,7 @@ def _standard() -> Inlet:
 def _compressed(rated: Rated, temperature: float, ratio: float) -> float:
     """Return T_3 [K]."""
     ideal = enthalpy(AIR, isentropic(AIR, temperature, ratio)) - enthalpy(AIR, temperature)
-    return temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor)
+    return float(temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor))
 
 
 def _ratio(rated: Rated, part: float, temperature: float, exit_temperature: float) -> float:
@@ -361,7 +387,7 @@ def _fuel_ratio(rated: Rated, cold: float, hot: float) -> float:
         if abs(found - ratio) <= _SETTLED:
             break
         ratio = found
-    return found
+    return float(found)
 
 
 def _expanded(
@@ -411,7 +437,7 @@ def first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> fl
         expansion: p_4/p_45 [-].
     """
     ideal = enthalpy(gas, hot) - enthalpy(gas, isentropic(gas, hot, 1.0 / expansion))
-    return temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal)
+    return float(temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal))
 
 
 def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
@@ -446,7 +472,7 @@ def leaving(state: EngineState) -> float:
         state: Of the engine.
     """
     burnt = state.fuel_flow - state.unburnt / HEATING_VALUE
-    return (state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust)
+    return float((state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust))
 
 
 def entering(state: EngineState, inlet: Inlet) -> float:
@@ -456,7 +482,7 @@ def entering(state: EngineState, inlet: Inlet) -> float:
         state: Of the engine.
         inlet: The air before it.
     """
-    return state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE
+    return float(state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -542,17 +568,17 @@ class Breathing(NamedTuple):
 class Exhaust(NamedTuple):
     """The state of what leaves one turbine, or several whose gas mixes."""
 
-    air_flow: float = 0.0
+    air_flow: Values = 0.0
     """[kg/s]"""
-    fuel_flow: float = 0.0
+    fuel_flow: Values = 0.0
     """[kg/s]"""
-    temperature: float = 0.0
+    temperature: Values = 0.0
     """Stagnation temperature of the gas [K]; of one that is off, that of the air."""
-    casing: float = 0.0
+    casing: Values = 0.0
     """Heat through the casing [W]."""
 
 
-def air_flow(breathing: Breathing, theta: float, delta: float, part: float) -> float:
+def air_flow(breathing: Breathing, theta: Values, delta: Values, part: Values) -> Values:
     """Return the air that a turbine breathes [kg/s].
 
     Args:
@@ -563,71 +589,82 @@ def air_flow(breathing: Breathing, theta: float, delta: float, part: float) -> f
 
     Source: m = m_0 δ_t θ_t^-1/2 (i + (1 - i) P/P_core): choked turbine; linear in power as an assumption.
     """
-    return breathing.air_flow * delta / math.sqrt(theta) * (breathing.idle_air + (1.0 - breathing.idle_air) * part)
+    of = functions(theta)
+    return breathing.air_flow * delta / of.sqrt(theta) * (breathing.idle_air + (1.0 - breathing.idle_air) * part)
 
 
-def exhaust_of(breathing: Breathing, air: float, inlet: float, *, fuel: float, power: float) -> Exhaust:
-    """Return the state in which a turbine's gas must leave it.
+def exhaust_of(breathing: Breathing, air: Floats, inlet: Floats, *, fuel: Floats, power: Floats) -> Exhaust:
+    """Return the states in which a turbine's gas must leave it, fields of shape (n,); of one that is off, the air's.
 
     Args:
         breathing: The turbine.
-        air: Its air flow [kg/s].
-        inlet: Stagnation temperature of the air [K].
-        fuel: Fuel flow [kg/s].
-        power: At its shaft [W].
+        air: Its air flow, shape (n,) [kg/s].
+        inlet: Stagnation temperature of the air, shape (n,) [K].
+        fuel: Fuel flow, shape (n,) [kg/s].
+        power: At its shaft, shape (n,) [W].
 
     Source: steady energy of the engine: (m_a + m_f) h(T, f) = m_a h(T_0) + m_f H - P - Q_casing, solved for T.
     """
-    if not fuel:
-        return Exhaust(0.0, 0.0, inlet, 0.0)
-    return _burning(breathing, air, inlet, fuel, power)
+    runs, state = fuel > 0.0, Exhaust(np.zeros(len(air)), np.zeros(len(air)), inlet.copy(), np.zeros(len(air)))
+    if runs.any():
+        air, inlet, fuel, power = air[runs], inlet[runs], fuel[runs], power[runs]
+        casing = breathing.casing_loss * fuel * HEATING_VALUE
+        left = air * enthalpy(AIR, inlet) + fuel * HEATING_VALUE - power - casing
+        burning = Exhaust(air, fuel, temperature_of(Gas(fuel / air), left / (air + fuel)), casing)
+        for column, values in zip(state, burning, strict=True):
+            column[runs] = values
+    return state
 
 
-def _burning(breathing: Breathing, air: float, inlet: float, fuel: float, power: float) -> Exhaust:
-    casing = breathing.casing_loss * fuel * HEATING_VALUE
-    left = air * enthalpy(AIR, inlet) + fuel * HEATING_VALUE - power - casing
-    return Exhaust(air, fuel, temperature_of(Gas(fuel / air), left / (air + fuel)), casing)
-
-
-def mixed(flows: Iterable[Exhaust]) -> Exhaust:
-    """Return the gas of several turbines mixed into one.
+def mixed(flows: Sequence[Exhaust]) -> Exhaust:
+    """Return the gas of several turbines mixed into one, by those that run together; fields of shape (n,).
 
     Args:
         flows: Of every turbine, at least one.
 
     Source: conservation of mass and enthalpy.
     """
-    known = list(flows)
-    running = [flow for flow in known if flow.fuel_flow]
-    if len(running) < 2:
-        return running[0] if running else known[0]
-    return _joined(running)
+    if len(flows) == 1:
+        return flows[0]
+    state = Exhaust(*(column.copy() for column in flows[0]))
+    runs = np.stack([flow.fuel_flow > 0.0 for flow in flows])
+    for pattern in np.unique(runs, axis=1).T:
+        lanes = (runs == pattern[:, None]).all(axis=0)
+        running = [_some(flow, lanes) for flow, on in zip(flows, pattern, strict=True) if on]
+        if running:
+            for column, values in zip(state, _joined(running), strict=True):
+                column[lanes] = values
+    return state
+
+
+def _some(flow: Exhaust, lanes: Bools) -> Exhaust:
+    return Exhaust(*(column[lanes] for column in flow))
 
 
 def _joined(running: Sequence[Exhaust]) -> Exhaust:
+    if len(running) == 1:
+        return running[0]
     air, fuel = sum(flow.air_flow for flow in running), sum(flow.fuel_flow for flow in running)
     carried = sum((gas.air_flow + gas.fuel_flow) * enthalpy(_gas(gas), gas.temperature) for gas in running)
     warm = temperature_of(Gas(fuel / air), carried / (air + fuel))
     return Exhaust(air, fuel, warm, sum(flow.casing for flow in running))
 
 
-def exhaust_heat(exhaust: Exhaust, inlet: float) -> float:
-    """Return what the exhaust carries away over what the air brought, by their states alone [W].
+def exhaust_heat(exhaust: Exhaust, inlet: Floats) -> Floats:
+    """Return what the exhaust carries away over what the air brought, by their states alone, shape (n,) [W].
 
     Args:
-        exhaust: Flows and temperature.
-        inlet: Stagnation temperature of the air [K].
+        exhaust: Flows and temperature, fields of shape (n,).
+        inlet: Stagnation temperature of the air, shape (n,) [K].
 
     Source: (m_a + m_f) h(T, f) - m_a h(T_0).
     """
-    if not exhaust.fuel_flow:
-        return 0.0
-    return _gained(exhaust, inlet)
-
-
-def _gained(exhaust: Exhaust, inlet: float) -> float:
-    away = (exhaust.air_flow + exhaust.fuel_flow) * enthalpy(_gas(exhaust), exhaust.temperature)
-    return away - exhaust.air_flow * enthalpy(AIR, inlet)
+    runs, heat = exhaust.fuel_flow > 0.0, np.zeros(len(inlet))
+    if runs.any():
+        burning = _some(exhaust, runs)
+        away = (burning.air_flow + burning.fuel_flow) * enthalpy(_gas(burning), burning.temperature)
+        heat[runs] = away - burning.air_flow * enthalpy(AIR, inlet[runs])
+    return heat
 
 
 def _gas(exhaust: Exhaust) -> Gas:

@@ -14,7 +14,7 @@ from typing import Annotated, NamedTuple
 from gearwright.air import air_at, height, true_of_calibrated
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.flight import Flight
-from gearwright.mission.intervals import Asked, Flown, loaded
+from gearwright.mission.intervals import Flown, loaded
 from gearwright.mission.profile import (
     Energy,
     Moment,
@@ -540,7 +540,7 @@ def _start_speed(mission: Mission, phase: Phase, before: _Before) -> float:
     if phase.from_tas is not None:
         return phase.from_tas
     if phase.from_cas is not None:
-        return true_of_calibrated(phase.from_cas, air)
+        return float(true_of_calibrated(phase.from_cas, air))
     stated = any(value is not None for value in (phase.cas, phase.tas, phase.mach))
     if stated and phase.kind not in ("take-off", "speed-change", "landing"):
         return speed_by_law(phase, air)
@@ -623,8 +623,9 @@ def _pusher(flown: Flown, phase: Phase, before: _Before) -> _Pusher:
     moment = pusher.at(state)
     if phase.power is None:
         return pusher._replace(efficiency=USUAL_EFFICIENCY)
-    point = loaded(flown, moment._replace(power=phase.power), Asked(flown.supply.parts(phase), None, 0.0), None).point
-    return pusher._replace(efficiency=point.work / phase.power)
+    parts, speed = flown.supply.parts(phase), moment.propeller_speed
+    found = loaded(flown.gearbox, flown.supply, parts, power=phase.power, speed=speed)
+    return pusher._replace(efficiency=float(found.point.work[0]) / phase.power)
 
 
 def _fuel(flown: Flown, phase: Phase, moment: Moment, power: float) -> float:

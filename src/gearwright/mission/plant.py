@@ -6,13 +6,14 @@ Laws are in `machines`; `mission/supply` asks them in every interval.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats, smallest
+from gearwright.elementwise import Values
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import (
     EMPTY,
@@ -440,6 +441,20 @@ def oil_step(
 
     Source: the cooler's valve stands as the oil at the interval's end asks, so that no interval is too long for it.
     """
+    after = _stepped(rules, gear_mass, warm, heat=heat, air=air, duration=duration)
+    end = Warm(*after.temperature.tolist())
+    for part in ("oil", "gears", "bearings"):
+        limit, found = getattr(rules, f"highest_{part}_k"), getattr(end, part)
+        if found > limit * (1.0 + 1e-12):
+            said = f"{part} reach {found - CELSIUS:.1f} °C in air of {air - CELSIUS:.1f} °C, the highest is"
+            fix = "give a larger cooler_w_k or gears_to_oil_w_k, ask for less power, or raise the limit"
+            raise DesignError([Problem(f"oil.network.highest_{part}_k", f"{said} {limit - CELSIUS:.1f} °C; {fix}")])
+    return end, after
+
+
+def _stepped(
+    rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearHeat, air: float, duration: float
+) -> Warmed:
     from scipy.optimize import brentq  # a third of the time that flights take to load
 
     hot, around = _heat(rules, heat, wet=True), np.array([air])
@@ -452,15 +467,36 @@ def oil_step(
         return _asked(rules, float(by(opened).temperature[OIL])) - opened
 
     opened = 0.0 if left(0.0) <= 0.0 else 1.0 if left(1.0) >= 0.0 else float(brentq(left, 0.0, 1.0, xtol=1e-10))
-    after = by(opened)
-    end = Warm(*after.temperature.tolist())
-    for part in ("oil", "gears", "bearings"):
-        limit, found = getattr(rules, f"highest_{part}_k"), getattr(end, part)
-        if found > limit * (1.0 + 1e-12):
-            said = f"{part} reach {found - CELSIUS:.1f} °C in air of {air - CELSIUS:.1f} °C, the highest is"
-            fix = "give a larger cooler_w_k or gears_to_oil_w_k, ask for less power, or raise the limit"
-            raise DesignError([Problem(f"oil.network.highest_{part}_k", f"{said} {limit - CELSIUS:.1f} °C; {fix}")])
-    return end, after
+    return by(opened)
+
+
+def oil_along(
+    rules: OilNetworkRules, gear_mass: float, begun: Warm, heats: Sequence[GearHeat], *, air: Floats, duration: Floats
+) -> tuple[Floats, Floats]:
+    """Return the temperatures of a gearbox at the start and the end of every interval, shape (n, 4) each [K].
+
+    Args:
+        rules: Of the mission.
+        gear_mass: Of gears and shafts [kg].
+        begun: Temperatures at the start of the flight.
+        heats: What heats it in every interval.
+        air: Temperature of the air, shape (n,) [K].
+        duration: Of every interval, shape (n,) [s].
+    """
+    start, end, now, limits = np.empty((len(air), 4)), np.empty((len(air), 4)), begun, _limits(rules)
+    for k, (heat, around, lasts) in enumerate(zip(heats, air.tolist(), duration.tolist(), strict=True)):
+        start[k] = now
+        end[k] = _stepped(rules, gear_mass, now, heat=heat, air=around, duration=lasts).temperature
+        if all(found <= limit for found, limit in zip(end[k].tolist(), limits, strict=False)):
+            now = Warm(*end[k].tolist())  # what is too warm is refused, and what follows on it does not count
+    return start, end
+
+
+def _limits(rules: OilNetworkRules) -> tuple[float, ...]:
+    """Return the highest temperatures of oil, gears and bearings [K]."""
+    return tuple(
+        limit * (1.0 + 1e-12) for limit in (rules.highest_oil_k, rules.highest_gears_k, rules.highest_bearings_k)
+    )
 
 
 def dry_run(rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearHeat, air: float) -> DryRun:
@@ -531,6 +567,15 @@ def flown_oil(sizing: Sizing, mission: Mission) -> Oil:
         windage=rules.windage or oil.windage,
         seals=rules.seals or oil.seals,
     )
+
+
+def too_stiff(oil: Oil) -> Values:
+    """Tell whether oil is too cold to flow.
+
+    Args:
+        oil: As warm as it is, in one interval or in many.
+    """
+    return oil_viscosity(oil.temperature, oil.grade) > THICKEST
 
 
 def refuse_stiff(oil: Oil) -> None:

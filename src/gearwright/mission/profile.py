@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain, groupby, pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.air import Air, air_along, true_along, true_of_calibrated
+from gearwright.air import Air, air_at, true_of_calibrated
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Mission, Phase
@@ -50,7 +50,7 @@ class Moment(NamedTuple):
     @property
     def mach(self) -> float:
         """Flight Mach number [-]."""
-        return self.true_airspeed / self.air.sound_speed
+        return float(self.true_airspeed / self.air.sound_speed)
 
 
 class Course(NamedTuple):
@@ -74,7 +74,7 @@ class Course(NamedTuple):
     @property
     def mach(self) -> Floats:
         """Flight Mach numbers [-]."""
-        return self.true_airspeed / self.air.sound_speed
+        return np.asarray(self.true_airspeed / self.air.sound_speed)
 
     def at(self, kept: Ints) -> Course:
         """Return some intervals.
@@ -84,6 +84,14 @@ class Course(NamedTuple):
         """
         columns: dict[str, Any] = {name: getattr(self, name)[kept] for name in _COLUMNS}
         return Course(phase=tuple(self.phase[k] for k in kept.tolist()), air=air_of(self.air, kept), **columns)
+
+    def moment(self, k: int) -> Moment:
+        """Return one interval.
+
+        Args:
+            k: Its number.
+        """
+        return next(self.at(np.array([k])).moments())
 
     def moments(self) -> Iterator[Moment]:
         """Yield the intervals one by one."""
@@ -95,6 +103,15 @@ class Course(NamedTuple):
 
 
 _COLUMNS = tuple(name for name in Course._fields if name not in ("phase", "air"))
+
+
+class Doubt(NamedTuple):
+    """Intervals that a law refuses, and its words."""
+
+    where: Bools
+    """Shape (n,)."""
+    words: Callable[[int], None]
+    """Raises what is wrong with an interval, if anything is: the law itself, asked for this one alone."""
 
 
 def joined(courses: Sequence[Course]) -> Course:
@@ -210,7 +227,7 @@ def speed_by_law(phase: Phase, air: Air) -> float:
         stated.append(phase.tas)
     if phase.cas is not None:
         stated.append(true_of_calibrated(phase.cas, air))
-    return min(stated)
+    return float(min(stated))
 
 
 Paths = Mapping[str, Path]
@@ -376,7 +393,7 @@ def _on_path(stretch: Stretch) -> tuple[Course, list[int]]:
         time=before.clock + 0.5 * (times[:-1] + times[1:]),
         duration=duration,
         altitude=altitude,
-        air=air_along(altitude, stretch.mission.isa_offset_k),
+        air=air_at(altitude, stretch.mission.isa_offset_k),
         true_airspeed=0.5 * (airspeeds[:-1] + airspeeds[1:]),
         acceleration=np.diff(airspeeds) / duration,
         climb=np.diff(heights) / duration,
@@ -435,7 +452,7 @@ def _flown(
     altitude = _between(low[whose], high[whose], part)
     offset = np.array([stretch.mission.isa_offset_k for stretch in stretches])[whose]
     try:
-        air = air_along(altitude, offset)
+        air = air_at(altitude, offset)
         airspeeds = _by_law(stretches, whose, air)
         for k, stretch in enumerate(stretches):
             if stretch.phase.from_tas is not None or stretch.phase.from_cas is not None:
@@ -456,12 +473,12 @@ def _by_law(stretches: Sequence[Stretch], whose: Ints, air: Air) -> Floats:
     airspeeds: Floats = np.where(np.isnan(mach), true, mach * air.sound_speed)
     rest = np.flatnonzero(np.isnan(airspeeds))
     if len(rest):
-        airspeeds[rest] = true_along(np.nan_to_num(calibrated[rest]), air_of(air, rest))
+        airspeeds[rest] = true_of_calibrated(np.nan_to_num(calibrated[rest]), air_of(air, rest))
     return airspeeds
 
 
 def _ends(stretch: Stretch, low: float, high: float) -> tuple[float, float]:
     """Return the true airspeeds at start and end of a phase that is given both [m/s]."""
-    phase, air = stretch.phase, air_along(np.array([low, high]), stretch.mission.isa_offset_k)
-    first = true_along(np.full(2, phase.from_cas or 0.0), air)[0] if phase.from_tas is None else phase.from_tas
+    phase, air = stretch.phase, air_at(np.array([low, high]), stretch.mission.isa_offset_k)
+    first = true_of_calibrated(np.full(2, phase.from_cas or 0.0), air)[0] if phase.from_tas is None else phase.from_tas
     return float(first), float(_by_law([stretch], np.zeros(2, int), air)[1])

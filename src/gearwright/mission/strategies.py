@@ -5,20 +5,20 @@ A rule answers interval by interval; the optimal share is planned over all of th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Bools, Floats, Ints
+from gearwright.elementwise import Values, functions
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import Battery, current_of, highest_current, motor_loss, stored_energy
-from gearwright.mission.gearbox import Point
-from gearwright.mission.intervals import Asked, Flown, loaded
-from gearwright.mission.profile import Moment, moments
-from gearwright.mission.supply import machine_speeds
-from gearwright.mission.thrust import wanted_of
-from gearwright.spec import Mission, Phase, StrategyRules, engine_out
+from gearwright.mission.gearbox import torque_of
+from gearwright.mission.plant import started, warm_motor, warmed_motor
+from gearwright.mission.profile import Course, Doubt, Stretch
+from gearwright.mission.supply import Supply, fuel_along, limits_along
+from gearwright.spec import Mission, Phase, StrategyRules
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Rules by which turbines and motors divide the power of an interval.
@@ -32,32 +32,33 @@ USUAL_END = 0.95
 class Demand(NamedTuple):
     """What an interval asks of all machines together, and what could answer."""
 
-    power: float
+    power: Values
     """Of all machines, with drag and spin-up; negative where the air drives the propeller [W]."""
-    available: float
+    available: Values
     """What all turbines can give [W]."""
-    charge: float
+    charge: Values
     """State of charge at its start [-]."""
-    duration: float
+    duration: Values
     """[s]"""
 
 
-def electric_share(rules: StrategyRules, demand: Demand, battery: Battery | None, planned: float) -> float:
+def electric_share(rules: StrategyRules, demand: Demand, battery: Battery | None, planned: Values) -> Values:
     """Return the motors' part of the machines' power in an interval [-]; negative charges.
 
     Args:
         rules: The strategy; one that is optimal is planned before.
-        demand: Of the interval.
+        demand: Of the interval, or of many by a rule that does not look at the battery.
         battery: Of the motors.
         planned: Share by the plan of an optimal strategy.
     """
-    power = max(demand.power, _LEAST)
+    of = functions(demand.power)
+    power = of.max(demand.power, _LEAST)
     match rules.rule:
         case "share":
             return rules.electric_share or 0.0
         case "boost":
-            most = min(rules.turbine_power or demand.available, demand.available)
-            return min(max(1.0 - most / power, 0.0), 1.0)
+            most = of.min(rules.turbine_power or demand.available, demand.available)
+            return of.min(of.max(1.0 - most / power, 0.0), 1.0)
         case "electric-taxi":
             return 1.0
         case "regenerate":
@@ -81,7 +82,7 @@ def _charging(rules: StrategyRules, demand: Demand, battery: Battery | None) -> 
         return 0.0
     end = rules.until_charge or USUAL_END
     room = stored_energy(battery, max(end, demand.charge)) - stored_energy(battery, demand.charge)
-    return max(min(rules.charge_power or 0.0, demand.available - demand.power, room / demand.duration), 0.0)
+    return float(max(min(rules.charge_power or 0.0, demand.available - demand.power, room / demand.duration), 0.0))
 
 
 def driven(phase: Phase, share: float) -> Phase:
@@ -96,64 +97,200 @@ def driven(phase: Phase, share: float) -> Phase:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# The share of an interval by its phase's strategy, found together with the loads that depend on it.
+# Strategies in many intervals at once: the share that a rule gives, and what machines then give.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-ROUNDS = 20
-"""Most rounds in which share and loads agree: losses hardly change with the share [-]."""
 AGREED = 1e-12
 """Difference of two shares that agree [-]."""
+_CHARGE = "charge"
+"""The rule whose share follows from the battery."""
 
 
-class Then(NamedTuple):
-    """With what an interval starts."""
+class Strategies(NamedTuple):
+    """Which intervals follow which rules."""
 
-    phase: Phase
-    point: Point | None
-    """Of the interval before; None at the start."""
-    charge: float
-    """State of charge [-]."""
-    planned: float
-    """Share by the plan of an optimal strategy [-]."""
+    rows: tuple[tuple[StrategyRules, Ints], ...]
+    """Rules, and the intervals that follow them."""
+    follows: Bools
+    """Where there is a rule, shape (n,)."""
+    weights: Mapping[str, Floats]
+    """Machine -> part of what turbines, or motors, give together, shape (n,) [-]."""
+    working: Mapping[str, Bools]
+    """Turbine -> where it is not out, shape (n,)."""
+    charging: Mapping[int, StrategyRules]
+    """Interval -> its rule, of those that look at the battery."""
+    planned: Floats
+    """Share by the plan of an optimal strategy, shape (n,) [-]."""
+
+    def begun(self) -> Floats:
+        """Return shares to begin with, shape (n,) [-]."""
+        share = np.zeros(len(self.follows))
+        for rule, rows in self.rows:
+            share[rows] = 1.0 if rule.rule == "electric-taxi" else 0.0
+        return share
+
+    def parts(self, deck_parts: Mapping[str, Floats], share: Floats) -> dict[str, Floats]:
+        """Return machine -> part of the power of all machines, shape (n,) [-].
+
+        Args:
+            deck_parts: Those where there is no strategy.
+            share: Of the motors, shape (n,) [-].
+        """
+        turbines = self.working.keys()
+        return {
+            name: np.where(self.follows, (1.0 - share if name in turbines else share) * self.weights[name], part)
+            for name, part in deck_parts.items()
+        }
+
+    def shares(self, demand: Demand) -> Floats:
+        """Return motors' part of the machines' power, shape (n,) [-]; 0 where it follows from the battery.
+
+        Args:
+            demand: Fields of shape (n,).
+
+        Source: `electric_share`.
+        """
+        share, columns = np.zeros(len(self.follows)), [np.asarray(column) for column in demand]
+        for rule, rows in self.rows:
+            if rule.rule != _CHARGE:
+                some: Any = [column[rows] for column in columns]
+                share[rows] = electric_share(rule, Demand(*some), None, self.planned[rows])
+        return np.where(np.abs(share) <= AGREED, 0.0, share)
+
+    def charged(self, supply: Supply, demand: Demand, at: Charging) -> None:
+        """Set the shares of a flight that follow from its battery, interval after interval.
+
+        Args:
+            supply: With battery and motors.
+            demand: Fields of shape (n,); its charge is that of the start, which a plan keeps.
+            at: The flight; its shares are written.
+        """
+        pack, share, lanes = supply.pack, at.share, at.lanes
+        assert pack is not None  # the caller
+        columns = [
+            column[lanes].tolist() for column in (demand.power, demand.available, demand.duration, at.bus, at.air)
+        ]
+        rows = list(enumerate(zip(*columns, strict=True), start=lanes.start))
+        start = float(demand.charge[lanes.start])
+        state, warmths = pack.start(start), started(supply.windings, supply.motors, columns[-1][0])
+        for k, (power, available, duration, bus, air) in rows:
+            if k in self.charging:
+                charge = start if at.planning else state.charge
+                wanted = Demand(power, available, charge, duration)
+                found = electric_share(self.charging[k], wanted, pack.battery, 0.0)
+                share[k] = found if abs(found) > AGREED else 0.0
+            given = {
+                name: power * share[k] * self.weights[name][k] if k in self.charging else at.powers[name][k]
+                for name in supply.motors
+            }
+            if k in self.charging or supply.windings is not None:
+                bus = 0.0
+                for name, motor in supply.motors.items():
+                    turned, speed = float(given[name]), float(at.speeds[name][k])
+                    torque = turned / speed if turned else 0.0
+                    warm = warm_motor(supply.windings, motor, warmths.get(name))
+                    bus += turned + motor_loss(warm, torque, speed) if turned else 0.0
+                    if supply.windings is not None:
+                        after = warmed_motor(
+                            supply.windings, warm, warmths[name],
+                            at=(torque, speed if turned else 0.0), air=air, duration=duration,
+                        )  # fmt: skip
+                        warmths = {**warmths, name: after}
+            try:
+                state = pack.drawn(state, float(bus), duration, air)[1]
+            except DesignError:  # cells that are too warm: the flight says so
+                return
 
 
-def shared(flown: Flown, moment: Moment, asked: Asked, then: Then) -> tuple[Phase, Asked]:
-    """Return a phase as its strategy drives it in an interval, and what is then asked of the gearbox.
+class Charging(NamedTuple):
+    """A flight whose battery is followed."""
+
+    lanes: slice
+    """Its intervals."""
+    bus: Floats
+    """Power at the bus, shape (n,) [W]; where shares follow from the battery it is found anew."""
+    air: Floats
+    """Temperature, shape (n,) [K]."""
+    powers: Mapping[str, Floats]
+    """Machine -> power, shape (n,) [W]; of motors whose shares follow from the battery found anew."""
+    speeds: Mapping[str, Floats]
+    """Machine -> speed without sign, shape (n,) [rad/s]."""
+    share: Floats
+    """Motors' part, shape (n,) [-]."""
+    planning: bool
+    """Whether only a plan is made, which does not know the charge."""
+
+
+def strategies_of(supply: Supply, stretches: Sequence[Stretch], counts: Sequence[int]) -> Strategies | None:
+    """Return the strategies of all intervals; None where no phase has one.
 
     Args:
-        flown: Gearbox, propeller, mission and machines.
-        moment: Where it is flown.
-        asked: Of the gearbox, whoever drives it.
-        then: With what the interval starts.
-
-    Raises:
-        DesignError: The strategy needs a machine that the design lacks.
+        supply: The machines.
+        stretches: The phases of all flights.
+        counts: Intervals of each.
     """
-    rules = flown.mission.strategies[then.phase.strategy or ""]
-    if rules.rule != "turbine-alone" and not flown.supply.motors:
-        message = f"{then.phase.strategy!r} ({rules.rule}) needs a motor, and the design has none; write turbine-alone"
+    known: list[tuple[StrategyRules, list[int]]] = []
+    for k, stretch in enumerate(stretches):
+        if stretch.phase.strategy is None:
+            continue
+        rule = stretch.mission.strategies[stretch.phase.strategy]
+        same = next((places for other, places in known if other is rule or other == rule), None)
+        if same is None:
+            known.append((rule, [k]))
+        else:
+            same.append(k)
+    if not known:
+        return None
+    whose = np.repeat(np.arange(len(stretches)), counts)
+    followed = tuple((rule, np.flatnonzero(np.isin(whose, places))) for rule, places in known)
+    weights = [supply.weights(stretch.phase) for stretch in stretches]
+    names = (*supply.engines, *supply.motors)
+    return Strategies(
+        followed,
+        np.array([stretch.phase.strategy is not None for stretch in stretches])[whose],
+        {name: np.array([of.get(name, 0.0) for of in weights])[whose] for name in names},
+        {name: np.array([name not in one.phase.inoperative for one in stretches])[whose] for name in supply.engines},
+        {k: rule for rule, rows in followed if rule.rule == _CHARGE for k in rows.tolist()},
+        np.zeros(len(whose)),
+    )
+
+
+def strategy_doubts(supply: Supply, stretches: Sequence[Stretch], whose: Ints, share: Floats) -> Iterator[Doubt]:
+    """Yield where strategies need machines that there are not, or that are out.
+
+    Args:
+        supply: The machines.
+        stretches: The phases of all flights.
+        whose: Of every interval the number of its phase, shape (n,).
+        share: Motors' part as the interval was driven, shape (n,) [-].
+    """
+    followed = [stretch.phase.strategy is not None for stretch in stretches]
+    if not any(followed):
+        return
+    yield Doubt(np.array(followed)[whose] & (not supply.motors), lambda k: _refuse_motorless(stretches[whose[k]]))
+    weights = [supply.weights(stretch.phase) for stretch in stretches]
+    driven_by = [
+        np.array([any(name in of for name in machines) for of in weights])[whose]
+        for machines in (supply.engines, supply.motors)
+    ]
+    lacking = (~driven_by[0] & (share != 1.0)) | (~driven_by[1] & (share != 0.0))
+    yield Doubt(
+        np.array(followed)[whose] & lacking,
+        lambda k: _asked_of(supply, driven(stretches[whose[k]].phase, float(share[k]))),
+    )
+
+
+def _asked_of(supply: Supply, phase: Phase) -> None:
+    supply.parts(phase)
+
+
+def _refuse_motorless(stretch: Stretch) -> None:
+    name = stretch.phase.strategy or ""
+    rule = stretch.mission.strategies[name].rule
+    if rule != "turbine-alone":
+        message = f"{name!r} ({rule}) needs a motor, and the design has none; write turbine-alone"
         raise DesignError([Problem("strategy", message)])
-    share = 1.0 if rules.rule == "electric-taxi" else 0.0
-    for _ in range(ROUNDS):
-        phase = driven(then.phase, share)
-        asked = asked._replace(parts=flown.supply.parts(phase))
-        demand = _demand(flown, moment, asked, then)
-        found = electric_share(rules, demand, flown.supply.battery, then.planned)
-        if abs(found - share) <= AGREED:
-            break
-        share = found
-    return phase, asked
-
-
-def _demand(flown: Flown, moment: Moment, asked: Asked, then: Then) -> Demand:
-    loads = loaded(flown, moment, asked, then.point)
-    rating = flown.mission.engine.contingency if engine_out(flown.mission, then.phase) else 1.0
-    speeds = machine_speeds(flown.gearbox, loads.point)
-    working = [name for name in flown.supply.engines if name not in then.phase.inoperative]
-    available = sum(min(flown.supply.limits(name, moment, speeds[name], rating)) for name in working)
-    driving = [*flown.supply.engines, *flown.supply.motors]
-    return Demand(sum(loads.powers[name] for name in driving), available, then.charge, moment.duration)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -222,153 +359,103 @@ def _whole(stage: Stage, charges: Floats, later: Floats, at: Floats) -> Floats:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Shares of optimal strategies: the demands of all intervals first, then the plan that burns least.
+# Shares of optimal strategies: what all intervals need first, then the plan that burns least.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 MARGIN = 1e-3
 """Part of limits of machines and battery that a plan leaves: it knows demands one round before they are flown."""
 USUAL_SHARES, USUAL_CHARGES = 41, 101
-_ROUNDS = 2
+PLANS = 2
 """Plans, each with the demands of the last one's shares."""
 
 
-class Need(NamedTuple):
-    """What an interval needs of the machines."""
+class Needs(NamedTuple):
+    """What the intervals of one flight need of the machines; arrays of shape (n,)."""
 
-    moment: Moment
-    phase: Phase
-    """As it was driven."""
-    power: float
+    course: Course
+    rating: Floats
+    """Of the turbines over the usual one [-]."""
+    power: Floats
     """Of turbines and motors together [W]."""
-    speeds: Mapping[str, float]
+    speeds: Mapping[str, Floats]
     """Machine -> speed without sense [rad/s]."""
-    share: float
-    """Motors' part [-]."""
+    weights: Mapping[str, Floats]
+    """Machine -> part of what turbines, or motors, give together [-]."""
+    share: Floats
+    """Motors' part as the interval was driven [-]."""
 
 
-def planned_shares(flown: Flown) -> Mapping[int, float]:
-    """Return interval -> share of optimal strategies [-]; nothing where no phase has one.
-
-    Args:
-        flown: Gearbox, propeller, mission and machines.
-    """
-    mission = flown.mission
-    asking = {name: mission.strategies[phase.strategy] for name, phase in mission.phases.items() if phase.strategy}
-    optimal = {name: rules for name, rules in asking.items() if rules.rule == "optimal"}
-    if not optimal or not flown.supply.battery or not flown.supply.engines:
-        return {}
-    rules = next(iter(optimal.values()))
-    tried = np.linspace(rules.lowest_share or 0.0, 1.0, rules.shares or USUAL_SHARES)
-    tried = np.unique(np.append(tried, 0.0))  # the turbine alone is always one of them
-    plan: Mapping[int, float] = {}
-    for _ in range(_ROUNDS):
-        needs = _needs(flown, plan)
-        stages = [
-            _stage(flown, need, tried if need.moment.phase in optimal else np.array([need.share])) for need in needs
-        ]
-        found = _best(flown, rules, stages, last_of(needs, optimal))
-        plan = {k: float(tried[found.shares[k]]) for k, need in enumerate(needs) if need.moment.phase in optimal}
-    return plan
-
-
-def has_plan(mission: Mission) -> bool:
+def has_plan(supply: Supply, mission: Mission) -> bool:
     """Tell whether shares of a mission are planned before it is flown.
 
     Args:
+        supply: The machines.
         mission: As read.
     """
-    asking = (mission.strategies[phase.strategy] for phase in mission.phases.values() if phase.strategy)
-    return any(rules.rule == "optimal" for rules in asking)
+    return bool(_optimal(mission)) and supply.battery is not None and bool(supply.engines)
 
 
-def last_of(needs: list[Need], optimal: Mapping[str, StrategyRules]) -> int:
-    """Return how many intervals there are up to the end of the last optimal phase.
+def _optimal(mission: Mission) -> dict[str, StrategyRules]:
+    """Return phase -> its strategy, of those that are optimal."""
+    asking = {name: mission.strategies[phase.strategy] for name, phase in mission.phases.items() if phase.strategy}
+    return {name: rules for name, rules in asking.items() if rules.rule == "optimal"}
+
+
+def planned_shares(supply: Supply, mission: Mission, needs: Needs) -> Floats:
+    """Return the shares of optimal strategies, 0 elsewhere, shape (n,) [-].
 
     Args:
-        needs: Of all intervals.
-        optimal: Phases with an optimal strategy.
+        supply: The machines; with a battery, and turbines.
+        mission: With rules that are optimal.
+        needs: Of its intervals.
+
+    Raises:
+        DesignError: No shares can fly them.
     """
-    return 1 + max(k for k, need in enumerate(needs) if need.moment.phase in optimal)
+    optimal = _optimal(mission)
+    rules = next(iter(optimal.values()))
+    tried = np.linspace(rules.lowest_share or 0.0, 1.0, rules.shares or USUAL_SHARES)
+    tried = np.unique(np.append(tried, 0.0))  # the turbine alone is always one of them
+    free = [phase in optimal for phase in needs.course.phase]
+    count = 1 + max(k for k, is_free in enumerate(free) if is_free)
+    stages = [_stage(supply, needs, k, tried if free[k] else needs.share[k : k + 1]) for k in range(count)]
+    found, planned = _best(supply, mission, rules, stages), np.zeros(len(free))
+    for k, place in enumerate(found.shares):
+        planned[k] = tried[place] if free[k] else 0.0
+    return planned
 
 
-def _best(flown: Flown, rules: StrategyRules, stages: list[Stage], count: int) -> Plan:
-    battery, start = flown.supply.battery, flown.mission.battery
+def _best(supply: Supply, mission: Mission, rules: StrategyRules, stages: list[Stage]) -> Plan:
+    battery, start = supply.battery, mission.battery
     assert battery is not None and start is not None  # there is a plan only with one
     end = max(rules.end_charge if rules.end_charge is not None else battery.minimum, battery.minimum) + MARGIN
     grid = np.unique(np.append(np.linspace(battery.minimum, 1.0, rules.charges or USUAL_CHARGES), min(end, 1.0)))
-    plan = optimal_plan(stages[:count], grid, start=start.start_charge, end=end)
+    plan = optimal_plan(stages, grid, start=start.start_charge, end=end)
     if plan.fuel >= FORBIDDEN:
         message = "no shares of turbines and motors can fly its phases; charge less before, or ask for less power"
         raise DesignError([Problem("strategies", message)])
     return plan
 
 
-def _needs(flown: Flown, plan: Mapping[int, float]) -> list[Need]:
-    """Return what every interval needs, with the shares of a plan; limits are not looked at."""
-    mission, before, burnt, needs = flown.mission, None, 0.0, list[Need]()
-    charge = mission.battery.start_charge if mission.battery else 0.0
-    for k, moment in enumerate(moments(mission, flown.paths)):
-        phase = mission.phases[moment.phase]
-        wanted = wanted_of(flown.blades, mission, moment, burnt=burnt).power
-        gain = flown.gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
-        asked = Asked(flown.supply.parts(phase), wanted, gain)
-        if phase.strategy is not None:
-            phase, asked = shared(flown, moment, asked, Then(phase, before, charge, plan.get(k, 0.0)))
-        need, before = _need(flown, moment, phase, asked, before)
-        burnt += float(_fuel(flown, need, np.array([need.share]))[0]) * (phase.engines or mission.engines)
-        needs.append(need)
-    return needs
-
-
-def _need(flown: Flown, moment: Moment, phase: Phase, asked: Asked, before: Point | None) -> tuple[Need, Point]:
-    loads = loaded(flown, moment, asked, before)
-    share = sum(asked.parts.get(name, 0.0) for name in flown.supply.motors)
-    power = sum(loads.powers[name] for name in (*flown.supply.engines, *flown.supply.motors))
-    return Need(moment, phase, power, machine_speeds(flown.gearbox, loads.point), share), loads.point
-
-
-def _parts(flown: Flown, need: Need, share: float) -> Mapping[str, float]:
-    return flown.supply.parts(driven(need.phase, share))
-
-
-def _fuel(flown: Flown, need: Need, shares: Floats) -> Floats:
-    """Return what all turbines burn in an interval at some shares, without limits [kg]."""
-    supply = flown.supply
-    burnt = np.zeros(len(shares))
-    for place, share in enumerate(shares.tolist()):
-        for name, part in _parts(flown, need, share).items():
-            if name in supply.engines and part * need.power > 0.0:
-                burnt[place] += supply.fuel(name, need.moment, part * need.power)
-    return burnt * need.moment.duration
-
-
-def _stage(flown: Flown, need: Need, shares: Floats) -> Stage:
-    battery = flown.supply.battery
+def _stage(supply: Supply, needs: Needs, k: int, shares: Floats) -> Stage:
+    battery, duration = supply.battery, float(needs.course.duration[k])
     assert battery is not None  # there is a plan only with one
-    fuel, electric = _fuel(flown, need, shares), np.zeros(len(shares))
-    for place, share in enumerate(shares.tolist()):
-        parts = _parts(flown, need, share)
-        if len(shares) > 1 and not _within(flown, need, parts):
-            fuel[place] = FORBIDDEN
-        for name, motor in flown.supply.motors.items():
-            if (power := parts.get(name, 0.0) * need.power) and need.speeds[name]:
-                electric[place] += power + motor_loss(motor, power / need.speeds[name], need.speeds[name])
-    return Stage(fuel, lambda charges: _after(battery, charges, electric, need.moment.duration))
-
-
-def _within(flown: Flown, need: Need, parts: Mapping[str, float]) -> bool:
-    """Tell whether machines can give their parts."""
-    supply, mission = flown.supply, flown.mission
-    rating = mission.engine.contingency if engine_out(mission, need.phase) else 1.0
-    for name, part in parts.items():
-        power, speed = part * need.power, need.speeds[name]
-        if name in supply.engines:
-            if power > min(supply.limits(name, need.moment, speed, rating)) * (1.0 - MARGIN) or power < 0.0:
-                return False
-        elif abs(power) > min(supply.motors[name].peak_power, supply.motors[name].peak_torque * speed) * (1.0 - MARGIN):
-            return False
-    return True
+    course, many = needs.course.at(np.full(len(shares), k)), np.ones(len(shares))
+    turbines = {name: (1.0 - shares) * needs.weights[name][k] * needs.power[k] for name in supply.engines}
+    motors = {name: shares * needs.weights[name][k] * needs.power[k] for name in supply.motors}
+    fuel, electric = fuel_along(supply, course, turbines) * duration, np.zeros(len(shares))
+    beyond = np.zeros(len(shares), bool)
+    for name, power in turbines.items():
+        limits = limits_along(supply, name, course, needs.speeds[name][k] * many, needs.rating[k] * many)
+        beyond |= ~(power <= np.minimum.reduce(limits) * (1.0 - MARGIN)) | (power < 0.0)
+    for name, power in motors.items():
+        motor, speed = supply.motors[name], needs.speeds[name][k] * many
+        beyond |= np.abs(power) > np.minimum(motor.peak_power, motor.peak_torque * speed) * (1.0 - MARGIN)
+        electric += np.where(power == 0.0, 0.0, power + motor_loss(motor, torque_of(power, speed), speed))
+    if len(shares) > 1:
+        fuel = np.where(beyond, FORBIDDEN, fuel)
+    return Stage(fuel, lambda charges: _after(battery, charges, electric, duration))
 
 
 def _after(battery: Battery, charges: Floats, electric: Floats, duration: float) -> Floats:

@@ -1,14 +1,17 @@
-"""Turbines, motors and battery in flight: ratings, fuel and limits of duration."""
+"""Turbines, motors and battery in flight: power split, ratings, fuel and charge, and limits of duration."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from gearwright.air import SEA_LEVEL_TEMPERATURE, air_at, stagnation_ratios
+from gearwright.arrays import Bools, Floats
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.machines import (
     Battery,
@@ -18,29 +21,31 @@ from gearwright.machines import (
     EngineDeck,
     MotorLosses,
     PowerLimits,
+    current_of,
     deck_fuel,
     deck_limit,
     fuel_flow,
+    highest_current,
     motor_loss,
     power_limits,
     rated_losses,
     shared_losses,
 )
-from gearwright.machines.turboshaft import Breathing, Exhaust, air_flow, exhaust_of, mixed
-from gearwright.mission.gearbox import Gearbox, Point
+from gearwright.machines.turboshaft import Breathing, Exhaust, air_flow, exhaust_heat, exhaust_of, mixed
+from gearwright.mission.gearbox import torque_of
 from gearwright.mission.plant import (
     Pack,
     PackState,
     Warmth,
-    Warmths,
     faulty,
     less,
     pack_of,
     refuse_hot,
+    started,
     warm_motor,
     warmed_motor,
 )
-from gearwright.mission.profile import Moment
+from gearwright.mission.profile import Course, Doubt, Moment
 from gearwright.sizing import Sizing
 from gearwright.spec import EngineRules, Machine, Mission, Motor, MotorRules, Phase, WindingRules
 from gearwright.spec.design import allowed_for
@@ -53,68 +58,6 @@ from gearwright.units import KWH, apart
 
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
-
-
-class Given(NamedTuple):
-    """What the machines give in an interval."""
-
-    point: Point
-    """Of the gearbox."""
-    powers: Mapping[str, float]
-    """Machine -> power into the train, with drag and spin-up [W]."""
-
-
-class Terms(NamedTuple):
-    """Under which machines and battery give it."""
-
-    pack: PackState
-    """Of the battery at the start."""
-    warmths: Warmths
-    """Of the motors at the start."""
-    rating: float
-    """Of the turbines, over the usual one [-]."""
-    mode: str
-    """Of the phase."""
-
-
-class Drawn(NamedTuple):
-    """What machines and battery draw for what they give."""
-
-    fuel_flow: float
-    """[kg/s]"""
-    turbine_power: float
-    """Of all turbines [W]."""
-    turbine_available: float
-    """What they could give [W]."""
-    exhaust: Exhaust
-    """Of all turbines, mixed."""
-    motor_loss: float
-    """[W]"""
-    battery: BatteryStep
-    pack: PackState
-    """Of the battery at the end."""
-    warmths: Warmths
-    """Of the motors at the end."""
-
-
-class Burnt(NamedTuple):
-    """What all turbines burn, could give and leave behind."""
-
-    fuel_flow: float
-    """[kg/s]"""
-    available: float
-    """[W]"""
-    exhaust: Exhaust
-    """Mixed."""
-
-
-class MotorPoint(NamedTuple):
-    """An operating point of a motor."""
-
-    power: float
-    """[W]"""
-    speed: float
-    """[rad/s]"""
 
 
 @dataclass(frozen=True)
@@ -163,8 +106,7 @@ class Supply:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])
         if share != 1.0 and not self.engines:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no turbine; write electric")])
-        turbines = {name: engine.rated_power for name, engine in self.engines.items() if name not in phase.inoperative}
-        motors = {name: motor.peak_power for name, motor in self.motors.items() if name not in phase.inoperative}
+        turbines, motors = self._working(phase)
         if (share != 1.0 and not turbines) or (share != 0.0 and not motors):
             message = (
                 f"{', '.join(phase.inoperative)} out, and {phase.mode} mode needs one; name fewer, or change the mode"
@@ -172,41 +114,20 @@ class Supply:
             raise DesignError([Problem("inoperative", message)])
         return {**_divided(1.0 - share, turbines), **_divided(share, motors)}
 
-    def drive(self, gearbox: Gearbox, moment: Moment, given: Given, terms: Terms) -> Drawn:
-        """Return fuel, charge and losses of an interval.
+    def weights(self, phase: Phase) -> dict[str, float]:
+        """Return machine -> part of what all turbines, or all motors, give together [-]; none of what is out.
 
         Args:
-            gearbox: With the machines' names.
-            moment: Where it is flown.
-            given: The operating point, and the machines' powers.
-            terms: Charge, rating and mode.
-
-        Raises:
-            DesignError: A machine or the battery cannot give its power.
+            phase: With what is out.
         """
-        powers, speeds = given.powers, machine_speeds(gearbox, given.point)
-        burnt = self._burn(moment, powers, speeds, terms.rating)
-        points = {name: MotorPoint(powers[name], speeds[name]) for name in self.motors if powers[name]}
-        motors = {
-            name: warm_motor(self.windings, motor, terms.warmths.get(name)) for name, motor in self.motors.items()
-        }
-        lost = sum(self._heat(name, motors[name], at, terms.mode) for name, at in points.items())
-        electric = sum(powers[name] for name in self.motors) + lost
-        step, pack = self._discharge(terms, electric, moment)
-        warmths = self._warmer(motors, terms.warmths, points, moment)
-        turbines = sum(powers[name] for name in self.engines)
-        return Drawn(burnt.fuel_flow, turbines, burnt.available, burnt.exhaust, lost, step, pack, warmths)
+        turbines, motors = self._working(phase)
+        return {**_divided(1.0, turbines), **_divided(1.0, motors)}
 
-    def dragged(self, gearbox: Gearbox, point: Point, parts: Mapping[str, float]) -> float:
-        """Return what motors without current take from the shafts that drag them [W].
-
-        Args:
-            gearbox: With the machines' names.
-            point: With the speeds.
-            parts: The machines that give power.
-        """
-        speeds = machine_speeds(gearbox, point)
-        return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
+    def _working(self, phase: Phase) -> tuple[dict[str, float], dict[str, float]]:
+        """Return turbines and motors that are not out -> by what they divide a power [W]."""
+        turbines = {name: engine.rated_power for name, engine in self.engines.items() if name not in phase.inoperative}
+        motors = {name: motor.peak_power for name, motor in self.motors.items() if name not in phase.inoperative}
+        return turbines, motors
 
     def limits(self, name: str, moment: Moment, speed: float, rating: float) -> PowerLimits:
         """Return what bounds the power of a turbine in an interval [W].
@@ -254,31 +175,9 @@ class Supply:
             power: At its shaft [W].
         """
         if self.deck is None:
-            return fuel_flow(self.engines[name], *stagnation_ratios(moment.air, moment.mach), power)
+            return float(fuel_flow(self.engines[name], *stagnation_ratios(moment.air, moment.mach), power))
         with _decked():
             return deck_fuel(self.deck, _day(moment), power)
-
-    def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float) -> Burnt:
-        """Return what all turbines burn; one that idles in electric mode is off."""
-        fuel = available = 0.0
-        exhausts = list[Exhaust]()
-        ratios = stagnation_ratios(moment.air, moment.mach)
-        for name in self.engines:
-            limits = self.limited(name, moment, power=powers[name], speed=speeds[name], rating=rating)
-            available += min(limits)
-            if powers[name] < -_SLACK * limits.rating:
-                raise DesignError([Problem(name, _braked(powers[name]))])
-            burnt = self.fuel(name, moment, powers[name]) if powers[name] > 0.0 else 0.0
-            exhausts.append(self._left(name, ratios, powers[name], (burnt, limits.core)))
-            fuel += burnt
-        gas = mixed(exhausts) if exhausts else Exhaust(temperature=ratios[0] * SEA_LEVEL_TEMPERATURE)
-        return Burnt(fuel, available, gas)
-
-    def _left(self, name: str, ratios: tuple[float, float], power: float, burnt: tuple[float, float]) -> Exhaust:
-        """Return the exhaust of a turbine; `burnt` is its fuel flow [kg/s] and what its core could give [W]."""
-        breathing, (fuel, core) = self.breathing[name], burnt
-        air = air_flow(breathing, *ratios, min(max(power, 0.0) / core, 1.0))
-        return exhaust_of(breathing, air, ratios[0] * SEA_LEVEL_TEMPERATURE, fuel=fuel, power=power)
 
     def _too_weak(self, moment: Moment, power: float, limits: PowerLimits) -> str:
         """Return what is wrong with a power that a turbine cannot give, and what helps."""
@@ -289,22 +188,19 @@ class Supply:
         asked, given = apart(power, available, "power")
         return f"needs {asked} at {moment.altitude:.0f} m, and gives {given} (by its {bound}); {fix}"
 
-    def _warmer(
-        self, motors: Mapping[str, MotorLosses], warmths: Warmths, points: Mapping[str, MotorPoint], moment: Moment
-    ) -> Warmths:
-        """Return the motors' temperatures at the end of an interval."""
-        if self.windings is None:
-            return {}
-        after, air = dict[str, Warmth](), moment.air.temperature
-        for name, motor in motors.items():
-            power, speed = points.get(name, MotorPoint(0.0, 0.0))
-            at, warmth = (power / speed if speed else 0.0, speed), warmths[name]
-            after[name] = warmed_motor(self.windings, motor, warmth, at=at, air=air, duration=moment.duration)
-            refuse_hot(self.windings, name, after[name])
-        return after
+    def refuse_motor(self, name: str, motor: MotorLosses, *, power: float, speed: float, mode: str) -> None:
+        """Refuse what a motor cannot give.
 
-    def _heat(self, name: str, motor: MotorLosses, point: MotorPoint, mode: str) -> float:
-        power, speed = point
+        Args:
+            name: Of the motor.
+            motor: As warm as it is.
+            power: At its shaft [W].
+            speed: Of its shaft [rad/s].
+            mode: Of the phase.
+
+        Raises:
+            DesignError: Torque or power are above its limits.
+        """
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
             asked, limits = zip(
@@ -315,7 +211,6 @@ class Supply:
                 f" {less(mode)}, {self._more(name, motor)}"
             )
             raise DesignError([Problem(name, message)])
-        return motor_loss(motor, torque, speed)
 
     def _more(self, name: str, motor: MotorLosses) -> str:
         """Return what raises a motor's limits."""
@@ -326,19 +221,29 @@ class Supply:
             else "or raise motor.overload"
         )
 
-    def _discharge(self, terms: Terms, power: float, moment: Moment) -> tuple[BatteryStep, PackState]:
+    def refuse_battery(self, state: PackState, power: float, moment: Moment, mode: str) -> None:
+        """Refuse what the battery cannot give or take in an interval.
+
+        Args:
+            state: At its start.
+            power: At the bus [W].
+            moment: Where it is flown.
+            mode: Of the phase.
+
+        Raises:
+            DesignError: Current, charge or temperature leave their limits, or there is no battery.
+        """
         if self.pack is None:
             if power > 0.0:
                 message = (
                     f"the motors turn with {power / 1e3:.3g} kW of losses and there is no battery; give a [battery]"
                 )
                 raise DesignError([Problem("battery", message)])
-            return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, ""), terms.pack._replace(charge=0.0)
-        step, after = self.pack.drawn(terms.pack, power, moment.duration, moment.air.temperature)
+            return
+        step, _ = self.pack.drawn(state, power, moment.duration, moment.air.temperature)
         if step.fault:
-            message = faulty(self.pack.battery, terms.pack.charge, power, step=step, mode=terms.mode)
+            message = faulty(self.pack.battery, state.charge, power, step=step, mode=mode)
             raise DesignError([Problem("battery", message)])
-        return step, after
 
 
 @contextmanager
@@ -357,28 +262,374 @@ def _day(moment: Moment) -> Day:
     return Day(moment.altitude, moment.mach, theta, delta, theta / standard)
 
 
-def _braked(power: float) -> str:
-    return (
+def refuse_braked(name: str, power: float) -> None:
+    """Refuse a turbine that would take power.
+
+    Args:
+        name: Of the turbine.
+        power: At its shaft [W].
+
+    Raises:
+        DesignError: Always; the caller has seen that it would.
+    """
+    message = (
         f"would take {-power / 1e3:.3g} kW from the gearbox, and a turbine only gives; raise pitch or power, fly"
         " electric so that the motors take it, or slow the propeller down within a longer ramp_s"
     )
-
-
-def machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
-    """Return the speed of every machine without its sense [rad/s].
-
-    Args:
-        gearbox: With the machines' names.
-        point: With the speeds.
-    """
-    train = gearbox.sizing.train
-    return {name: abs(float(point.speeds[train.nodes.index(train.machines[name])])) for name in gearbox.machines}
+    raise DesignError([Problem(name, message)])
 
 
 def _divided(share: float, weights: Mapping[str, float]) -> dict[str, float]:
     """Divide a share in proportion to weights; without a share nothing is in it."""
     total = sum(weights.values())
     return {name: share * weight / total for name, weight in weights.items()} if share else {}
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Turbines in many intervals at once: limits, fuel, exhaust.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Burnt(NamedTuple):
+    """What all turbines burn, could give and leave behind; fields of shape (n,)."""
+
+    fuel_flow: Floats
+    """[kg/s]"""
+    available: Floats
+    """[W]"""
+    power: Floats
+    """[W]"""
+    exhaust: Exhaust
+    """Mixed."""
+    heat: Floats
+    """That leaves with the gas [W]."""
+
+
+def burnt_along(
+    supply: Supply, course: Course, powers: Mapping[str, Floats], speeds: Mapping[str, Floats], rating: Floats
+) -> tuple[Burnt, list[Doubt]]:
+    """Return what all turbines burn in every interval, and where one cannot give its power.
+
+    Args:
+        supply: The machines.
+        course: Where it is flown.
+        powers: Machine -> power, shape (n,) [W].
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+        rating: Of the turbines over the usual one, shape (n,) [-].
+    """
+    count, ratios = len(course.time), stagnation_ratios(course.air, course.mach)
+    inlet = ratios[0] * SEA_LEVEL_TEMPERATURE
+    fuel, available, given = np.zeros(count), np.zeros(count), np.zeros(count)
+    exhausts, doubts = list[Exhaust](), list[Doubt]()
+    for name in supply.engines:
+        limits, power = limits_along(supply, name, course, speeds[name], rating), powers[name]
+        least = np.minimum(np.minimum(*limits[:2]), limits[2])
+        available, given = available + least, given + power
+        burnt = _fuel(supply, name, course, power)
+        doubts += _turbine_doubts(supply, name, course, (power, speeds[name], rating), limits, burnt)
+        part = np.clip(np.maximum(power, 0.0) / limits[0], 0.0, 1.0)
+        air = air_flow(supply.breathing[name], *ratios, part)
+        exhausts.append(exhaust_of(supply.breathing[name], air, inlet, fuel=burnt, power=power))
+        fuel = fuel + burnt
+    off = Exhaust(np.zeros(count), np.zeros(count), inlet, np.zeros(count))
+    gas = mixed(exhausts) if exhausts else off
+    return Burnt(fuel, available, given, gas, exhaust_heat(gas, inlet)), doubts
+
+
+def _turbine_doubts(
+    supply: Supply, name: str, course: Course, at: tuple[Floats, Floats, Floats], limits: PowerLimits, burnt: Floats
+) -> Iterator[Doubt]:
+    """Yield where a turbine cannot give its power; `at` is power, speed and rating."""
+    power, speed, rating = at
+
+    def limited(k: int) -> None:
+        given = {"power": float(power[k]), "speed": float(speed[k]), "rating": float(rating[k])}
+        supply.limited(name, course.moment(k), **given)
+
+    least = np.minimum(np.minimum(*limits[:2]), limits[2])
+    yield Doubt(~(power <= least * (1.0 + _SLACK)), limited)
+    yield Doubt(power < -_SLACK * limits.rating, lambda k: refuse_braked(name, float(power[k])))
+    yield Doubt(np.isnan(burnt), lambda k: _told(supply.fuel(name, course.moment(k), float(power[k]))))
+
+
+def _told(_: float) -> None:
+    """Do nothing with a value that was found only for what it refuses."""
+
+
+def limits_along(supply: Supply, name: str, course: Course, speed: Floats, rating: Floats) -> PowerLimits:
+    """Return what bounds the power of a turbine in every interval; NaN beyond its deck.
+
+    Args:
+        supply: The machines.
+        name: Of the turbine.
+        course: Where it is flown.
+        speed: Of its shaft, shape (n,) [rad/s].
+        rating: Over the usual one, shape (n,) [-].
+    """
+    ratios = stagnation_ratios(course.air, course.mach)
+    usual = PowerLimits(*(rating * bound for bound in power_limits(supply.engines[name], *ratios, speed)))
+    if supply.deck is None:
+        return usual
+    core = np.full(len(speed), math.nan)
+    for k, day in enumerate(_days(course)):
+        standard = power_limits(supply.engines[name], day.theta / day.warmer, day.delta, float(speed[k])).core
+        with suppress(ValueError):
+            lapse = float(usual.core[k]) / (float(rating[k]) * standard)
+            core[k] = rating[k] * deck_limit(supply.deck, day, lapse)
+    return usual._replace(core=core)
+
+
+def available_along(
+    supply: Supply, course: Course, speeds: Mapping[str, Floats], rating: Floats, working: Mapping[str, Bools]
+) -> Floats:
+    """Return what all turbines that are not out could give, shape (n,) [W].
+
+    Args:
+        supply: The machines.
+        course: Where it is flown.
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+        rating: Of the turbines over the usual one, shape (n,) [-].
+        working: Turbine -> where it is not out, shape (n,).
+    """
+    total = np.zeros(len(rating))
+    for name in supply.engines:
+        least = np.minimum.reduce(limits_along(supply, name, course, speeds[name], rating))
+        total = total + np.where(working[name], least, 0.0)
+    return total
+
+
+def fuel_along(supply: Supply, course: Course, powers: Mapping[str, Floats]) -> Floats:
+    """Return the fuel flow of all turbines, shape (n,) [kg/s].
+
+    Args:
+        supply: The machines.
+        course: Where it is flown.
+        powers: Machine -> power, shape (n,) [W].
+    """
+    flows = [np.nan_to_num(_fuel(supply, name, course, powers[name])) for name in supply.engines]
+    return np.asarray(sum(flows, np.zeros(len(course.time))))
+
+
+def _fuel(supply: Supply, name: str, course: Course, power: Floats) -> Floats:
+    """Return what a turbine burns [kg/s], shape (n,); one that idles in electric mode is off; NaN beyond its deck."""
+    if supply.deck is None:
+        ratios = stagnation_ratios(course.air, course.mach)
+        return np.where(power > 0.0, fuel_flow(supply.engines[name], *ratios, power), 0.0)
+    flow = np.where(power > 0.0, math.nan, 0.0)
+    for k, day in enumerate(_days(course)):
+        if power[k] > 0.0:
+            with suppress(ValueError):
+                flow[k] = deck_fuel(supply.deck, day, float(power[k]))
+    return flow
+
+
+def _days(course: Course) -> Iterator[Day]:
+    """Yield where a deck is read in every interval."""
+    theta, delta = stagnation_ratios(course.air, course.mach)
+    standard, _ = stagnation_ratios(air_at(course.altitude), course.mach)
+    columns = (course.altitude, course.mach, theta, delta, theta / standard)
+    yield from map(Day, *(column.tolist() for column in columns))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Motors and battery in many intervals at once; charge and warmth follow from interval to interval.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Electric(NamedTuple):
+    """What motors turn into heat; fields of shape (n,)."""
+
+    bus: Floats
+    """Power that the battery gives [W]."""
+    heat: Floats
+    """[W]"""
+    winding: Floats | None
+    """Of the hottest motor at the end [K]; None where a mission does not follow it."""
+    doubts: tuple[Doubt, ...]
+    """Where a motor cannot give its power."""
+    hot: tuple[Doubt, ...]
+    """Where a winding is too warm."""
+
+
+def electric_along(
+    supply: Supply,
+    course: Course,
+    flights: Sequence[slice],
+    powers: Mapping[str, Floats],
+    speeds: Mapping[str, Floats],
+    modes: Callable[[int], str] = str,
+) -> Electric:
+    """Return what the bus gives and what motors that give or take lose.
+
+    Args:
+        supply: The machines.
+        course: Where it is flown.
+        flights: Which intervals are whose.
+        powers: Machine -> power, shape (n,) [W].
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+        modes: Interval -> mode of its phase as it is driven, for words.
+    """
+    count, warm, hot = len(course.time), None, list[Doubt]()
+    motors: Mapping[str, Sequence[MotorLosses]] = {}
+    if supply.windings is not None and supply.motors:
+        warm, motors, hot = _wound(supply, course, flights, powers, speeds)
+    heat, doubts = np.zeros(count), list[Doubt]()
+    for name, usual in supply.motors.items():
+        power, speed = powers[name], speeds[name]
+        torque = torque_of(power, speed)
+        losses = _stacked(motors[name]) if name in motors else usual
+        heat = heat + np.where(power != 0.0, motor_loss(losses, torque, speed), 0.0)
+        weak = np.abs(torque) > losses.peak_torque * (1.0 + _SLACK)
+        weak |= np.abs(power) > losses.peak_power * (1.0 + _SLACK)
+
+        def words(k: int, name: str = name, usual: MotorLosses = usual) -> None:
+            motor, (power, speed) = motors[name][k] if name in motors else usual, (powers[name][k], speeds[name][k])
+            supply.refuse_motor(name, motor, power=float(power), speed=float(speed), mode=modes(k))
+
+        doubts.append(Doubt(weak & (power != 0.0), words))
+    bus = sum((powers[name] for name in supply.motors), np.zeros(count)) + heat
+    return Electric(bus, heat, warm, tuple(doubts), tuple(hot))
+
+
+def _stacked(motors: Sequence[MotorLosses]) -> Any:
+    """Return the losses of a motor in many intervals as arrays."""
+    return MotorLosses(*np.array(motors).T)
+
+
+def _wound(
+    supply: Supply,
+    course: Course,
+    flights: Sequence[slice],
+    powers: Mapping[str, Floats],
+    speeds: Mapping[str, Floats],
+) -> tuple[Floats, dict[str, list[MotorLosses]], list[Doubt]]:
+    """Return windings' temperatures [K], motors as warm as they are, and where a winding is too warm."""
+    rules, motors = supply.windings, dict[str, list[MotorLosses]]()
+    assert rules is not None  # the caller
+    air, durations, ends = course.air.temperature.tolist(), course.duration.tolist(), dict[str, list[Warmth]]()
+    for name, motor in supply.motors.items():
+        motors[name], ends[name] = [], []
+        torques = torque_of(powers[name], speeds[name]).tolist()
+        turning = np.where(powers[name] == 0.0, 0.0, speeds[name]).tolist()
+        for lanes in flights:
+            warmth = started(rules, supply.motors, air[lanes.start])[name]
+            for k in range(lanes.start, lanes.stop):
+                now = warm_motor(rules, motor, warmth)
+                at = (torques[k], turning[k])
+                warmth = warmed_motor(rules, now, warmth, at=at, air=air[k], duration=durations[k])
+                motors[name].append(now)
+                ends[name].append(warmth)
+    winding = np.array([[warmth.winding for warmth in column] for column in ends.values()])
+    hottest = rules.highest_winding_k * (1.0 + 1e-12)
+    hot = [Doubt(winding[k] > hottest, _too_hot(rules, name, ends[name])) for k, name in enumerate(ends)]
+    return winding.max(axis=0), motors, hot
+
+
+def _too_hot(rules: WindingRules, name: str, warmths: Sequence[Warmth]) -> Callable[[int], None]:
+    """Return the words of a winding that is too warm."""
+    return lambda k: refuse_hot(rules, name, warmths[k])
+
+
+def dragged_along(supply: Supply, driven: Mapping[str, Bools], speeds: Mapping[str, Floats]) -> Floats:
+    """Return what motors without current take from the shafts that drag them, shape (n,) [W].
+
+    Args:
+        supply: The machines.
+        driven: Motor -> where it has a part of the power, shape (n,).
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
+    """
+    dragged = [
+        np.where(driven[name], 0.0, motor_loss(losses, 0.0, speeds[name])) for name, losses in supply.motors.items()
+    ]
+    return np.asarray(sum(dragged, np.zeros(len(next(iter(speeds.values()))))))
+
+
+class Discharged(NamedTuple):
+    """A battery over all intervals; fields of shape (n,) but the states."""
+
+    charge: Floats
+    """At the end of each interval [-]."""
+    current: Floats
+    open_power: Floats
+    loss: Floats
+    voltage: Floats
+    temperature: Floats | None
+    faulty: Bools
+    starts: Callable[[int], PackState]
+    """Interval -> state at its start."""
+    ends: tuple[PackState, ...]
+    """Of every flight."""
+
+
+def discharged(
+    supply: Supply, starts: Sequence[float], flights: Sequence[slice], *, power: Floats, course: Course
+) -> Discharged:
+    """Return the batteries of flights over all their intervals.
+
+    Args:
+        supply: With the battery of every flight, if there is one.
+        starts: State of charge at the start of every flight [-].
+        flights: Which intervals are whose.
+        power: At the bus, shape (n,) [W].
+        course: With durations and the air.
+    """
+    none, pack = np.zeros(len(power)), supply.pack
+    if pack is None:
+        ends = tuple(PackState(0.0) for _ in flights)
+        return Discharged(none, none, none, none, none, None, power > 0.0, lambda k: PackState(0.0), ends)
+    if pack.cells is not None or len(flights) == 1:
+        return _marched(pack, starts, flights, power, course)
+    return _side_by_side(pack.battery, np.array(starts), flights, (power, course.duration))
+
+
+def _marched(
+    pack: Pack, starts: Sequence[float], flights: Sequence[slice], power: Floats, course: Course
+) -> Discharged:
+    """March through the intervals of each flight."""
+    steps, before, warm, ends = list[BatteryStep](), list[PackState](), list[float | None](), list[PackState]()
+    air = course.air.temperature
+    for start, lanes in zip(starts, flights, strict=True):
+        state, rows = pack.start(start), (power[lanes], course.duration[lanes], air[lanes])
+        for watts, duration, around in zip(*(column.tolist() for column in rows), strict=True):
+            before.append(state)
+            try:
+                step, state = pack.drawn(state, watts, duration, around)
+            except DesignError as error:  # cells that are too warm or too cold
+                step = BatteryStep(state.charge, 0.0, 0.0, 0.0, 0.0, str(error))
+            steps.append(step)
+            warm.append(state.temperature)
+        ends.append(state)
+    charge, current, opened, loss, voltage = (np.array(column) for column in list(zip(*steps, strict=True))[:5])
+    faulty = np.array([bool(step.fault) for step in steps])
+    temperature = None if pack.cells is None else np.array(warm, dtype=float)
+    return Discharged(charge, current, opened, loss, voltage, temperature, faulty, before.__getitem__, tuple(ends))
+
+
+def _side_by_side(
+    battery: Battery, starts: Floats, flights: Sequence[slice], drawn: tuple[Floats, Floats]
+) -> Discharged:
+    """March through the intervals of all flights together; shorter ones wait at their end."""
+    power, duration = drawn
+    lengths = np.array([lanes.stop - lanes.start for lanes in flights])
+    first = np.array([lanes.start for lanes in flights])
+    rise = battery.full_voltage - battery.empty_voltage
+    before, final, current, square = (np.zeros(len(power)) for _ in range(4))
+    charge = starts.astype(float)
+    for k in range(int(lengths.max())):
+        lanes = first[lengths > k] + k
+        held = charge[lengths > k]
+        amperes, root = current_of(battery, held, power[lanes], duration[lanes])
+        after = held - amperes * duration[lanes] / battery.charge
+        before[lanes], final[lanes], current[lanes], square[lanes] = held, after, amperes, root
+        charge[lengths > k] = after
+    middle = battery.empty_voltage + rise * 0.5 * (before + final)
+    faulty = (square < 0.0) | (np.abs(current) > highest_current(battery) * (1.0 + 1e-9))
+    faulty |= (final < battery.minimum) | (final > 1.0 + 1e-12)
+    loss = battery.resistance * current * current
+    ends = tuple(PackState(float(value)) for value in charge)
+    voltage = middle - battery.resistance * current
+    states = lambda k: PackState(float(before[k]))  # noqa: E731
+    return Discharged(final, current, middle * current, loss, voltage, None, faulty, states, ends)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -476,10 +727,6 @@ class Bound(NamedTuple):
     """[s]; infinite for any time."""
 
 
-Clocks = Mapping[Bound, float]
-"""Bound -> time without a break for which it has been passed [s]."""
-
-
 def bounds_of(machines: Mapping[str, Machine], ratings: Mapping[str, float]) -> tuple[Bound, ...]:
     """Return the bounds of machines that have limits; the others' are their ratings, which hold for any time.
 
@@ -498,33 +745,53 @@ def bounds_of(machines: Mapping[str, Machine], ratings: Mapping[str, float]) -> 
     return tuple(bounds)
 
 
-def endured(
-    bounds: tuple[Bound, ...], clocks: Clocks, duration: float, points: Mapping[str, tuple[float, float]]
-) -> Clocks:
-    """Return for how long each bound has been passed after an interval.
+def outlasted(
+    sets: Sequence[tuple[tuple[Bound, ...], Bools]],
+    duration: Floats,
+    powers: Mapping[str, Floats],
+    speeds: Mapping[str, Floats],
+) -> Doubt:
+    """Return where a bound is passed for longer than a higher one allows in a flight.
 
     Args:
-        bounds: From `bounds_of`.
-        clocks: Before the interval.
-        duration: Of the interval [s].
-        points: Machine -> power [W] and speed [rad/s].
-
-    Raises:
-        DesignError: If one is passed for longer than a higher one allows.
+        sets: Bounds, and the intervals in which they hold, shape (n,).
+        duration: Of each interval, shape (n,) [s].
+        powers: Machine -> power, shape (n,) [W].
+        speeds: Machine -> speed without sign, shape (n,) [rad/s].
     """
-    after, problems = dict[Bound, float](), dict[str, Problem]()
-    for bound in bounds:
-        power, speed = points[bound.machine]
-        value = abs(power) if bound.name == "power" else abs(power) / speed if speed else 0.0
-        if value <= bound.value * (1.0 + _BOUND_SLACK):
-            continue
-        after[bound] = clocks.get(bound, 0.0) + duration
-        higher = [other for other in bounds if other[:2] == bound[:2] and other.value > bound.value]
-        allowed = max((other.duration for other in higher), default=0.0)
-        if after[bound] > allowed * (1.0 + _BOUND_SLACK):
-            problems.setdefault(bound.machine, _worn(bound, value, after[bound], allowed))
-    refuse(problems.values())
-    return after
+    late, told = dict[Bound, Bools](), dict[Bound, tuple[Floats, Floats, Floats]]()
+    for bound in dict.fromkeys(bound for bounds, _ in sets for bound in bounds):
+        power = np.abs(powers[bound.machine])
+        value = power if bound.name == "power" else torque_of(power, speeds[bound.machine])
+        applies, allowed = np.zeros(len(duration), bool), np.zeros(len(duration))
+        for bounds, where in sets:
+            if bound in bounds:
+                higher = [other for other in bounds if other[:2] == bound[:2] and other.value > bound.value]
+                applies |= where
+                allowed[where] = max((other.duration for other in higher), default=0.0)
+        passed = (value > bound.value * (1.0 + _BOUND_SLACK)) & applies
+        held = _without_break(passed, duration)
+        late[bound] = passed & (held > allowed * (1.0 + _BOUND_SLACK))
+        told[bound] = value, held, allowed
+
+    def words(k: int) -> None:
+        problems = dict[str, Problem]()
+        for bounds, where in sets:
+            for bound in bounds if where[k] else ():
+                if late[bound][k]:
+                    problems.setdefault(bound.machine, _worn(bound, *(float(column[k]) for column in told[bound])))
+        refuse(problems.values())
+
+    return Doubt(np.any(list(late.values()), axis=0), words)
+
+
+def _without_break(passed: Bools, duration: Floats) -> Floats:
+    """Return for how long without a break a bound has been passed at the end of every interval [s]."""
+    held, clock = np.zeros(len(duration)), 0.0
+    for k, (over, span) in enumerate(zip(passed.tolist(), duration.tolist(), strict=True)):
+        clock = clock + span if over else 0.0
+        held[k] = clock
+    return held
 
 
 def _worn(bound: Bound, value: float, held: float, allowed: float) -> Problem:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from gearwright.air import Air, Polar, drag_force, dynamic_force, stall_speed
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.catalogue import compressed
+from gearwright.elementwise import Values, functions
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import MachMap, PropellerMap, angle_for_power, angle_for_thrust, coefficients, governs, map_at
 from gearwright.machines.rotors import Airframe, Disc, Stream, antitorque, lift
-from gearwright.mission.profile import (
-    Moment,
-)
+from gearwright.mission.charts import angle_along, at_tips, governs_along, power_and_thrust, squeezed_along
+from gearwright.mission.profile import Course, Moment, Stretch
 from gearwright.spec import Aircraft, Mission, Phase, Rotorcraft
 from gearwright.spec.missions import Setting
 from gearwright.units import GRAVITY, apart
@@ -30,11 +34,11 @@ class Attitude(NamedTuple):
     """Where an aircraft is on its path, and how it moves."""
 
     air: Air
-    speed: float
+    speed: Values
     """True airspeed [m/s]."""
-    slope: float
+    slope: Values
     """sin γ of the path [-]."""
-    rolls: float
+    rolls: Values
     """Part of the weight that the wing leaves to the wheels, which they bear [-]; 0 in flight."""
 
 
@@ -78,14 +82,28 @@ def resistance(aircraft: Aircraft, phase: Phase, weight: float, at: Attitude) ->
         weight: m g [N].
         at: Where it is.
 
+    Source: `held_back`.
+    """
+    wheels = friction_of(aircraft, phase), aircraft.roll_lift
+    return float(held_back(polar_of(aircraft, phase), wheels, weight, at))
+
+
+def held_back(polar: Polar, wheels: tuple[Values, Values], weight: Values, at: Attitude) -> Values:
+    """Return what holds aircraft back [N].
+
+    Args:
+        polar: With flaps, gear and extra drag.
+        wheels: Their friction μ, and the lift coefficient on them [-].
+        weight: m g [N].
+        at: Where they are.
+
     Source: D = q S (C_D0 + k C_L²), L = m g cos γ in flight; μ (m g − L) on the wheels.
     """
-    polar = polar_of(aircraft, phase)
-    reference = dynamic_force(polar, at.air, at.speed)
-    flown = weight * math.sqrt(max(1.0 - at.slope**2, 0.0))
-    rolled = min(aircraft.roll_lift * reference, flown)
+    of, reference = functions(at.slope, weight), dynamic_force(polar, at.air, at.speed)
+    flown = weight * of.sqrt(of.max(1.0 - at.slope**2, 0.0))
+    rolled = of.min(wheels[1] * reference, flown)
     lift = at.rolls * rolled + (1.0 - at.rolls) * flown
-    return drag_force(polar, reference, lift) + friction_of(aircraft, phase) * (flown - lift)
+    return drag_force(polar, reference, lift) + wheels[0] * (flown - lift)
 
 
 def lowest_speed(aircraft: Aircraft, phase: Phase, air: Air, weight: float) -> float | None:
@@ -115,23 +133,21 @@ def stated_thrust(aircraft: Aircraft, phase: Phase, moment: Moment, mass: float)
     slope = moment.climb / moment.true_airspeed if moment.true_airspeed else 0.0
     at = Attitude(moment.air, moment.true_airspeed, slope, 1.0 if phase.kind == "taxi" else 0.0)
     refuse_stall(aircraft, phase, mass * GRAVITY, at)
-    return path_thrust(aircraft, phase, mass, at, moment.acceleration)
+    return float(path_thrust(resistance(aircraft, phase, mass * GRAVITY, at), mass, at, moment.acceleration))
 
 
-def path_thrust(aircraft: Aircraft, phase: Phase, mass: float, at: Attitude, acceleration: float) -> float:
-    """Return the thrust of all propellers that holds an aircraft on a path [N].
+def path_thrust(held: Values, mass: Values, at: Attitude, acceleration: Values) -> Values:
+    """Return the thrust of all propellers that holds aircraft on their paths [N].
 
     Args:
-        aircraft: Of the mission.
-        phase: With its kind.
-        mass: Of the aircraft now [kg].
-        at: Where it is.
+        held: What holds them back [N].
+        mass: Now [kg].
+        at: Where they are.
         acceleration: dV/dt [m/s²].
 
     Source: T = D + μ (m g − L) + m g sin γ + m dV/dt.
     """
-    weight = mass * GRAVITY
-    return resistance(aircraft, phase, weight, at) + weight * at.slope + mass * acceleration
+    return held + mass * GRAVITY * at.slope + mass * acceleration
 
 
 def refuse_stall(aircraft: Aircraft, phase: Phase, weight: float, at: Attitude) -> None:
@@ -246,13 +262,13 @@ class Advance(NamedTuple):
 class Performance(NamedTuple):
     """What a propeller does with a power."""
 
-    advance_ratio: float
+    advance_ratio: Values
     """[-]"""
-    pitch: float | None = None
+    pitch: Values | None = None
     """[rad]; like the others None where powers are schedules."""
-    compressibility: float | None = None
+    compressibility: Values | None = None
     """Factor on the thrust [-]."""
-    thrust: float | None = None
+    thrust: Values | None = None
     """[N]"""
 
 
@@ -348,7 +364,7 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     slope = moment.climb / moment.true_airspeed
     lift = weight * math.sqrt(1.0 - slope**2) / dynamic
     drag_force = dynamic * (aircraft.zero_lift_drag + phase.extra_drag + aircraft.induced * lift**2)
-    return (drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
+    return float(drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
 
 
 def _too_steep(error: DesignError, moment: Moment, phase: Phase, thrust: float) -> DesignError:
@@ -424,7 +440,7 @@ def _factor(name: str, moment: Moment, advance: Advance, thrust: float) -> float
 
 
 def _tip_mach(advance: Advance, moment: Moment) -> float:
-    return math.pi * advance.turns * advance.diameter / moment.air.sound_speed
+    return float(math.pi * advance.turns * advance.diameter / moment.air.sound_speed)
 
 
 def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, float]:
@@ -467,3 +483,195 @@ def performed(blades: Blades, moment: Moment, work: float, *, pitch: float | Non
     thrust = coefficients(chart, ratio, angle).thrust
     factor = _factor(blades.map_name, moment, advance, thrust)
     return Performance(ratio, angle, factor, factor * thrust * density * turns**2 * diameter**4)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Aircraft and propellers in many intervals at once: thrusts that paths need, angles that give them, what powers make.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Craft(NamedTuple):
+    """Aircraft of intervals, shape (n,) each; mass is NaN where power or pitch are given."""
+
+    mass: Floats
+    """At the start of the flight [kg]."""
+    fuel: Floats
+    """On board; infinite where a mission does not say it [kg]."""
+    area: Floats
+    zero_lift: Floats
+    induced: Floats
+    friction: Floats
+    roll_lift: Floats
+    """Lift coefficient on the wheels [-]."""
+    highest_lift: Floats
+    """NaN where an aircraft does not say it [-]."""
+    rolls: Floats
+    """1 on the wheels, 0 in flight."""
+    plain: Floats
+    """1 where a phase has no kind."""
+
+    @property
+    def polar(self) -> Polar:
+        """With flaps and gear; fields of shape (n,)."""
+        return Polar(self.area, self.zero_lift, self.induced)
+
+    @property
+    def asks(self) -> Bools:
+        """Where a thrust is asked."""
+        return ~np.isnan(self.mass)
+
+    def at(self, lanes: Ints) -> Craft:
+        """Return the aircraft of some intervals.
+
+        Args:
+            lanes: Which.
+        """
+        return Craft(*(column[lanes] for column in self))
+
+
+def craft_of(stretches: Sequence[Stretch], counts: Sequence[int]) -> Craft | None:
+    """Return the aircraft of all intervals; None where none is asked for a thrust.
+
+    Args:
+        stretches: The phases of all flights.
+        counts: Intervals of each.
+    """
+    rows = [_row(stretch) for stretch in stretches]
+    if all(math.isnan(row[0]) for row in rows):
+        return None
+    return Craft(*np.repeat(np.array(rows), counts, axis=0).T.copy())
+
+
+def _row(stretch: Stretch) -> tuple[float, ...]:
+    phase, aircraft = stretch.phase, stretch.mission.aircraft
+    if aircraft is None or phase.power is not None or phase.pitch is not None:
+        return (math.nan,) * len(Craft._fields)
+    plain, drag = phase.kind is None, polar_of(aircraft, phase)
+    flaps = None if plain else aircraft.flaps(setting_of(phase))
+    return (
+        aircraft.mass,
+        math.inf if aircraft.fuel is None else aircraft.fuel,
+        drag.area,
+        aircraft.zero_lift_drag + phase.extra_drag if plain else drag.zero_lift,
+        drag.induced,
+        friction_of(aircraft, phase),
+        aircraft.roll_lift,
+        math.nan if flaps is None else flaps.highest_lift,
+        float(phase.kind == "taxi"),
+        float(plain),
+    )
+
+
+def needed_thrust(craft: Craft, course: Course, burnt: Floats) -> tuple[Floats, Bools]:
+    """Return the thrust of all propellers that paths need, shape (n,) [N], and where nothing flies so.
+
+    Args:
+        craft: The aircraft.
+        course: Where they are.
+        burnt: Fuel of all engines so far, shape (n,) [kg].
+
+    Source: `path_thrust`.
+    """
+    speed, mass = course.true_airspeed, craft.mass - burnt
+    slope = np.where(speed == 0.0, 0.0, course.climb / np.where(speed == 0.0, 1.0, speed))
+    at = Attitude(course.air, speed, slope, craft.rolls)
+    weight, reference = mass * GRAVITY, dynamic_force(craft.polar, course.air, speed)
+    stalls = (craft.rolls == 0.0) & (weight > reference * craft.highest_lift)
+    unborne = (craft.plain == 1.0) & ((weight > LARGEST_LIFT * reference) | (np.abs(course.climb) > speed))
+    held = held_back(craft.polar, (craft.friction, craft.roll_lift), weight, at)
+    thrust = path_thrust(held, mass, at, course.acceleration)
+    return thrust, stalls | unborne | (mass <= 0.0) | (burnt > craft.fuel)
+
+
+def angle_for_thrusts(blades: Blades, course: Course, craft: Craft, thrust: Floats) -> tuple[Floats, Floats, Bools]:
+    """Return the blade angles that give thrusts [rad], the powers that they take [W], and what lies outside.
+
+    Args:
+        blades: The propeller, with a map.
+        course: Where it is flown.
+        craft: The aircraft.
+        thrust: Of one propeller, shape (n,) [N].
+
+    Source: `wanted_of`.
+    """
+    chart, (turns, ratio, tips) = _chart(blades), _turning(blades, course)
+    wanted = thrust / (course.air.density * turns**2 * blades.diameter**4)
+    estimate, outside = wanted, np.zeros(len(wanted), bool)
+    for _ in range(SQUEEZED_ROUNDS):
+        factor = squeezed_along(blades.map_name, ratio, estimate, mach=course.mach, tip_mach=tips)
+        better, outside = wanted / factor.value, factor.outside
+        if np.array_equal(better, estimate):
+            break
+        estimate = better
+
+    def found(own: PropellerMap, ratio: Floats, estimate: Floats) -> tuple[Floats, Floats, Bools, Bools]:
+        angle = angle_along(own, ratio, estimate, own.thrust)
+        power, _, left = power_and_thrust(own, ratio, angle.value)
+        return angle.value, power, ~governs_along(own, ratio, angle.value), angle.outside | left
+
+    angle, taken, ungoverned, beyond = at_tips(chart, tips, found, ratio, estimate)
+    power = taken * course.air.density * turns**3 * blades.diameter**5
+    return angle, power, outside | beyond | ((craft.rolls == 0.0) & ungoverned)
+
+
+def asked_power(blades: Blades, course: Course, pitch: Floats) -> tuple[Floats, Bools]:
+    """Return the power of the propeller's shaft [W], NaN where the machines' power is given, and what lies outside.
+
+    Args:
+        blades: The propeller.
+        course: Where it is flown.
+        pitch: That is held, NaN where none is, shape (n,) [rad].
+
+    Source: `wanted_of`.
+    """
+    power, outside = np.full(len(pitch), math.nan), np.zeros(len(pitch), bool)
+    if blades.chart is None:
+        return power, outside
+    held = np.isnan(course.power) & ~np.isnan(pitch)
+    if held.any():
+        turns, ratio, tips = _turning(blades, course)
+        taken, _, left = at_tips(blades.chart, tips[held], power_and_thrust, ratio[held], pitch[held])
+        power[held] = taken * course.air.density[held] * turns[held] ** 3 * blades.diameter**5
+        outside[held] = left
+    return power, outside
+
+
+def performance_along(blades: Blades, course: Course, work: Floats, *, pitch: Floats) -> tuple[Performance, Bools]:
+    """Return what a propeller does with its powers, fields of shape (n,), and where its charts do not reach.
+
+    Args:
+        blades: The propeller.
+        course: Where it is flown.
+        work: Powers that reach it, shape (n,) [W].
+        pitch: Blade angle from which the power was found, NaN where the machines' power is given, shape (n,) [rad].
+
+    Source: `performed`.
+    """
+    turns, ratio, tips = _turning(blades, course)
+    if blades.chart is None:
+        return Performance(ratio), np.zeros(len(work), bool)
+    density, held = course.air.density, np.isnan(course.power)
+
+    def found(own: PropellerMap, ratio: Floats, taken: Floats, pitch: Floats) -> tuple[Floats, Floats, Bools]:
+        governed = angle_along(own, ratio, taken, own.power)
+        angle = np.where(np.isnan(pitch), governed.value, pitch)
+        _, thrust, left = power_and_thrust(own, ratio, angle)
+        return angle, thrust, (governed.outside & np.isnan(pitch)) | left
+
+    taken = work / (density * turns**3 * blades.diameter**5)
+    angle, thrust, outside = at_tips(blades.chart, tips, found, ratio, taken, np.where(held, pitch, math.nan))
+    factor = squeezed_along(blades.map_name, ratio, thrust, mach=course.mach, tip_mach=tips)
+    force = factor.value * thrust * density * turns**2 * blades.diameter**4
+    return Performance(ratio, angle, factor.value, force), outside | factor.outside
+
+
+def _chart(blades: Blades) -> PropellerMap | MachMap:
+    assert blades.chart is not None  # `mission_problems` refuses it
+    return blades.chart
+
+
+def _turning(blades: Blades, course: Course) -> tuple[Floats, Floats, Floats]:
+    """Return turns per second [1/s], advance ratio [-] and Mach number of the tips' rotation [-]."""
+    turns = course.propeller_speed / (2.0 * math.pi)
+    ratio = course.true_airspeed / (turns * blades.diameter)
+    return turns, ratio, math.pi * turns * blades.diameter / course.air.sound_speed

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.elementwise import Values, across, functions
 from gearwright.parts.bearings import BearingKind, taper_factors
 from gearwright.parts.gears import UNSHIFTED, ToothShift, base_helix_angle, transverse_pressure_angle
 from gearwright.units import CELSIUS, RPM
@@ -183,13 +184,13 @@ def tooth_contact(
 
 def mesh_friction(
     contact: ToothContact,
-    line_load: float,
-    velocity: float,
+    line_load: Values,
+    velocity: Values,
     *,
-    viscosity: float,
+    viscosity: Values,
     roughness: float,
     law: Friction = Friction.SCHLENK,
-) -> float:
+) -> Values:
     """Return the mean coefficient of friction of a mesh μ_mz [-].
 
     Args:
@@ -204,13 +205,14 @@ def mesh_friction(
         v_ΣC = 2 v sin α_wt; a mineral oil without factor X_L. Niemann and Winter (2003): 0.045, and 3.8 (R_a/d_1)^0.25
         in place of R_a^0.25, with d_1 in mm. Both held at 0.2.
     """
-    rolling = max(2.0 * abs(velocity) * math.sin(contact.pressure_angle), _LEAST_ROLLING)
+    of = functions(line_load, velocity, viscosity)
+    rolling = of.max(2.0 * abs(velocity) * of.sin(contact.pressure_angle), _LEAST_ROLLING)
     loading = abs(line_load) * 1e-3 / (rolling * contact.curvature * 1e3)
-    oil, surface = math.pow(viscosity * 1e3, -0.05), math.pow(roughness * 1e6, 0.25)
+    oil, surface = of.pow(viscosity * 1e3, -0.05), of.pow(roughness * 1e6, 0.25)
     if law is Friction.SCHLENK:
-        return min(0.048 * math.pow(loading, 0.2) * oil * surface, HIGHEST_FRICTION)
-    size = 3.8 * math.pow(contact.pinion_diameter * 1e3, -0.25)
-    return min(0.045 * math.pow(loading, 0.2) * oil * size * surface, HIGHEST_FRICTION)
+        return of.min(0.048 * of.pow(loading, 0.2) * oil * surface, HIGHEST_FRICTION)
+    size = 3.8 * of.pow(contact.pinion_diameter * 1e3, -0.25)
+    return of.min(0.045 * of.pow(loading, 0.2) * oil * size * surface, HIGHEST_FRICTION)
 
 
 def mesh_efficiency(contact: ToothContact, friction: float) -> float:
@@ -259,18 +261,18 @@ class MeshLaw(Enum):
 class MeshDuty(NamedTuple):
     """What a mesh bears."""
 
-    line_load: float
+    line_load: Values
     """F_bt/b [N/m]."""
     face_width: float
     """b [m]."""
-    velocity: float
+    velocity: Values
     """Pitch-line velocity v [m/s]."""
 
 
 class OilState(NamedTuple):
     """The oil between the teeth, and the teeth themselves."""
 
-    viscosity: float
+    viscosity: Values
     """Dynamic viscosity at its temperature η [Pa s]."""
     density: float
     """[kg/m³]"""
@@ -280,7 +282,7 @@ class OilState(NamedTuple):
     """X_L of Schlenk, and of Niemann and Winter [-]: 1 for mineral oils."""
 
 
-def mesh_loss_part(contact: ToothContact, duty: MeshDuty, oil: OilState, *, law: MeshLaw = MeshLaw.SCHLENK) -> float:
+def mesh_loss_part(contact: ToothContact, duty: MeshDuty, oil: OilState, *, law: MeshLaw = MeshLaw.SCHLENK) -> Values:
     """Return the part of its power that a mesh loses [-].
 
     Args:
@@ -303,7 +305,7 @@ def mesh_loss_part(contact: ToothContact, duty: MeshDuty, oil: OilState, *, law:
     return friction * oil.lubricant_factor * contact.loss_factor
 
 
-def load_intensity(contact: ToothContact, line_load: float) -> float:
+def load_intensity(contact: ToothContact, line_load: Values) -> Values:
     """Return the load intensity K of a mesh [Pa].
 
     Args:
@@ -313,10 +315,10 @@ def load_intensity(contact: ToothContact, line_load: float) -> float:
     Source: ISO/TR 14179-1:2001: 1000 T_1 (z_1 + z_2)/(2 b r_w1² z_2) in N m and mm: F_t/(2 b)
         (1/r_w1 + 1/r_w2).
     """
-    return 0.5 * abs(line_load) * math.cos(contact.pressure_angle) * contact.closing
+    return 0.5 * abs(line_load) * functions(line_load).cos(contact.pressure_angle) * contact.closing
 
 
-def iso_tr_14179_1_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> float:
+def iso_tr_14179_1_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> Values:
     """Return the part of its power that a mesh loses by ISO/TR 14179-1 [-].
 
     Args:
@@ -329,16 +331,17 @@ def iso_tr_14179_1_part(contact: ToothContact, duty: MeshDuty, oil: OilState) ->
 
     Valid for: V of 2 to 25 m/s and K of 1.4 to 14 N/mm²; outside it is taken at the nearest end.
     """
-    velocity = min(max(abs(duty.velocity), SLOWEST), FASTEST)
-    intensity = min(max(load_intensity(contact, duty.line_load), LEAST_INTENSITY), MOST_INTENSITY)
+    of = functions(duty.line_load, duty.velocity, oil.viscosity)
+    velocity = of.min(of.max(abs(duty.velocity), SLOWEST), FASTEST)
+    intensity = of.min(of.max(load_intensity(contact, duty.line_load), LEAST_INTENSITY), MOST_INTENSITY)
     viscosity = oil.viscosity / oil.density * 1e6
     friction = viscosity**-0.223 * (intensity * 1e-6) ** -0.40 / (3.239 * velocity**0.70)
     slides = [abs(length) * contact.closing for length in contact.path]
-    advantage = 2.0 * math.cos(contact.pressure_angle) * sum(slides) / sum(slide**2 for slide in slides)
-    return float(friction * math.cos(contact.helix) ** 2 / advantage)
+    advantage = 2.0 * of.cos(contact.pressure_angle) * sum(slides) / sum(slide**2 for slide in slides)
+    return friction * of.cos(contact.helix) ** 2 / advantage
 
 
-def anderson_loewenthal_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> float:
+def anderson_loewenthal_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> Values:
     """Return the part of its power that a mesh loses by sliding and by rolling [-].
 
     Args:
@@ -352,21 +355,22 @@ def anderson_loewenthal_part(contact: ToothContact, duty: MeshDuty, oil: OilStat
 
     Valid for: spur gears; helical ones as their transverse section. f is held between 0 and 0.2.
     """
-    velocity, width = max(abs(duty.velocity), _LEAST_VELOCITY), duty.face_width
-    total = abs(duty.line_load) * width
-    if total == 0.0:
-        return 0.0
+    of = functions(duty.line_load, duty.velocity, oil.viscosity)
+    velocity, width = of.max(abs(duty.velocity), _LEAST_VELOCITY), duty.face_width
+    carried = abs(duty.line_load) * width
+    total = of.where(carried == 0.0, 1.0, carried)
     place, pairs = _pairs_in_contact(contact)
-    slides, rolls, curvature = _kinematics(contact, place, velocity)
-    load = total / pairs
-    oil_mpas = oil.viscosity * 1e3
+    slides, rolls, curvature = _kinematics(contact, place, across(velocity))
+    load, oil_mpas = across(total) / pairs, across(oil.viscosity) * 1e3
     with np.errstate(divide="ignore"):
         inner = 29.66 * load / width / (oil_mpas * slides * rolls**2)
     friction = np.clip(0.0127 * np.log10(inner), _LEAST_FRICTION, _MOST_FRICTION)
     film = 2.051e-7 * (rolls * oil_mpas) ** 0.67 * load**-0.067 * curvature**0.464
     power = friction * load * slides + _FILM_TRACTION * film * width * rolls
     in_contact = sum(abs(length) for length in contact.path) / contact.base_pitch
-    return float(np.mean(power) * in_contact / (total * math.cos(contact.pressure_angle) * velocity))
+    mean = np.mean(power, axis=-1) if power.ndim > 1 else np.mean(power)
+    part = mean * in_contact / (total * math.cos(contact.pressure_angle) * velocity)
+    return of.where(carried == 0.0, 0.0, part)
 
 
 def _pairs_in_contact(contact: ToothContact) -> tuple[Floats, Floats]:
@@ -378,7 +382,7 @@ def _pairs_in_contact(contact: ToothContact) -> tuple[Floats, Floats]:
     return place, np.sum((shifted >= -approach) & (shifted <= recess), axis=1).astype(float)
 
 
-def _kinematics(contact: ToothContact, place: Floats, velocity: float) -> tuple[Floats, Floats, Floats]:
+def _kinematics(contact: ToothContact, place: Floats, velocity: Values) -> tuple[Floats, Floats, Floats]:
     """Return sliding and summed rolling velocity [m/s] and reduced radius of curvature [m] at places of the path."""
     first, second = contact.radii
     lean = math.sin(contact.pressure_angle)
@@ -400,7 +404,7 @@ LEAST_PRODUCT = 2000.0
 """ν n as which a smaller one counts in Palmgren's idle torque [mm²/(s min)]."""
 
 
-def bearing_torque_constant(load: float, bore: float, friction: float = CYLINDRICAL_ROLLER_FRICTION) -> float:
+def bearing_torque_constant(load: Values, bore: float, friction: float = CYLINDRICAL_ROLLER_FRICTION) -> Values:
     """Return the friction torque of a bearing by a constant coefficient [N m].
 
     Args:
@@ -419,8 +423,8 @@ def bearing_torque_constant(load: float, bore: float, friction: float = CYLINDRI
 
 
 def bearing_torque_palmgren(
-    load: float, mean_diameter: float, speed: float, *, viscosity: float, oil_factor: float, load_factor: float
-) -> float:
+    load: Values, mean_diameter: float, speed: Values, *, viscosity: Values, oil_factor: float, load_factor: float
+) -> Values:
     """Return the friction torque of a bearing as a part by the oil and a part by the load [N m].
 
     Args:
@@ -437,9 +441,10 @@ def bearing_torque_palmgren(
     >>> round(bearing_torque_palmgren(5000.0, 0.065, 157.08, viscosity=40e-6, oil_factor=2.0, load_factor=3e-4), 3)
     0.182
     """
-    product = max(viscosity * 1e6 * abs(speed) / RPM, LEAST_PRODUCT) if speed else 0.0
+    of = functions(load, speed, viscosity)
+    product = of.where(speed == 0.0, 0.0, of.max(viscosity * 1e6 * abs(speed) / RPM, LEAST_PRODUCT))
     diameter = mean_diameter * 1e3
-    idle = 1e-7 * oil_factor * math.pow(product, 2.0 / 3.0) * diameter**3
+    idle = 1e-7 * oil_factor * of.pow(product, 2.0 / 3.0) * diameter**3
     return 1e-3 * (idle + load_factor * load * diameter)
 
 
@@ -486,15 +491,20 @@ class RunningBearing(NamedTuple):
     """C_0 [N]."""
     contact_angle: float
     """α, of taper bearings [rad]."""
-    radial: float
+    radial: Values
     """F_r [N]."""
-    axial: float
+    axial: Values
     """F_a [N]."""
 
 
 def bearing_torque_skf(
-    bearing: RunningBearing, friction: SeriesFriction, speed: float, *, viscosity: float, replenishment: float = OIL_JET
-) -> float:
+    bearing: RunningBearing,
+    friction: SeriesFriction,
+    speed: Values,
+    *,
+    viscosity: Values,
+    replenishment: float = OIL_JET,
+) -> Values:
     """Return the friction torque of a bearing without seals by its rolling and its sliding [N m].
 
     Args:
@@ -511,50 +521,53 @@ def bearing_torque_skf(
     """
     turns, oil = abs(speed) / RPM, viscosity * 1e6
     mean = 1e3 * (bearing.bore + bearing.outer_diameter) / 2.0
-    rolling = _rolling_variable(bearing, friction, mean, turns) * math.pow(oil * turns, 0.6)
-    heated = 1.0 / (1.0 + 1.84e-9 * math.pow(turns * mean, 1.28) * math.pow(oil, 0.64))
+    of = functions(bearing.radial, bearing.axial, speed, viscosity)
+    rolling = _rolling_variable(bearing, friction, mean, turns) * of.pow(oil * turns, 0.6)
+    heated = 1.0 / (1.0 + 1.84e-9 * of.pow(turns * mean, 1.28) * of.pow(oil, 0.64))
     sides = 1e3 * (bearing.outer_diameter - bearing.bore), 1e3 * (bearing.outer_diameter + bearing.bore)
-    starved = math.exp(-replenishment * oil * turns * sides[1] * math.sqrt(_GEOMETRY[bearing.kind] / (2.0 * sides[0])))
+    starved = of.exp(-replenishment * oil * turns * sides[1] * math.sqrt(_GEOMETRY[bearing.kind] / (2.0 * sides[0])))
     slides = _sliding_variable(bearing, friction, mean, turns) * _sliding_friction(bearing.kind, oil * turns, mean)
     return 1e-3 * (heated * starved * rolling + slides)
 
 
-def _sliding_friction(kind: BearingKind, product: float, mean: float) -> float:
+def _sliding_friction(kind: BearingKind, product: Values, mean: float) -> Values:
     """Return μ_sl between boundary lubrication and a full film [-]."""
-    boundary = math.exp(-2.6e-8 * math.pow(product, 1.4) * mean)
-    dry = BOUNDARY_FRICTION if product else STARTING_FRICTION
+    of = functions(product)
+    boundary = of.exp(-2.6e-8 * of.pow(product, 1.4) * mean)
+    dry = of.where(product == 0.0, STARTING_FRICTION, BOUNDARY_FRICTION)
     return boundary * dry + (1.0 - boundary) * FULL_FILM_FRICTION.get(kind, _BALL_FRICTION)
 
 
-def _rolling_variable(bearing: RunningBearing, friction: SeriesFriction, mean: float, turns: float) -> float:
+def _rolling_variable(bearing: RunningBearing, friction: SeriesFriction, mean: float, turns: Values) -> Values:
     """Return G_rr."""
     first, second, third = friction.rolling
     radial, axial = abs(bearing.radial), abs(bearing.axial)
+    of = functions(radial, axial, turns)
     if bearing.kind is BearingKind.CYLINDRICAL:
-        return first * math.pow(mean, 2.41) * math.pow(radial, 0.31)
+        return first * of.pow(mean, 2.41) * of.pow(radial, 0.31)
     if bearing.kind is BearingKind.TAPER:
-        return first * math.pow(mean, 2.38) * math.pow(radial + second * _slope(bearing) * axial, 0.31)
+        return first * of.pow(mean, 2.38) * of.pow(radial + second * _slope(bearing) * axial, 0.31)
     if bearing.kind is BearingKind.FOUR_POINT:
-        return first * math.pow(mean, 1.97) * math.pow(radial + third * mean**4 * turns**2 + second * axial, 0.54)
-    pushed = second / math.sin(_loaded_angle(bearing)) * axial if axial else 0.0
-    return first * math.pow(mean, 1.96) * math.pow(radial + pushed, 0.54)
+        return first * of.pow(mean, 1.97) * of.pow(radial + third * mean**4 * turns**2 + second * axial, 0.54)
+    pushed = second / _loaded_sine(bearing) * axial
+    return first * of.pow(mean, 1.96) * of.pow(radial + pushed, 0.54)
 
 
-def _sliding_variable(bearing: RunningBearing, friction: SeriesFriction, mean: float, turns: float) -> float:
+def _sliding_variable(bearing: RunningBearing, friction: SeriesFriction, mean: float, turns: Values) -> Values:
     """Return G_sl."""
     first, second, third = friction.sliding
     radial, axial = abs(bearing.radial), abs(bearing.axial)
+    of = functions(radial, axial, turns)
     if bearing.kind is BearingKind.CYLINDRICAL:
-        return first * math.pow(mean, 0.9) * axial + second * mean * radial
+        return first * of.pow(mean, 0.9) * axial + second * mean * radial
     if bearing.kind is BearingKind.TAPER:
-        return first * math.pow(mean, 0.82) * (radial + second * _slope(bearing) * axial)
+        return first * of.pow(mean, 0.82) * (radial + second * _slope(bearing) * axial)
     if bearing.kind is BearingKind.FOUR_POINT:
         flung = radial + third * mean**4 * turns**2
-        return first * math.pow(mean, 0.26) * (math.pow(flung, 4.0 / 3.0) + second * math.pow(axial, 4.0 / 3.0))
-    if not axial:
-        return first * math.pow(mean, -0.26) * math.pow(radial, 5.0 / 3.0)
-    pushed = second * math.pow(mean, 1.5) / math.sin(_loaded_angle(bearing)) * axial**4
-    return first * math.pow(mean, -0.145) * math.pow(radial**5 + pushed, 1.0 / 3.0)
+        return first * of.pow(mean, 0.26) * (of.pow(flung, 4.0 / 3.0) + second * of.pow(axial, 4.0 / 3.0))
+    pushed = second * of.pow(mean, 1.5) / _loaded_sine(bearing) * axial**4
+    under_thrust = first * of.pow(mean, -0.145) * of.pow(radial**5 + pushed, 1.0 / 3.0)
+    return of.where(axial == 0.0, first * of.pow(mean, -0.26) * of.pow(radial, 5.0 / 3.0), under_thrust)
 
 
 def _slope(bearing: RunningBearing) -> float:
@@ -562,9 +575,11 @@ def _slope(bearing: RunningBearing) -> float:
     return taper_factors(bearing.contact_angle).axial
 
 
-def _loaded_angle(bearing: RunningBearing) -> float:
-    """Return the contact angle α_F of a deep groove bearing under thrust [rad]."""
-    return math.radians(24.6 * math.pow(abs(bearing.axial) / bearing.static_rating, 0.24))
+def _loaded_sine(bearing: RunningBearing) -> Values:
+    """Return sin α_F, α_F the contact angle of a deep groove bearing under thrust; 1 without thrust."""
+    of = functions(bearing.axial)
+    angle = of.radians(24.6 * of.pow(abs(bearing.axial) / bearing.static_rating, 0.24))
+    return of.where(bearing.axial == 0.0, 1.0, of.sin(angle))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -578,7 +593,7 @@ LEAST_OIL_FACTOR = 0.5 * 76.9
 """Factor at which Linke's line is held [W min/mm² 1e-7]: half of that of ISO/TR 14179-2; an assumption."""
 
 
-def seal_power_14179_1(diameter: float, speed: float, *, torque_per_mm: float = VITON) -> float:
+def seal_power_14179_1(diameter: float, speed: Values, *, torque_per_mm: float = VITON) -> Values:
     """Return what a shaft seal loses by ISO/TR 14179-1 [W].
 
     Args:
@@ -594,7 +609,7 @@ def seal_power_14179_1(diameter: float, speed: float, *, torque_per_mm: float = 
     return torque_per_mm * 1e3 * diameter * abs(speed)
 
 
-def seal_power_14179_2(diameter: float, speed: float) -> float:
+def seal_power_14179_2(diameter: float, speed: Values) -> Values:
     """Return what a shaft seal loses by ISO/TR 14179-2 [W].
 
     Args:
@@ -609,7 +624,7 @@ def seal_power_14179_2(diameter: float, speed: float) -> float:
     return 7.69e-6 * (1e3 * diameter) ** 2 * abs(speed) / RPM
 
 
-def seal_power_oil(diameter: float, speed: float, *, temperature: float, viscosity_40: float) -> float:
+def seal_power_oil(diameter: float, speed: Values, *, temperature: Values, viscosity_40: float) -> Values:
     """Return what a shaft seal loses by its oil [W].
 
     Args:
@@ -627,11 +642,12 @@ def seal_power_oil(diameter: float, speed: float, *, temperature: float, viscosi
     >>> round(seal_power_oil(0.04, 157.08, temperature=423.15, viscosity_40=26e-6), 2)  # half of 18.46 W
     9.23
     """
-    factor = max(seal_oil_factor(temperature, viscosity_40), LEAST_OIL_FACTOR)
+    of = functions(speed, temperature)
+    factor = of.max(seal_oil_factor(temperature, viscosity_40), LEAST_OIL_FACTOR)
     return 1e-7 * factor * (1e3 * diameter) ** 2 * abs(speed) / RPM
 
 
-def seal_oil_factor(temperature: float, viscosity_40: float) -> float:
+def seal_oil_factor(temperature: Values, viscosity_40: float) -> Values:
     """Return the factor of Linke's line, wherever it leads [W min/mm² 1e-7].
 
     Args:
@@ -660,7 +676,7 @@ LEAST_MODULE = 1.0
 """Module below which the roughness of the teeth is held [mm]."""
 
 
-def windage_power(radius: float, face_width: float, speed: float, *, viscosity: float) -> float:
+def windage_power(radius: float, face_width: float, speed: Values, *, viscosity: Values) -> Values:
     """Return the windage of one gear in the oil mist of a dry-sump gearbox [W].
 
     Args:
@@ -672,14 +688,14 @@ def windage_power(radius: float, face_width: float, speed: float, *, viscosity: 
     Source: Anderson and Loewenthal, NASA TP-1622 (1980): 2.82e-7 (1 + 2.3 F/R) n^2.8 R^4.6 (0.028 μ_0 + 0.019)^0.2 kW
         with n in 1/min and μ_0 in mPa s.
     """
-    turns = abs(speed) * 30.0 / math.pi
-    mist = math.pow(0.028 * viscosity * 1e3 + 0.019, 0.2)
-    return 1e3 * 2.82e-7 * (1.0 + 2.3 * face_width / radius) * math.pow(turns, 2.8) * math.pow(radius, 4.6) * mist
+    of, turns = functions(speed, viscosity), abs(speed) * 30.0 / math.pi
+    mist = of.pow(0.028 * viscosity * 1e3 + 0.019, 0.2)
+    return 1e3 * 2.82e-7 * (1.0 + 2.3 * face_width / radius) * of.pow(turns, 2.8) * of.pow(radius, 4.6) * mist
 
 
 def windage_power_dawson(
-    diameter: float, face_width: float, speed: float, *, module: float, enclosure: float = 1.0
-) -> float:
+    diameter: float, face_width: float, speed: Values, *, module: float, enclosure: float = 1.0
+) -> Values:
     """Return the windage of one gear in air [W].
 
     Args:
@@ -696,13 +712,13 @@ def windage_power_dawson(
     """
     turns, wide, broad, teeth = abs(speed) * 30.0 / math.pi, 1e3 * diameter, 1e3 * face_width, 1e3 * module
     surfaces = 0.16 * wide**3.9 + wide**2.9 * broad**0.75 * teeth**1.15
-    return float(1e3 * 1e-20 * enclosure * turns**2.9 * surfaces)
+    return 1e3 * 1e-20 * enclosure * turns**2.9 * surfaces
 
 
 def churning_power(
-    diameter: float, face_width: float, speed: float, *, viscosity: float, dip: float, module: float,
+    diameter: float, face_width: float, speed: Values, *, viscosity: Values, dip: float, module: float,
     helix_angle: float = 0.0,
-) -> float:  # fmt: skip
+) -> Values:  # fmt: skip
     """Return the churning of one gear, its teeth and both its sides, in an oil bath [W].
 
     Args:
@@ -717,10 +733,10 @@ def churning_power(
     Source: ISO/TR 14179-1:2001: f_g ν n³ D^4.7 (7.37 b R_f/√tan β + 1.474 D)/(A_g 1e26) kW with the teeth's roughness
         R_f = 7.93 - 4.648/m_t and A_g = 0.2, in mm²/s, 1/min and mm.
     """
-    turns, wide = abs(speed) * 30.0 / math.pi, diameter * 1e3
-    teeth = (7.93 - 4.648 / max(module * 1e3, LEAST_MODULE)) / math.sqrt(math.tan(max(helix_angle, LEAST_HELIX)))
+    of, turns, wide = functions(speed, viscosity), abs(speed) * 30.0 / math.pi, diameter * 1e3
+    teeth = (7.93 - 4.648 / max(module * 1e3, LEAST_MODULE)) / of.sqrt(of.tan(max(helix_angle, LEAST_HELIX)))
     surfaces = 7.37 * face_width * 1e3 * teeth + 1.474 * wide
-    return 1e3 * dip * viscosity * 1e6 * turns**3 * math.pow(wide, 4.7) * surfaces / (_ARRANGEMENT * 1e26)
+    return 1e3 * dip * viscosity * 1e6 * turns**3 * of.pow(wide, 4.7) * surfaces / (_ARRANGEMENT * 1e26)
 
 
 def oil_flow(heat: float, rise: float, *, density: float = OIL_DENSITY, heat_capacity: float = 2000.0) -> float:
@@ -737,7 +753,7 @@ def oil_flow(heat: float, rise: float, *, density: float = OIL_DENSITY, heat_cap
     return heat / (density * heat_capacity * rise)
 
 
-def cooler_conductance(heat: float, oil_temperature: float, air_temperature: float) -> float:
+def cooler_conductance(heat: Values, oil_temperature: Values, air_temperature: Values) -> Values:
     """Return the conductance U A that an oil cooler needs [W/K].
 
     Args:
@@ -750,7 +766,7 @@ def cooler_conductance(heat: float, oil_temperature: float, air_temperature: flo
     return heat / (oil_temperature - air_temperature)
 
 
-def oil_viscosity(temperature: float, grade: tuple[float, float] = TURBINE_OIL) -> float:
+def oil_viscosity(temperature: Values, grade: tuple[float, float] = TURBINE_OIL) -> Values:
     """Return the kinematic viscosity of an oil [m²/s].
 
     Args:
@@ -765,8 +781,8 @@ def oil_viscosity(temperature: float, grade: tuple[float, float] = TURBINE_OIL) 
     """
     warm, hot = (_walther(viscosity * 1e6) for viscosity in grade)
     slope = (warm - hot) / math.log10(373.15 / 313.15)
-    at = warm - slope * math.log10(temperature / 313.15)
-    return float((10.0 ** (10.0**at) - 0.7) * 1e-6)
+    at = warm - slope * functions(temperature).log10(temperature / 313.15)
+    return (10.0 ** (10.0**at) - 0.7) * 1e-6
 
 
 def _walther(viscosity: float) -> float:

@@ -5,7 +5,6 @@ The formulas are `parts.losses`'s; what losses do to the torques of a case is `t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import degrees
@@ -16,8 +15,9 @@ import numpy as np
 
 from gearwright.arrays import Floats, largest_first
 from gearwright.catalogue import bearing_friction, equivalent_loads
-from gearwright.errors import DesignError, Problem, by_name, near, refuse
-from gearwright.parts.bearings import BearingKind, run_film, taper_factors
+from gearwright.elementwise import Values, functions, plain
+from gearwright.errors import Problem, by_name, near, refuse
+from gearwright.parts.bearings import BearingKind, LoadFactors, run_film, taper_factors
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.losses import (
@@ -65,7 +65,7 @@ from gearwright.sizing.planets import STANDING, film_oil
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
 from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import GROUND, case_named
-from gearwright.spec.design import RATINGS
+from gearwright.spec.design import LOCATES, RATINGS, BearingSeat
 from gearwright.train import PowerFlow
 from gearwright.units import CELSIUS, RPM, Number, Origin, Power, Quantity, Ratio
 from gearwright.verbs import verb
@@ -95,7 +95,7 @@ UNTOLD: Mapping[str, Flank] = MappingProxyType({})
 class Oil(NamedTuple):
     """What losses need of oil, flanks and seals, and by whose formulas they are found."""
 
-    temperature: float
+    temperature: Values
     """[K]"""
     roughness: float
     """R_a of the flanks [m]."""
@@ -121,7 +121,7 @@ class Oil(NamedTuple):
     """Stage -> its flanks, where its rating says how rough they are or what oil they run in."""
 
     @property
-    def viscosity(self) -> float:
+    def viscosity(self) -> Values:
         """Kinematic, at its temperature [m²/s]."""
         return oil_viscosity(self.temperature, self.grade)
 
@@ -261,12 +261,12 @@ def churning_limits(gear: GearSizing) -> str:
 
 
 def seal_limits(oil: Oil) -> str:
-    """Return the limits at which the loss of a seal is taken.
+    """Return the limits at which the loss of a seal is taken; none are told of an oil that warms up.
 
     Args:
         oil: Before it.
     """
-    if oil.seals != "simrit":
+    if oil.seals != "simrit" or isinstance(oil.temperature, np.ndarray):
         return ""
     factor = seal_oil_factor(oil.temperature, oil.grade[0])
     if factor >= LEAST_OIL_FACTOR:
@@ -322,15 +322,15 @@ def teeth_of(sizing: Sizing) -> Teeth:
 
 
 def mesh_loss_parts(
-    sizing: Sizing, teeth: Teeth, torques: Floats, *, speeds: Mapping[str, float], oil: Oil
-) -> dict[str, float]:
+    sizing: Sizing, teeth: Teeth, torques: Floats, *, speeds: Mapping[str, Values], oil: Oil
+) -> dict[str, Values]:
     """Return mesh row -> part of the power of its teeth that it loses [-].
 
     Args:
         sizing: As sized.
         teeth: Its contacts.
-        torques: On gear a of one single mesh of each row, shape (meshes,) [N m].
-        speeds: Node -> its speed, of the ground too [rad/s].
+        torques: On gear a of one single mesh of each row, shape (meshes,) or (meshes, n) [N m].
+        speeds: Node -> its speed, of the ground too, one or shape (n,) [rad/s].
         oil: Between the teeth.
     """
     return {
@@ -361,12 +361,12 @@ def mesh_loss_limits(
     }
 
 
-def _duties(sizing: Sizing, teeth: Teeth, torques: Floats, speeds: Mapping[str, float]) -> Iterator[MeshDuty]:
+def _duties(sizing: Sizing, teeth: Teeth, torques: Floats, speeds: Mapping[str, Values]) -> Iterator[MeshDuty]:
     """Yield load and velocity of every mesh row."""
     for k, mesh in enumerate(sizing.train.meshes):
         normal = abs(torques[k]) / (teeth.radii[k] * np.cos(teeth.contacts[k].pressure_angle))
         velocity = (speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]) * teeth.radii[k]
-        yield MeshDuty(float(normal / teeth.widths[k]), float(teeth.widths[k]), float(velocity))
+        yield MeshDuty(plain(normal / teeth.widths[k]), float(teeth.widths[k]), plain(velocity))
 
 
 def _contact(sizing: Sizing, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
@@ -406,6 +406,18 @@ class SeatLoss:
     """Limits of it at which it is taken; empty where it holds."""
 
 
+class Rubbing(NamedTuple):
+    """What the bearings of one seat, or of several equal ones, lose under one load or under many."""
+
+    seat: Seat
+    bearings: int
+    """Equal ones [-]."""
+    power: Values
+    """Of all of them [W]."""
+    method: str
+    """Whose friction."""
+
+
 def bearing_losses(
     sizing: Sizing, seats: tuple[Seat, ...], torques: Floats, *, speeds: Mapping[str, float], oil: Oil
 ) -> Iterator[SeatLoss]:
@@ -419,41 +431,62 @@ def bearing_losses(
         oil: In them.
     """
     forces = {seat.name: seat_forces(seat, torques, np.array(speeds[seat.carrier])) for seat in seats}
+    for seat, count, power, method in rubbing(sizing, seats, forces, speeds=speeds, oil=oil):
+        turning = abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
+        limit = "" if method == "film" else bearing_limits(method, turning, oil)
+        yield SeatLoss(seat.name, count, power, method, limit)
+
+
+def rubbing(
+    sizing: Sizing,
+    seats: tuple[Seat, ...],
+    forces: Mapping[str, tuple[Values, Values]],
+    *,
+    speeds: Mapping[str, Values],
+    oil: Oil,
+) -> Iterator[Rubbing]:
+    """Yield what the bearings of every seat lose; one of unknown size by a constant coefficient.
+
+    Args:
+        sizing: As sized.
+        seats: From `bearing_seats`.
+        forces: Seat -> radial force, and the meshes' force along its shaft, one or shape (n,) each [N].
+        speeds: Node -> its speed, of the ground too, one or shape (n,) [rad/s].
+        oil: In them.
+    """
     along = {} if oil.bearings == "constant" else _along(sizing, seats, forces)
     for seat in seats:
-        turning, radial = abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]]), float(forces[seat.name][0])
+        turning, radial = abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]]), plain(forces[seat.name][0])
         if seat.runs_on is not None and seat.runs_on.journal is not None:
-            yield SeatLoss(seat.name, seat.count, seat.count * _film_power(seat, radial, turning, oil), "film", "")
+            yield Rubbing(seat, seat.count, seat.count * _film_power(seat, radial, turning, oil), "film")
             continue
         fitted = None if oil.bearings == "constant" else fitted_in(sizing, seat)
         if fitted is None:
-            torque, name = bearing_torque_constant(radial, seat.bore), "constant"
-            limit = bearing_limits(name, turning, oil)
-            yield SeatLoss(seat.name, seat.count, seat.count * torque * turning, name, limit)
+            torque = bearing_torque_constant(radial, seat.bore)
+            yield Rubbing(seat, seat.count, seat.count * torque * turning, "constant")
         else:
             load = (radial / fitted.side_by_side, along.get(seat.name, 0.0) / fitted.side_by_side)
             power = fitted.side_by_side * _torque(fitted, load, turning, oil) * turning
-            count, limit = seat.count * fitted.side_by_side, bearing_limits(oil.bearings, turning, oil)
-            yield SeatLoss(seat.name, count, seat.count * power, oil.bearings, limit)
+            yield Rubbing(seat, seat.count * fitted.side_by_side, seat.count * power, oil.bearings)
 
 
-def _film_power(seat: Seat, radial: float, turning: float, oil: Oil) -> float:
+def _film_power(seat: Seat, radial: Values, turning: Values, oil: Oil) -> Values:
     """Return what the film of one planet loses [W]; its oil enters as the design says, or as warm as all of it."""
     assert seat.runs_on is not None and seat.runs_on.journal is not None and seat.fitted is not None
-    if turning < STANDING or radial <= 0.0:
-        return 0.0
+    of, stands = functions(radial, turning), (turning < STANDING) | (radial <= 0.0)
     given = seat.fitted.oil_temperature
-    supply = oil.temperature if given is None else given + CELSIUS
-    return run_film(seat.runs_on.journal, radial, turning, film_oil(oil.grade, oil.density, supply)).power
+    entering = film_oil(oil.grade, oil.density, oil.temperature if given is None else given + CELSIUS)
+    state = run_film(seat.runs_on.journal, of.where(stands, 1.0, radial), of.where(stands, 1.0, turning), entering)
+    return of.where(stands, 0.0, state.power)
 
 
-def _torque(fitted: Fitted, load: tuple[float, float], turning: float, oil: Oil) -> float:
+def _torque(fitted: Fitted, load: tuple[Values, Values], turning: Values, oil: Oil) -> Values:
     """Return the friction torque of one bearing [N m]."""
     taken, friction = fitted.bearing, bearing_friction(fitted.bearing)
     radial, axial = load
     if oil.bearings == "palmgren":
         return bearing_torque_palmgren(
-            max(equivalent_loads(taken, radial, axial)[0], radial), (taken.bore + taken.outer_diameter) / 2.0, turning,
+            _deciding(fitted, radial, axial), (taken.bore + taken.outer_diameter) / 2.0, turning,
             viscosity=oil.viscosity, oil_factor=friction.oil_factor, load_factor=friction.load_factor,
         )  # fmt: skip
     running = RunningBearing(
@@ -462,26 +495,70 @@ def _torque(fitted: Fitted, load: tuple[float, float], turning: float, oil: Oil)
     return bearing_torque_skf(running, friction, turning, viscosity=oil.viscosity)
 
 
-def _along(sizing: Sizing, seats: tuple[Seat, ...], forces: Mapping[str, tuple[Floats, Floats]]) -> dict[str, float]:
+def _deciding(fitted: Fitted, radial: Values, axial: Values) -> Values:
+    """Return the load P_1 that decides Palmgren's friction [N]: at least the radial one."""
+    if not isinstance(radial, np.ndarray):
+        return max(equivalent_loads(fitted.bearing, radial, axial)[0], radial)
+    pushed = np.flatnonzero(axial)
+    loads = [radial, np.broadcast_to(axial, radial.shape)]
+    equal = [
+        equivalent_loads(fitted.bearing, *load)[0]
+        for load in zip(*(one[pushed].tolist() for one in loads), strict=True)
+    ]
+    deciding = radial.copy()
+    deciding[pushed] = np.maximum(equal, radial[pushed])
+    return deciding
+
+
+_NOTHING = 1e-9
+"""Part of the largest radial force below which an axial one is rounding [-]."""
+
+
+def _along(sizing: Sizing, seats: tuple[Seat, ...], forces: Mapping[str, tuple[Values, Values]]) -> dict[str, Values]:
     """Return the axial force in every bearing that the design seats [N]."""
-    found: dict[str, float] = {}
+    found: dict[str, Values] = {}
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats if seat.given is not None):
         given = {seat.name: seat.given for seat in seats if seat.nodes[0] == shaft and seat.given is not None}
         first = next(seat for seat in seats if seat.name in given)
         thrust = sum(screw.thrust for screw in sizing.design.airscrews.values() if screw.shaft == shaft)
-        along = np.array([float(forces[first.name][1]) + first.rotor_side * thrust])
+        along = forces[first.name][1] + first.rotor_side * thrust
         tapers = {
             sized.name: taper_factors(sized.bearing.geometry.contact_angle)
             for sized in sizing.bearings
             if sized.name in given and sized.bearing.kind is BearingKind.TAPER
         }
-        radial = {name: np.array([float(forces[name][0])]) for name in given}
-        try:
-            axial = axial_forces(shaft, given, along, radial=radial, factors=tapers, cases=("",))
-        except DesignError:  # what no bearing takes, as beside the cases that sized it, rubs in none
-            continue
-        found |= {name: float(force[0]) for name, force in axial.items()}
+        radial = {name: np.atleast_1d(forces[name][0]) for name in given}
+        axial = _divided(shaft, given, np.atleast_1d(along), radial=radial, tapers=tapers)
+        many = isinstance(forces[first.name][0], np.ndarray) and forces[first.name][0].ndim
+        found |= {name: force if many else float(force[0]) for name, force in axial.items()}
     return found
+
+
+def _divided(
+    shaft: str,
+    given: Mapping[str, BearingSeat],
+    along: Floats,
+    *,
+    radial: Mapping[str, Floats],
+    tapers: Mapping[str, LoadFactors],
+) -> dict[str, Floats]:
+    """Return the axial force in every bearing of a shaft, shape (n,) each [N].
+
+    What no bearing takes, as beside the cases that sized it, rubs in none.
+    """
+    if len({LOCATES[seat.locates][0] for seat in given.values() if seat.kind == "taper"}) == 2:
+        return axial_forces(shaft, given, along, radial=radial, factors=tapers, cases=("",) * len(along))
+    taken, nobody = {name: np.zeros_like(along) for name in given}, np.zeros(len(along), bool)
+    largest = np.max(list(radial.values()), axis=0)
+    for sign in (-1, 1):
+        pushed = np.maximum(sign * along, 0.0)
+        felt = pushed > _NOTHING * largest
+        takers = [name for name, seat in given.items() if sign in LOCATES[seat.locates]]
+        if takers:
+            taken[takers[0]] += np.where(felt, pushed, 0.0)
+        else:
+            nobody |= felt
+    return {name: np.where(nobody, 0.0, force) for name, force in taken.items()}
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -502,27 +579,27 @@ class BodyLoss:
     """windage, churning or seals."""
     count: int
     """Equal parts [-]."""
-    power: float
+    power: Values
     """Of all of them [W]."""
     limit: str = ""
     """Limits of its formula at which it is taken; empty where it holds."""
 
 
-def gear_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
+def gear_losses(sizing: Sizing, speeds: Mapping[str, Values], oil: Oil) -> Iterator[BodyLoss]:
     """Yield the windage, or the churning, of every gear; one that dips churns the bath instead of the mist.
 
     Args:
         sizing: As sized.
-        speeds: Node -> its speed [rad/s].
+        speeds: Node -> its speed, one or shape (n,) [rad/s].
         oil: Around them.
     """
     for gear in sizing.gears:
         turning, dip = speeds.get(gear.shafts[0], 0.0), oil.dip.get(gear.name, 0.0)
         if dip:
+            transverse = gear.module / functions(turning).cos(gear.helix_angle)
             power = churning_power(
                 gear.pitch_diameter, gear.face_width, turning,
-                viscosity=oil.viscosity, dip=dip, module=gear.module / math.cos(gear.helix_angle),
-                helix_angle=gear.helix_angle,
+                viscosity=oil.viscosity, dip=dip, module=transverse, helix_angle=gear.helix_angle,
             )  # fmt: skip
         else:
             power = _windage(gear, turning, oil)
@@ -530,7 +607,7 @@ def gear_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterat
         yield BodyLoss(gear.name, origin, gear.bodies, gear.bodies * power, limit)
 
 
-def _windage(gear: GearSizing, turning: float, oil: Oil) -> float:
+def _windage(gear: GearSizing, turning: Values, oil: Oil) -> Values:
     if oil.windage == "dawson":
         root = gear.pitch_diameter - 2.0 * (_DEDENDUM - gear.profile_shift) * gear.module
         return windage_power_dawson(root, gear.face_width, turning, module=gear.module, enclosure=oil.enclosure)
@@ -538,14 +615,14 @@ def _windage(gear: GearSizing, turning: float, oil: Oil) -> float:
     return windage_power(gear.pitch_diameter / 2.0, gear.face_width, turning, viscosity=viscosity)
 
 
-def seal_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
+def seal_losses(sizing: Sizing, speeds: Mapping[str, Values], oil: Oil) -> Iterator[BodyLoss]:
     """Yield what the seal of every machine's shaft loses; nothing where no seals are counted.
 
     A chosen seal counts with its shaft and its lip, all others as FKM on the shaft's one diameter.
 
     Args:
         sizing: As sized.
-        speeds: Node -> its speed [rad/s].
+        speeds: Node -> its speed, one or shape (n,) [rad/s].
         oil: Before them.
     """
     if oil.seals == "none":
@@ -560,7 +637,7 @@ def seal_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterat
         yield BodyLoss(f"seal at {machine.name}", "seals", 1, power, seal_limits(oil))
 
 
-def _seal(diameter: float, speed: float, oil: Oil, *, torque: float) -> float:
+def _seal(diameter: float, speed: Values, oil: Oil, *, torque: float) -> Values:
     if oil.seals == "iso-tr-14179-1":
         return seal_power_14179_1(diameter, speed, torque_per_mm=torque)
     if oil.seals == "iso-tr-14179-2":

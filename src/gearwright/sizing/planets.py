@@ -16,6 +16,7 @@ import numpy as np
 from gearwright.arrays import largest, smallest
 from gearwright.catalogue import Bearing, bearings, check_bearing
 from gearwright.checks import Check, Status, not_assessed
+from gearwright.elementwise import Values
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role, gear_part
 from gearwright.parts.bearings import (
@@ -304,7 +305,7 @@ class Judged(NamedTuple):
     """h_lim [m]."""
 
 
-def film_oil(grade: tuple[float, float], density: float, supply: float) -> FilmOil:
+def film_oil(grade: tuple[float, float], density: float, supply: Values) -> FilmOil:
     """Return the oil that enters a plain bearing.
 
     Args:
@@ -377,12 +378,13 @@ def film_margin(found: Judged, journal: Journal, asked: PlanetBearing, oil: Film
         oil: That enters.
     """
     state, allowed = found.state, asked.largest_temperature + CELSIUS - oil.supply
-    return min(
+    margins = (
         asked.largest_pressure / state.pressure,
         state.film / found.least_film,
         allowed / state.rise,
         laminar_limit(journal.clearance) / state.reynolds,
     )
+    return float(min(margins))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -1,11 +1,11 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
 from gearwright.train.algebra import remembered
-from gearwright.train.balance import Turning, asked_speeds
+from gearwright.train.balance import STANDSTILL, Turn, Turning, asked_speeds, holding
 from gearwright.train.efficiency import Efficiency, efficiencies
 from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
 from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
-from gearwright.train.load_case import Loads, along, can_be_along, power_flow, power_flows
+from gearwright.train.load_case import Loads, along, can_be_along, left_alone, overruns, power_flow, power_flows
 from gearwright.train.power_flow import (
     Attachment,
     Branch,
@@ -22,6 +22,7 @@ from gearwright.train.ratios import Targets, speed_range, targets, tooth_ratio_r
 __all__ = [
     "EXTERNAL",
     "INTERNAL",
+    "STANDSTILL",
     "Attachment",
     "Branch",
     "Damper",
@@ -35,6 +36,7 @@ __all__ = [
     "PowerFlow",
     "Targets",
     "Train",
+    "Turn",
     "Turning",
     "along",
     "asked_speeds",
@@ -46,7 +48,10 @@ __all__ = [
     "gear_of",
     "gears_of",
     "handed_on",
+    "holding",
+    "left_alone",
     "members_of",
+    "overruns",
     "passes",
     "power_flow",
     "power_flows",

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
+from gearwright.elementwise import Values
 from gearwright.errors import Problem, refuse
 from gearwright.spec import GROUND, RATED, Design, Drive, case_named, cases_of, drives_of
 from gearwright.train.balance import STANDSTILL, Balanced, Turn, Turning, asked_speeds, balanced, dragged, holding
@@ -19,6 +20,7 @@ from gearwright.train.power_flow import (
     MeshFlow,
     PowerFlow,
 )
+from gearwright.train.torques import undecided
 
 # ----------------------------------------------------------------------------------------------------------------------
 # One load case of a train: every speed, every torque, every power, closed to rounding.
@@ -68,7 +70,7 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
     joints = list(holding(design, train, case))
     while True:
         locked = turning.locked(joints)
-        still = locked | _left_alone(train, drives, joints)
+        still = locked | left_alone(train, {name for name in drives if _may_drive(drives[name])}, joints)
         asked = _asked(design, turning, case, still)
         signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
         turn = turning.turn(signed, joints)
@@ -78,7 +80,7 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
         slipping = [
             joint
             for k, joint in enumerate(joints)
-            if _overruns(joint, state.multipliers[len(train.meshes) + k], train, turn.speeds)
+            if overruns(joint, state.multipliers[len(train.meshes) + k], train, turn.speeds)
         ]
         if not slipping:
             break
@@ -118,8 +120,14 @@ def _asked(design: Design, turning: Turning, case: str, still: frozenset[str]) -
     return {**asked, **dict.fromkeys(standing, 0.0)}
 
 
-def _left_alone(train: Train, drives: Mapping[str, Drive], joints: Sequence[Joint]) -> frozenset[str]:
-    """Return the machines on shafts that open clutches part from everything that may drive them."""
+def left_alone(train: Train, driving: Set[str], joints: Sequence[Joint]) -> frozenset[str]:
+    """Return the machines on shafts that open clutches part from everything that may drive them.
+
+    Args:
+        train: The graph.
+        driving: Machines that may drive: those that balance, and those that give power or torque.
+        joints: The clutches that are engaged.
+    """
     if len(joints) == len(train.joints):
         return frozenset()
     part = {node: node for node in (*train.nodes, GROUND)}
@@ -134,7 +142,7 @@ def _left_alone(train: Train, drives: Mapping[str, Drive], joints: Sequence[Join
         first, *others = (node for node in nodes if node != GROUND)
         for other in others:
             part[root(other)] = root(first)
-    driven = {root(shaft) for name, shaft in train.machines.items() if _may_drive(drives[name])}
+    driven = {root(shaft) for name, shaft in train.machines.items() if name in driving}
     return frozenset(name for name, shaft in train.machines.items() if root(shaft) not in driven)
 
 
@@ -142,12 +150,19 @@ def _may_drive(drive: Drive) -> bool:
     return not drive.stated or (drive.power or 0.0) > 0.0 or (drive.torque or 0.0) > 0.0
 
 
-def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Floats) -> bool:
-    """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft."""
+def overruns(joint: Joint, multiplier: Values, train: Train, speeds: Floats) -> Values:
+    """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft.
+
+    Args:
+        joint: The clutch.
+        multiplier: That it carries, one or shape (n,) [N m].
+        train: The graph.
+        speeds: Of its nodes, shape (nodes,) [rad/s].
+    """
     if not joint.overrunning:
         return False
     turning = 0.0 if joint.driven == GROUND else speeds[train.column[joint.driven]]
-    return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
+    return -multiplier * np.sign(turning or 1.0) <= 1e-9
 
 
 def _machine_torques(
@@ -236,9 +251,9 @@ class Loads(NamedTuple):
     """What a train carries under many loads."""
 
     multipliers: Floats
-    """Torque per tooth of every mesh row, shape (n, rows) [N m]."""
+    """Torque per tooth of every mesh row, then torque of every engaged clutch, shape (n, rows) [N m]."""
     first: Floats
-    """Torque on gear a of every row, all equal meshes together, shape (n, rows) [N m]."""
+    """Torque on gear a of every mesh row, all equal meshes together, shape (n, meshes) [N m]."""
     second: Floats
     """Torque on gear b, likewise [N m]."""
     third: Floats
@@ -248,7 +263,7 @@ class Loads(NamedTuple):
 
 
 def can_be_along(turn: Turn, balancing: int) -> bool:
-    """Tell whether `along` solves a train: no clutches, no dampers, and one solution for every load.
+    """Tell whether `along` solves a train: equilibrium has one solution for every load.
 
     Args:
         turn: How it turns.
@@ -256,7 +271,7 @@ def can_be_along(turn: Turn, balancing: int) -> bool:
     """
     known = turn.balance((balancing,))
     rows, columns = known.system.shape
-    return not turn.train.joints and not turn.train.dampers and rows == columns
+    return rows == columns and not undecided(known, len(turn.matrix)).any()
 
 
 def along(turn: Turn, balancing: int, part: Floats, applied: Floats) -> Loads | None:
@@ -265,16 +280,18 @@ def along(turn: Turn, balancing: int, part: Floats, applied: Floats) -> Loads | 
     Args:
         turn: How the train turns; the sense is the same for all loads.
         balancing: Node of the machine that balances.
-        part: Part 1 − η that each row loses under each load, shape (n, rows) [-].
+        part: Part 1 − η that each mesh row loses under each load, shape (n, meshes) [-]; clutches lose nothing.
         applied: Torques that are given on the nodes, shape (n, nodes) [N m].
 
     Source: `power_flow`: T + Aᵀ λ = 0 with losses in the direction of the power.
     """
     known, equations = turn.balance((balancing,)), turn.lossy((balancing,))
+    rows, nodes = known.matrix.shape
+    if part.shape[1] < rows:
+        part = np.concatenate([part, np.zeros((len(part), rows - part.shape[1]))], axis=1)
     felt = np.maximum(np.abs(equations.felt.positive), np.abs(equations.felt.negative)).sum(axis=1)
     if part.size and float(part.max()) * float(felt.max()) >= _SLIGHT:
         return None
-    rows, nodes = known.matrix.shape
     asked = np.concatenate([applied, np.zeros((len(applied), len(known.completion)))], axis=1)
     x = -np.einsum("ij,lj->li", known.inverse, asked)
     before: Bools = x[:, :rows] < 0.0
@@ -299,7 +316,8 @@ def _collected(turn: Turn, solution: Floats, effective: Floats) -> Loads:
     train, rows = turn.train, effective.shape[1]
     meshes = len(train.meshes)
     noise = STANDSTILL * np.abs(solution[:, :meshes]).max(axis=1, keepdims=True)
-    multipliers = np.where(np.abs(solution[:, :meshes]) > noise, solution[:, :meshes], 0.0)
+    multipliers = solution[:, :rows].copy()
+    multipliers[:, :meshes] = np.where(np.abs(solution[:, :meshes]) > noise, solution[:, :meshes], 0.0)
     torques = np.zeros((3, len(solution), meshes))
     for k, mesh in enumerate(train.meshes):
         for place, node in enumerate(mesh.nodes):

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from gearwright.machines.turboshaft import (
@@ -53,17 +54,18 @@ def test_burnt_gas_holds_more_heat():
 
 
 def test_an_exhaust_carries_what_shaft_and_casing_leave():
-    left = exhaust_of(Breathing(10.0, 0.5, 0.01), 8.0, 280.0, fuel=0.16, power=1.6e6)
-    assert exhaust_heat(left, 280.0) + left.casing + 1.6e6 == pytest.approx(0.16 * 42.8e6, rel=1e-12)
+    air, inlet, fuel, power = np.array([[8.0], [280.0], [0.16], [1.6e6]])
+    left = exhaust_of(Breathing(10.0, 0.5, 0.01), air, inlet, fuel=fuel, power=power)
+    assert exhaust_heat(left, inlet) + left.casing + 1.6e6 == pytest.approx(0.16 * 42.8e6, rel=1e-12)
     # by hand, with c_p = 1.10 kJ/(kg K) between 280 and 800 K: (0.16 * 42.8e6 * 0.99 - 1.6e6)/(8.16 * 1100)
     assert left.temperature - 280.0 == pytest.approx((0.16 * 42.8e6 * 0.99 - 1.6e6) / (8.16 * 1100.0), rel=0.03)
 
 
 def test_mixed_exhausts_lose_nothing():
-    breathing = Breathing(10.0, 0.5, 0.02)
-    flows = [exhaust_of(breathing, air, 250.0, fuel=fuel, power=power) for air, fuel, power in
-             ((9.0, 0.2, 2e6), (5.0, 0.07, 3e5), (6.0, 0.0, 0.0))]  # fmt: skip
+    breathing, cold = Breathing(10.0, 0.5, 0.02), np.array([250.0])
+    flows = [exhaust_of(breathing, air, cold, fuel=fuel, power=power) for air, fuel, power in
+             np.array([[[9.0], [0.2], [2e6]], [[5.0], [0.07], [3e5]], [[6.0], [0.0], [0.0]]])]  # fmt: skip
     whole = mixed(flows)
-    assert exhaust_heat(whole, 250.0) == pytest.approx(sum(exhaust_heat(flow, 250.0) for flow in flows), rel=1e-12)
+    assert exhaust_heat(whole, cold) == pytest.approx(sum(exhaust_heat(flow, cold) for flow in flows), rel=1e-12)
     assert flows[1].temperature < whole.temperature < flows[0].temperature
     assert mixed(flows[2:]).temperature == 250.0

@@ -9,7 +9,6 @@ from gearwright.catalogue import map_of, propeller_map
 from gearwright.errors import DesignError
 from gearwright.machines import angle_near, coefficients, governs
 from gearwright.mission import fly, phase_forces
-from gearwright.mission.fly import _one_by_one, _prepared
 from gearwright.mission.windows import fly_window
 from gearwright.shipped import shipped_mission
 from gearwright.spec import edited_mission, parse_mission, read_mission
@@ -57,14 +56,10 @@ def scale():
     return 1.225 * (1000.0 / 60.0) ** 2 * sized("in-line").design.airscrews["propeller"].diameter ** 4
 
 
-@pytest.mark.parametrize("at_once", [True, False])
-def test_a_plain_phase_in_reverse_brakes_as_its_blades_do(folder, at_once):
+def test_a_plain_phase_in_reverse_brakes_as_its_blades_do(folder):
     """It had been given the forward angle of the same power, 20°: +0.216 of thrust coefficient for −0.168."""
     mission = parse_mission(HEAD + HELD, folder=folder)
-    if at_once:
-        history = fly(sized("in-line"), mission, folder=folder).history
-    else:
-        history = _one_by_one(_prepared(sized("in-line"), mission, folder), None).history
+    history = fly(sized("in-line"), mission, folder=folder).history
     assert power(-12.0) == pytest.approx(power(20.0))
     np.testing.assert_allclose(np.degrees(history.pitch), -12.0, rtol=1e-12)
     np.testing.assert_allclose(history.thrust, thrust(-12.0) * scale(), rtol=1e-4)  # 1.225 has four digits

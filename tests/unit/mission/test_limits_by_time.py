@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
 
 from designs import HYBRID
 from gearwright.errors import DesignError
 from gearwright.mission import fly
-from gearwright.mission.supply import Bound, endured
+from gearwright.mission.supply import Bound, outlasted
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission
 
@@ -74,13 +75,19 @@ def test_every_level_has_the_time_of_those_above_it():
         Bound("m", "torque", 2.0, 300.0),
         Bound("m", "torque", 3.0, 30.0),
     )
-    clocks = endured(bounds, {}, 30.0, {"m": (-25.0, 10.0)})
-    assert list(clocks.values()) == [30.0, 30.0]
-    assert list(endured(bounds, clocks, 270.0, {"m": (15.0, 10.0)}).values()) == [300.0]
+
+    def late(*intervals):
+        """Return which intervals, of a duration [s] and a power at 10 rad/s [W] each, are too long, and the words."""
+        duration, power = np.array(intervals).T
+        always = np.ones(len(duration), bool)
+        return outlasted([(bounds, always)], duration, {"m": power}, {"m": np.full(len(duration), 10.0)})
+
+    assert late((30.0, -25.0), (270.0, 15.0)).where.tolist() == [False, False]
+    assert late((30.0, -25.0), (271.0, 15.0)).where.tolist() == [False, True]
     with pytest.raises(DesignError, match=r"2\.5 N m; more than 2 N m lasts 0\.6667 min"):
-        endured(bounds, clocks, 10.0, {"m": (25.0, 10.0)})
+        late((30.0, -25.0), (10.0, 25.0)).words(1)
     with pytest.raises(DesignError, match="beyond every limit"):
-        endured(bounds, {}, 1.0, {"m": (31.0, 10.0)})
+        late((1.0, 31.0)).words(0)
 
 
 def test_a_power_that_is_a_little_too_much_is_told_with_the_digits_that_say_so():

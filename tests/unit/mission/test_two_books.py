@@ -25,13 +25,10 @@ FLIGHTS = (
 
 def gas_heat(flight, warmer=0.0):
     """What the gas carries away, from recorded flows and temperatures alone [J]."""
-    history, total = flight.history, 0.0
-    for k, span in enumerate(history.duration):
-        air = air_at(float(history.altitude[k]), flight.mission.isa_offset_k)
-        inlet = stagnation_ratios(air, float(history.mach[k]))[0] * 288.15
-        gas = Exhaust(*(float(row[k]) for row in (history.air_flow, history.fuel_flow, history.exhaust_temperature)))
-        total += span * exhaust_heat(gas._replace(temperature=gas.temperature + warmer), inlet)
-    return total
+    history = flight.history
+    inlet = stagnation_ratios(air_at(history.altitude, flight.mission.isa_offset_k), history.mach)[0] * 288.15
+    gas = Exhaust(history.air_flow, history.fuel_flow, history.exhaust_temperature + warmer)
+    return float((history.duration * exhaust_heat(gas, inlet)).sum())
 
 
 @pytest.mark.parametrize("pair", FLIGHTS)

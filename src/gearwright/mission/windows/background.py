@@ -13,11 +13,21 @@ from numpy.typing import NDArray
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.flight import Flight, History
-from gearwright.mission.gearbox import Gearbox, Point, drag, efficiencies, flown_airscrew, gearbox_of, operate
+from gearwright.mission.gearbox import (
+    Gearbox,
+    Point,
+    balanced,
+    drag_of,
+    flown_airscrew,
+    gearbox_of,
+    no_losses,
+    point_of,
+    stage_losses,
+)
 from gearwright.mission.plant import flown_oil
 from gearwright.mission.profile import moments
 from gearwright.mission.strategies import driven
-from gearwright.mission.supply import Supply, supply_of
+from gearwright.mission.supply import Supply, dragged_along, supply_of
 from gearwright.spec import Phase, WindowRules
 from gearwright.spec import engine_out as out_of_engines
 
@@ -223,24 +233,36 @@ def staged(gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[st
         turning: Speed and spin-up of that interval.
     """
     train, (speed, gain), parts = gearbox.sizing.train, turning, supply.parts(phase)
-    lost = 0.0
-    point = operate(gearbox, {name: power for name, power in powers.items() if power}, speed, {})
+    turns, oil, drag = np.array([speed]), np.full(1, np.nan), np.zeros(1)
+    given = np.array([[powers[name] for name in gearbox.machines]])
+    share = np.where(given == 0.0, 0.0, [[parts.get(name, 0.0) for name in gearbox.machines]])
+    point = _balanced(gearbox, given, turns, no_losses(gearbox, 1))
     for _ in range(3):  # drag follows from the loads, which it hardly changes
-        wanted = {name: power - parts.get(name, 0.0) * (lost + gain) for name, power in powers.items() if power}
-        point = operate(gearbox, wanted, speed, efficiencies(gearbox, point))
-        lost = sum(drag(gearbox, point)) + supply.dragged(gearbox, point, parts)
-    speeds = {name: abs(float(value)) for name, value in zip(train.nodes, point.speeds, strict=True)}
+        parted = stage_losses(gearbox, point.mesh_torques, point.speeds, oil)
+        point = _balanced(gearbox, given - share * (drag + gain), turns, parted)
+        nodes = dict(zip(train.nodes, np.abs(point.speeds).T, strict=True))
+        speeds = {name: nodes[train.machines[name]] for name in gearbox.machines}
+        dragged = dragged_along(supply, {name: np.array([name in parts]) for name in supply.motors}, speeds)
+        drag = sum(drag_of(gearbox, point.mesh_torques, point.speeds, oil)) + dragged
+    lost, turned = float(drag[0]), {name: float(value[0]) for name, value in nodes.items()}
     torques = {
-        name: (power - parts.get(name, 0.0) * lost) / speeds[train.machines[name]] for name, power in powers.items()
+        name: (power - parts.get(name, 0.0) * lost) / turned[train.machines[name]] for name, power in powers.items()
     }
-    return Stage(torques, _resistances(gearbox, point, speeds))
+    return Stage(torques, _resistances(gearbox, point.mesh_losses[0], turned))
 
 
-def _resistances(gearbox: Gearbox, point: Point, speeds: Mapping[str, float]) -> dict[str, float]:
+def _balanced(gearbox: Gearbox, powers: Floats, speed: Floats, lost: Floats) -> Point:
+    carried = balanced(gearbox, powers, speed, lost)
+    if carried.faults[0] is not None:
+        raise carried.faults[0]
+    return point_of(gearbox, carried)
+
+
+def _resistances(gearbox: Gearbox, losses: Floats, speeds: Mapping[str, float]) -> dict[str, float]:
     """Return the losses of each stage's meshes as a torque on its first shaft that turns."""
     train = gearbox.sizing.train
     resistances = dict.fromkeys(_shafts(gearbox).values(), 0.0)
-    for mesh, loss in zip(train.meshes, point.mesh_losses, strict=True):
+    for mesh, loss in zip(train.meshes, losses, strict=True):
         shaft = _shafts(gearbox)[mesh.stage]
         resistances[shaft] += float(loss) / speeds[shaft]
     return resistances

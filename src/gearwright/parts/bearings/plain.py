@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.elementwise import Values, functions
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Hydrodynamic journal bearings of finite width under a steady load: what their film bears, rubs and lets out.
@@ -189,44 +190,44 @@ class Journal(NamedTuple):
 class FilmOil(NamedTuple):
     """The oil of a film."""
 
-    viscosity: Callable[[float], float]
+    viscosity: Callable[[Values], Values]
     """Dynamic viscosity η [Pa s] over its temperature [K]."""
     density: float
     """ρ [kg/m³]."""
     heat_capacity: float
     """c [J/(kg K)]."""
-    supply: float
+    supply: Values
     """Temperature at which it enters [K]."""
 
 
 class FilmState(NamedTuple):
     """How a journal bearing runs under one load at one speed."""
 
-    pressure: float
+    pressure: Values
     """p = F/(B D) [Pa]."""
-    sliding_speed: float
+    sliding_speed: Values
     """Of both surfaces on each other [m/s]."""
-    sommerfeld: float
+    sommerfeld: Values
     """So = p ψ²/(η ω) [-]."""
-    eccentricity: float
+    eccentricity: Values
     """ε [-]."""
-    film: float
+    film: Values
     """Least film thickness h_min = D ψ (1 − ε)/2 [m]."""
-    friction: float
+    friction: Values
     """Coefficient of friction [-]."""
-    power: float
+    power: Values
     """Lost [W]."""
-    flow: float
+    flow: Values
     """Oil that leaves at both sides [m³/s]."""
-    rise: float
+    rise: Values
     """Of the oil's temperature from entry to exit [K]."""
-    exit: float
+    exit: Values
     """Temperature at which it leaves [K]."""
-    reynolds: float
+    reynolds: Values
     """ρ u c/η [-]."""
 
 
-def run_film(bearing: Journal, load: float, speed: float, oil: FilmOil) -> FilmState:
+def run_film(bearing: Journal, load: Values, speed: Values, oil: FilmOil) -> FilmState:
     """Return how a journal bearing runs when the oil that its film presses out carries all heat away.
 
     The film has the viscosity of the mean of entry and exit. Oil that a pump presses through beside it, and heat that
@@ -234,33 +235,32 @@ def run_film(bearing: Journal, load: float, speed: float, oil: FilmOil) -> FilmS
 
     Args:
         bearing: Its size.
-        load: F, steady in direction [N].
-        speed: ω_h that builds the film, of `film_speed` [rad/s].
+        load: F, steady in direction, above 0 [N].
+        speed: ω_h that builds the film, of `film_speed`, above 0 [rad/s].
         oil: That enters.
 
     Source: DIN 31652-1 and ISO 7902-1: f F u = ρ c Q (T_ex − T_en), T_eff = (T_en + T_ex)/2; laws of `plain`.
     """
+    of = functions(load, speed, oil.supply)
     low, high = oil.supply, oil.supply + _HOTTEST
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
-        if oil.supply + _at(bearing, load, speed, oil, middle).rise / 2.0 > middle:
-            low = middle
-        else:
-            high = middle
+        warmer = oil.supply + _at(bearing, load, speed, oil, middle).rise / 2.0 > middle
+        low, high = of.where(warmer, middle, low), of.where(warmer, high, middle)
     return _at(bearing, load, speed, oil, 0.5 * (low + high))
 
 
-def _at(bearing: Journal, load: float, speed: float, oil: FilmOil, temperature: float) -> FilmState:
+def _at(bearing: Journal, load: Values, speed: Values, oil: FilmOil, temperature: Values) -> FilmState:
     """Return how it runs with the viscosity of a temperature [K]."""
     width, diameter, clearance = bearing.width, bearing.diameter, bearing.clearance
     viscosity, laws = oil.viscosity(temperature), _laws(bearing.width_ratio)
     pressure, sliding = load / (width * diameter), speed * diameter / 2.0
-    number = pressure * clearance**2 / (viscosity * speed)
-    eccentricity = float(np.interp(number, laws.load, laws.eccentricity))
-    friction = clearance * float(np.interp(eccentricity, laws.eccentricity, laws.friction))
-    flow = diameter**3 * clearance * speed * float(np.interp(eccentricity, laws.eccentricity, laws.flow))
-    if number < laws.load[0]:  # Petroff: what hardly bears rubs by its speed alone
-        friction = math.pi * clearance / number
+    of, number = functions(load, speed, temperature), pressure * clearance**2 / (viscosity * speed)
+    eccentricity = of.interp(number, laws.load, laws.eccentricity)
+    friction = clearance * of.interp(eccentricity, laws.eccentricity, laws.friction)
+    flow = diameter**3 * clearance * speed * of.interp(eccentricity, laws.eccentricity, laws.flow)
+    # Petroff: what hardly bears rubs by its speed alone.
+    friction = of.where(number < laws.load[0], math.pi * clearance / number, friction)
     power = friction * load * sliding
     rise = power / (oil.density * oil.heat_capacity * flow)
     return FilmState(

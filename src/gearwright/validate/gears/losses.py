@@ -65,7 +65,8 @@ def _friction(mesh: MeshGeometry, roughness: float) -> float:
         _loss_factor(mesh), float(mesh.relative_curvature), float(mesh.working_angle), 0.0, pinion_diameter=small
     )
     load = _FORCE / (0.5 * float(SUN_PLANET.base_diameters[0])) / float(mesh.face_width)
-    return mesh_friction(contact, load, _SPEED, viscosity=_OIL, roughness=roughness, law=Friction.NIEMANN_WINTER)
+    friction = mesh_friction(contact, load, _SPEED, viscosity=_OIL, roughness=roughness, law=Friction.NIEMANN_WINTER)
+    return float(friction)
 
 
 def _frictions() -> list[float]:
@@ -129,7 +130,7 @@ def _part(contact: ToothContact, torque: float, turning: float, *, width: float,
     """Return the part of its power that a mesh loses, from torque and speed of its first gear."""
     radius = contact.radii[0]
     load = torque / radius / math.cos(contact.pressure_angle) / width
-    return mesh_loss_part(contact, MeshDuty(load, width, turning * radius), oil, law=law)
+    return float(mesh_loss_part(contact, MeshDuty(load, width, turning * radius), oil, law=law))
 
 
 def _efficiency(law: MeshLaw, temperature: float) -> float:
