@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,8 +11,10 @@ from gearwright.checks import Check
 from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
 from gearwright.closure.requirements import LONGEST
 from gearwright.errors import DesignError, Problem
+from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, Verdict, review
 from gearwright.showing import Shown
+from gearwright.sizing import size
 from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, parse, read
@@ -87,6 +89,15 @@ def equal_life(
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=_order))
+
+
+def closed_designs(rows: Iterable[EqualLife]) -> dict[str, Particulars]:
+    """Return the particulars of the designs that were closed, by title: what a page shows of each.
+
+    Args:
+        rows: In any order.
+    """
+    return {row.title: particulars(size(parse(row.file))) for row in rows if row.file}
 
 
 def _rows(name: str, design: Design, asked: Wishes, say: Callable[[str], None] | None) -> Iterator[EqualLife]:

@@ -12,7 +12,7 @@ from gearwright.render.tables.study import equal_life_csv, equal_life_table
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
-from gearwright.study.architectures import _shortest
+from gearwright.study.architectures import _shortest, closed_designs
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -67,7 +67,7 @@ def test_what_lasts_beyond_a_million_hours_has_no_life_but_says_what_is_nearest(
 
 
 def test_the_page_has_masses_lives_and_groups_of_every_design():
-    page = equal_life_page(rows(), "Closed for 300 h")
+    page = equal_life_page(rows(), closed_designs(rows()), "Closed for 300 h")
     assert "The lightest that passes as far as assessed: good" in page
     assert "narrow does not meet everything" in page
     assert "impossible does not meet everything" in page

@@ -688,6 +688,7 @@ def show_equal_life(
     from gearwright.render.tables.study import equal_life_csv, equal_life_table
     from gearwright.render.words.sizing import table_text
     from gearwright.study import equal_life
+    from gearwright.study.architectures import closed_designs
 
     if out is not None:
         make_folder(out)
@@ -700,7 +701,7 @@ def show_equal_life(
         show(table_text(equal_life_table(rows, title)))
     files = {out / f"{row.title}.toml": row.file for row in rows if row.file} if out is not None else {}
     files |= {} if csv is None else {csv: equal_life_csv(rows)}
-    files |= {} if report is None else {report: equal_life_page(rows, title)}
+    files |= {} if report is None else {report: equal_life_page(rows, closed_designs(rows), title)}
     for path, content in files.items():
         write_text(path, content)
         tell(f"wrote {path}")

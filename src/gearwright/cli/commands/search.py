@@ -263,11 +263,11 @@ def _pages(ranking: Ranking, report: Path) -> dict[Path, str]:
     """Return the page of the ranking, and beside it the one on which the lightest turns."""
     from gearwright.render.pages.comparison import architectures_page
     from gearwright.render.pages.motion import turning
-    from gearwright.sizing import size
-    from gearwright.spec import parse
+    from gearwright.study.architectures import closed_designs
 
+    closed = closed_designs(ranking.closed)
     if not ranking.passing:
-        return {report: architectures_page(ranking)}
-    beside = report.with_name(f"{report.stem}-turning.html")
-    lightest = size(parse(ranking.passing[0].file))
-    return {report: architectures_page(ranking, turning=beside.name), beside: turning(lightest, detail="coarse")}
+        return {report: architectures_page(ranking, closed)}
+    beside, lightest = report.with_name(f"{report.stem}-turning.html"), closed[ranking.passing[0].title].sizing
+    page = architectures_page(ranking, closed, turning=beside.name)
+    return {report: page, beside: turning(lightest, detail="coarse")}

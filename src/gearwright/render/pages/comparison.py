@@ -11,6 +11,7 @@ from markupsafe import Markup
 from gearwright.arrays import smallest_first
 from gearwright.enumeration import Ranking
 from gearwright.optimum import Optimum
+from gearwright.particulars import Particulars
 from gearwright.render import style as theme
 from gearwright.render.figures.study import comparison_figure, growth_figure, parallel_figure, pareto_figure
 from gearwright.render.grid import table
@@ -49,10 +50,8 @@ from gearwright.render.tables.variants import heading
 from gearwright.render.words.sizing import headline
 from gearwright.render.words.study import lightest_sentence, optimum_sentences, ranking_sentences
 from gearwright.reviews import Review
-from gearwright.sizing import Sizing, StageSummary, size, stage_summaries
+from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.mass import complete_mass
-from gearwright.spec import parse
 from gearwright.study import Table
 from gearwright.study.architectures import EqualLife
 from gearwright.units import Origin, Quantity, text
@@ -207,25 +206,27 @@ _HEAD = 5
 """Designs in the head [-]."""
 
 
-def architectures_page(ranking: Ranking, *, turning: str = "", stamp: Stamp = UNSTAMPED) -> str:
+def architectures_page(
+    ranking: Ranking, closed: Mapping[str, Particulars], *, turning: str = "", stamp: Stamp = UNSTAMPED
+) -> str:
     """Return the ranking as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         ranking: From `architectures`.
+        closed: Its closed designs, from `closed_designs`.
         turning: Name of the page beside it on which the lightest turns; empty where there is none.
         stamp: Date of the page.
     """
-    sized = {row.title: size(parse(row.file)) for row in ranking.closed if row.file}
     said = tuple(ranking_sentences(ranking))
     life = text(ranking.life, "life", 3)
-    masses = {name: complete_mass(one) for name, one in sized.items()}
+    masses = {name: facts.complete for name, facts in closed.items()}
     looks = (
-        Section("What they look like", figures=tuple(_drawn(ranking, sized)), content=_link(ranking, turning)),
+        Section("What they look like", figures=tuple(_drawn(ranking, closed)), content=_link(ranking, turning)),
         Section("Where the mass is", tables=(group_table(masses),)),
     )
     sections = (
         Section("At equal life", tables=(equal_life_table(ranking.closed, f"Closed for {life}"),), listed=said),
-        *(looks if sized else ()),
+        *(looks if closed else ()),
         Section(
             f"The {min(SHOWN, len(ranking.candidates))} most promising of {len(ranking.candidates)}",
             tables=(architectures_table(ranking.candidates[:SHOWN], ""),),
@@ -256,10 +257,10 @@ def _numbers_of_architectures(ranking: Ranking) -> Iterator[Number]:
         yield quantity(f"{ranking.called(row)}, with machines", row.with_machines or 0.0, "mass", digits=3)
 
 
-def _drawn(ranking: Ranking, sized: dict[str, Sizing]) -> Iterator[Figure]:
+def _drawn(ranking: Ranking, closed: Mapping[str, Particulars]) -> Iterator[Figure]:
     """Yield the skeletons of the lightest."""
-    for row in [row for row in ranking.closed if row.title in sized][:DRAWN]:
-        svg = theme.to_svg(schematic_figure(sized[row.title]), row.title)
+    for row in [row for row in ranking.closed if row.title in closed][:DRAWN]:
+        svg = theme.to_svg(schematic_figure(closed[row.title].sizing), row.title)
         yield Figure(svg, f"{ranking.called(row)}: {_weight(row)}, {row.verdict}.")
 
 
@@ -284,15 +285,18 @@ _SHOWN_AT_EQUAL_LIFE = 5
 """Designs in the head [-]."""
 
 
-def equal_life_page(rows: Sequence[EqualLife], title: str, *, stamp: Stamp = UNSTAMPED) -> str:
+def equal_life_page(
+    rows: Sequence[EqualLife], closed: Mapping[str, Particulars], title: str, *, stamp: Stamp = UNSTAMPED
+) -> str:
     """Return designs at equal life as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         rows: In their order.
+        closed: Those that were closed, from `closed_designs`.
         title: In words.
         stamp: Date of the page.
     """
-    masses = {row.title: complete_mass(size(parse(row.file))) for row in rows if row.file}
+    masses = {name: facts.complete for name, facts in closed.items()}
     sections = [
         Section("Masses, lives and verdicts", tables=(equal_life_table(rows, title),), notes=_told(rows)),
         Section("Where the mass is", tables=(group_table(masses),)),
