@@ -25,6 +25,7 @@ from gearwright.train import (
     along,
     asked_speeds,
     can_be_along,
+    is_slight,
     left_alone,
     overruns,
     power_flow,
@@ -388,31 +389,44 @@ def _ways(gearbox: Gearbox, lanes: Ints, joints: tuple[Joint, ...], powers: Floa
 
 
 def _turned(gearbox: Gearbox, way: Way, powers: Floats, propeller_speed: Floats, lost: Floats) -> Carried:
-    """Return what the train carries where it turns one way."""
+    """Return what the train carries where it turns one way; large losses may leave it several states."""
+    part = lost[:, [gearbox.stages.index(row.stage) for row in gearbox.sizing.train.meshes]]
+    slight = is_slight(way.turn, gearbox.node, part) if way.at_once else np.zeros(len(part), bool)
+    if slight.all():
+        found = _turned_slightly(gearbox, way, powers, propeller_speed, part)
+        return _one_by_one(gearbox, powers, propeller_speed, lost) if found is None else found
+    alone = _one_by_one(gearbox, powers[~slight], propeller_speed[~slight], lost[~slight])
+    if not slight.any():
+        return alone
+    rest = _turned(gearbox, way, powers[slight], propeller_speed[slight], lost[slight])
+    whole = Carried(*(np.zeros((len(part), *column.shape[1:]), column.dtype) for column in alone))
+    whole.put(slight, rest)
+    whole.put(~slight, alone)
+    return whole
+
+
+def _turned_slightly(
+    gearbox: Gearbox, way: Way, powers: Floats, propeller_speed: Floats, part: Floats
+) -> Carried | None:
+    """Return what the train carries where losses leave one state; None where the sides that drive do not settle."""
     train, speeds = gearbox.sizing.train, way.speeds * propeller_speed[:, None]
     applied, powers = np.zeros_like(speeds), _of_turning(gearbox, way, powers)
     for k, node in enumerate(gearbox.places):
         applied[:, node] += torque_of(powers[:, k], speeds[:, node])
-    dragged = (
-        np.stack([_dragged(train.column, damper, speeds) for damper in train.dampers], axis=1)
-        if train.dampers
-        else None
-    )
-    for k, damper in enumerate(train.dampers):
-        assert dragged is not None  # there are dampers
-        applied[:, train.column[damper.driven]] += dragged[:, k]
-        applied[:, train.column[damper.driving]] -= dragged[:, k]
-    part = lost[:, [gearbox.stages.index(row.stage) for row in train.meshes]]
-    loads = along(way.turn, gearbox.node, part, applied) if way.at_once else None
-    faults = _still(gearbox, powers, speeds)
+    dragged = {damper.name: _dragged(train.column, damper, speeds) for damper in train.dampers}
+    for damper in train.dampers:
+        applied[:, train.column[damper.driven]] += dragged[damper.name]
+        applied[:, train.column[damper.driving]] -= dragged[damper.name]
+    loads = along(way.turn, gearbox.node, part, applied)
     if loads is None:
-        return _one_by_one(gearbox, powers, propeller_speed, lost)
+        return None
     links = np.zeros((len(speeds), len(train.links)))
     for k, link in enumerate(train.links):
         if isinstance(link, Joint) and link in way.joints:
             links[:, k] = -loads.multipliers[:, len(train.meshes) + way.joints.index(link)]
-        elif isinstance(link, Damper) and dragged is not None:
-            links[:, k] = dragged[:, train.dampers.index(link)]
+        elif link.name in dragged:
+            links[:, k] = dragged[link.name]
+    faults = _still(gearbox, powers, speeds)
     return Carried(speeds, powers, loads.first, loads.second, loads.third, loads.balancing, links, faults)
 
 
