@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, GearwrightError, Problem, SolveError, by_name
 from gearwright.identity import Role
+from gearwright.mission.profile import runs_of, spread
 from gearwright.sizing import Sizing
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces_along
 from gearwright.sizing.losses import ORIGINS, Oil, Teeth, gear_losses, mesh_loss_parts, rubbing, seal_losses, teeth_of
@@ -614,54 +615,6 @@ def drag_of(gearbox: Gearbox, mesh_torques: Floats, speeds: Floats, oil: Floats,
         taken = taken + seat.power
     idle = idle_of(gearbox, speeds, oil) if idle is None else idle
     return Drag(taken + idle.seals, idle.windage, idle.churning)
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Intervals that are asked what the one before is asked: the first few of a run are computed and speak for the rest.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-class Runs(NamedTuple):
-    """Which intervals are computed."""
-
-    kept: Ints
-    """Their numbers, rising."""
-    source: Ints
-    """Of every interval, the place among the kept of the one that speaks for it."""
-
-
-def runs_of(columns: Iterable[Any], starts: Bools, depth: int) -> Runs:
-    """Return which intervals are computed: of a run of equal ones the first few.
-
-    Args:
-        columns: What intervals are asked; equal bits are equal.
-        starts: Where a run starts in any case, shape (n,).
-        depth: How many of a run: what one takes over from the one before has settled by then.
-    """
-    fresh = starts.copy()
-    for column in columns:
-        bits = column.view(f"u{column.itemsize}")
-        fresh[1:] |= bits[1:] != bits[:-1]
-    places = np.arange(len(fresh))
-    kept = places - np.maximum.accumulate(np.where(fresh, places, 0)) < depth
-    return Runs(np.flatnonzero(kept), np.cumsum(kept) - 1)
-
-
-def spread(found: Any, source: Ints) -> Any:
-    """Return what all intervals get from what those get that speak for them.
-
-    Args:
-        found: Arrays with a first axis of what is kept, in records and mappings; what is none stays.
-        source: Of every interval, the place of the one that speaks for it.
-    """
-    if isinstance(found, np.ndarray):
-        return found[source]
-    if isinstance(found, dict):
-        return {name: spread(value, source) for name, value in found.items()}
-    if isinstance(found, tuple):
-        values = [spread(value, source) for value in found]
-        return type(found)(*values) if hasattr(found, "_fields") else tuple(values)
-    return found
 
 
 # ----------------------------------------------------------------------------------------------------------------------
