@@ -78,7 +78,7 @@ WALKS = (
         "An altitude to a bearing's life, of `in-line-h2` on the mission `hybrid-reserves`",
         _bearing_life,
         frozenset({
-            "air_at", "followed", "needed_thrust", "angle_for_thrusts", "machine_powers", "along", "seat_duties", "mean_load",
+            "air_at", "followed", "needed_thrust", "angle_for_thrusts", "along", "seat_duties", "mean_load",
             "basic_life", "bearing_table",
         }),
     ),

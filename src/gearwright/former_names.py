@@ -206,7 +206,7 @@ mission.together.gearbox mission.gearbox
 mission.together.log mission.fly
 mission.together.plant mission.supply
 mission.together.rounds mission.gearbox
-mission.together.runs mission.gearbox
+mission.together.runs mission.profile
 mission.together.shared mission.strategies
 mission.windows.governed mission.windows.window
 optimum.bench optimum.course

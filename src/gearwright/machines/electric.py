@@ -542,6 +542,43 @@ def steady(network: Network, heat: Floats, surroundings: Floats) -> Floats:
     return np.asarray(np.linalg.solve(_matrix(network), heat + network.outside @ surroundings), float)
 
 
+class Relaxing(NamedTuple):
+    """A network by its modes."""
+
+    network: Network
+    root: Floats
+    """√C of each body, shape (bodies,)."""
+    rates: Floats
+    """At which modes decay, shape (bodies,) [1/s]."""
+    modes: Floats
+    """Of C^-1/2 K C^-1/2, shape (bodies, bodies)."""
+
+    def after(self, temperature: Floats, heat: Floats, *, surroundings: Floats, duration: float) -> Floats:
+        """Return the temperatures of `warmed` at the end, shape (bodies,) [K].
+
+        Args:
+            temperature: Of each body at the start, shape (bodies,) [K].
+            heat: Into each body, shape (bodies,) [W].
+            surroundings: Their temperatures, shape (surroundings,) [K].
+            duration: [s].
+        """
+        decays, inwards = self.rates * duration, (heat + self.network.outside @ surroundings) / self.root
+        start, driven = self.modes.T @ (self.root * temperature), self.modes.T @ inwards
+        end = np.exp(-decays) * start + _mean_decay(decays) * duration * driven
+        return np.asarray(self.modes @ end / self.root)
+
+
+def relaxing(network: Network) -> Relaxing:
+    """Return a network by its modes.
+
+    Args:
+        network: The network.
+    """
+    root = np.sqrt(network.capacity)
+    rates, modes = np.linalg.eigh(_matrix(network) / np.outer(root, root))
+    return Relaxing(network, root, np.maximum(rates, 0.0), modes)
+
+
 def warmed(network: Network, temperature: Floats, heat: Floats, *, surroundings: Floats, duration: float) -> Warmed:
     """Return a network after an interval of constant heat and surroundings.
 
@@ -556,9 +593,8 @@ def warmed(network: Network, temperature: Floats, heat: Floats, *, surroundings:
 
     Source: C dT/dt = Q - K T + G_out T_out, by the modes of C^-1/2 K C^-1/2; e^-x and φ(x) = (1 - e^-x)/x are exact.
     """
-    root = np.sqrt(network.capacity)
-    rates, modes = np.linalg.eigh(_matrix(network) / np.outer(root, root))
-    decays = np.maximum(rates, 0.0) * duration
+    _, root, rates, modes = relaxing(network)
+    decays = rates * duration
     first = _mean_decay(decays)
     start, driven = modes.T @ (root * temperature), modes.T @ ((heat + network.outside @ surroundings) / root)
     end = np.exp(-decays) * start + first * duration * driven

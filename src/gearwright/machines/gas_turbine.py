@@ -7,7 +7,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from gearwright.elementwise import Values, functions
+from gearwright.elementwise import Values
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A free-turbine engine in flight: power that is left at altitude, fuel that it burns, limits that it keeps.
@@ -72,8 +72,9 @@ def power_limits(engine: Engine, theta: Values, delta: Values, speed: Values) ->
 
     Valid for: -20 to 40 K off the standard day up to 6 km, within some per cent; docs/theory/power.md.
     """
-    of = functions(theta)
-    lapse = of.min(theta, 1.0) ** engine.temperature_exponent * of.max(theta, 1.0) ** engine.hot_exponent
+    hot = 1.0 * (theta > 1.0)  # no branch, so that arrays pass
+    up_to, beyond = (1.0 - hot) * theta + hot, hot * theta + (1.0 - hot)
+    lapse = up_to**engine.temperature_exponent * beyond**engine.hot_exponent
     return PowerLimits(engine.thermal_power * delta * lapse, engine.rated_power, engine.rated_torque * speed)
 
 

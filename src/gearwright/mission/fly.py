@@ -25,7 +25,7 @@ from gearwright.mission.flight import (
     consumed,
     fuel_energy,
 )
-from gearwright.mission.gearbox import ROUNDS, Drag, Gearbox, Point, flown_airscrew, gearbox_of, given_powers, spread
+from gearwright.mission.gearbox import ROUNDS, Drag, Gearbox, Point, flown_airscrew, gearbox_of, given_powers
 from gearwright.mission.intervals import (
     Deck,
     Flown,
@@ -52,7 +52,7 @@ from gearwright.mission.plant import (
     dry_run,
     flown_oil,
 )
-from gearwright.mission.profile import Doubt
+from gearwright.mission.profile import Doubt, spread
 from gearwright.mission.strategies import driven, has_plan
 from gearwright.mission.supply import (
     Burnt,

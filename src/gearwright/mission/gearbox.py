@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, GearwrightError, Problem, SolveError, by_name
 from gearwright.identity import Role
+from gearwright.mission.profile import runs_of, spread
 from gearwright.sizing import Sizing
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces_along
 from gearwright.sizing.losses import ORIGINS, Oil, Teeth, gear_losses, mesh_loss_parts, rubbing, seal_losses, teeth_of
@@ -25,6 +26,7 @@ from gearwright.train import (
     along,
     asked_speeds,
     can_be_along,
+    is_slight,
     left_alone,
     overruns,
     power_flow,
@@ -388,31 +390,44 @@ def _ways(gearbox: Gearbox, lanes: Ints, joints: tuple[Joint, ...], powers: Floa
 
 
 def _turned(gearbox: Gearbox, way: Way, powers: Floats, propeller_speed: Floats, lost: Floats) -> Carried:
-    """Return what the train carries where it turns one way."""
+    """Return what the train carries where it turns one way; large losses may leave it several states."""
+    part = lost[:, [gearbox.stages.index(row.stage) for row in gearbox.sizing.train.meshes]]
+    slight = is_slight(way.turn, gearbox.node, part) if way.at_once else np.zeros(len(part), bool)
+    if slight.all():
+        found = _turned_slightly(gearbox, way, powers, propeller_speed, part)
+        return _one_by_one(gearbox, powers, propeller_speed, lost) if found is None else found
+    alone = _one_by_one(gearbox, powers[~slight], propeller_speed[~slight], lost[~slight])
+    if not slight.any():
+        return alone
+    rest = _turned(gearbox, way, powers[slight], propeller_speed[slight], lost[slight])
+    whole = Carried(*(np.zeros((len(part), *column.shape[1:]), column.dtype) for column in alone))
+    whole.put(slight, rest)
+    whole.put(~slight, alone)
+    return whole
+
+
+def _turned_slightly(
+    gearbox: Gearbox, way: Way, powers: Floats, propeller_speed: Floats, part: Floats
+) -> Carried | None:
+    """Return what the train carries where losses leave one state; None where the sides that drive do not settle."""
     train, speeds = gearbox.sizing.train, way.speeds * propeller_speed[:, None]
     applied, powers = np.zeros_like(speeds), _of_turning(gearbox, way, powers)
     for k, node in enumerate(gearbox.places):
         applied[:, node] += torque_of(powers[:, k], speeds[:, node])
-    dragged = (
-        np.stack([_dragged(train.column, damper, speeds) for damper in train.dampers], axis=1)
-        if train.dampers
-        else None
-    )
-    for k, damper in enumerate(train.dampers):
-        assert dragged is not None  # there are dampers
-        applied[:, train.column[damper.driven]] += dragged[:, k]
-        applied[:, train.column[damper.driving]] -= dragged[:, k]
-    part = lost[:, [gearbox.stages.index(row.stage) for row in train.meshes]]
-    loads = along(way.turn, gearbox.node, part, applied) if way.at_once else None
-    faults = _still(gearbox, powers, speeds)
+    dragged = {damper.name: _dragged(train.column, damper, speeds) for damper in train.dampers}
+    for damper in train.dampers:
+        applied[:, train.column[damper.driven]] += dragged[damper.name]
+        applied[:, train.column[damper.driving]] -= dragged[damper.name]
+    loads = along(way.turn, gearbox.node, part, applied)
     if loads is None:
-        return _one_by_one(gearbox, powers, propeller_speed, lost)
+        return None
     links = np.zeros((len(speeds), len(train.links)))
     for k, link in enumerate(train.links):
         if isinstance(link, Joint) and link in way.joints:
             links[:, k] = -loads.multipliers[:, len(train.meshes) + way.joints.index(link)]
-        elif isinstance(link, Damper) and dragged is not None:
-            links[:, k] = dragged[:, train.dampers.index(link)]
+        elif link.name in dragged:
+            links[:, k] = dragged[link.name]
+    faults = _still(gearbox, powers, speeds)
     return Carried(speeds, powers, loads.first, loads.second, loads.third, loads.balancing, links, faults)
 
 
@@ -600,54 +615,6 @@ def drag_of(gearbox: Gearbox, mesh_torques: Floats, speeds: Floats, oil: Floats,
         taken = taken + seat.power
     idle = idle_of(gearbox, speeds, oil) if idle is None else idle
     return Drag(taken + idle.seals, idle.windage, idle.churning)
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Intervals that are asked what the one before is asked: the first few of a run are computed and speak for the rest.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-class Runs(NamedTuple):
-    """Which intervals are computed."""
-
-    kept: Ints
-    """Their numbers, rising."""
-    source: Ints
-    """Of every interval, the place among the kept of the one that speaks for it."""
-
-
-def runs_of(columns: Iterable[Any], starts: Bools, depth: int) -> Runs:
-    """Return which intervals are computed: of a run of equal ones the first few.
-
-    Args:
-        columns: What intervals are asked; equal bits are equal.
-        starts: Where a run starts in any case, shape (n,).
-        depth: How many of a run: what one takes over from the one before has settled by then.
-    """
-    fresh = starts.copy()
-    for column in columns:
-        bits = column.view(f"u{column.itemsize}")
-        fresh[1:] |= bits[1:] != bits[:-1]
-    places = np.arange(len(fresh))
-    kept = places - np.maximum.accumulate(np.where(fresh, places, 0)) < depth
-    return Runs(np.flatnonzero(kept), np.cumsum(kept) - 1)
-
-
-def spread(found: Any, source: Ints) -> Any:
-    """Return what all intervals get from what those get that speak for them.
-
-    Args:
-        found: Arrays with a first axis of what is kept, in records and mappings; what is none stays.
-        source: Of every interval, the place of the one that speaks for it.
-    """
-    if isinstance(found, np.ndarray):
-        return found[source]
-    if isinstance(found, dict):
-        return {name: spread(value, source) for name, value in found.items()}
-    if isinstance(found, tuple):
-        values = [spread(value, source) for value in found]
-        return type(found)(*values) if hasattr(found, "_fields") else tuple(values)
-    return found
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -21,11 +21,10 @@ from gearwright.mission.gearbox import (
     given_powers,
     has_fault,
     no_losses,
-    runs_of,
     warm_oil,
 )
 from gearwright.mission.plant import OIL, GearHeat, Warm, oil_along, oil_start, oil_step, refuse_stiff, too_stiff
-from gearwright.mission.profile import Course, Doubt, Paths, Stretch, laid_out, stretches_of
+from gearwright.mission.profile import Course, Doubt, Paths, Stretch, laid_out, runs_of, stretches_of
 from gearwright.mission.strategies import (
     AGREED,
     PLANS,

@@ -26,7 +26,18 @@ from gearwright.machines import (
     motor_loss,
     stored_energy,
 )
-from gearwright.machines.electric import Cells, CellState, Network, Warmed, cell_step, held_energy, straight, warmed
+from gearwright.machines.electric import (
+    Cells,
+    CellState,
+    Network,
+    Relaxing,
+    Warmed,
+    cell_step,
+    held_energy,
+    relaxing,
+    straight,
+    warmed,
+)
 from gearwright.parts.losses import MeshLaw, oil_viscosity
 from gearwright.sizing import Sizing
 from gearwright.sizing.losses import Oil, dipping, oil_of_design
@@ -441,7 +452,10 @@ def oil_step(
 
     Source: the cooler's valve stands as the oil at the interval's end asks, so that no interval is too long for it.
     """
-    after = _stepped(rules, gear_mass, warm, heat=heat, air=air, duration=duration)
+    hot, around = _heat(rules, heat, wet=True), np.array([air])
+    opened, _ = _Valve(rules, gear_mass).step(np.array(warm), hot, around, duration)
+    network = _network(rules, gear_mass, opened, wet=True)
+    after = warmed(network, np.array(warm), hot, surroundings=around, duration=duration)
     end = Warm(*after.temperature.tolist())
     for part in ("oil", "gears", "bearings"):
         limit, found = getattr(rules, f"highest_{part}_k"), getattr(end, part)
@@ -452,22 +466,36 @@ def oil_step(
     return end, after
 
 
-def _stepped(
-    rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearHeat, air: float, duration: float
-) -> Warmed:
-    from scipy.optimize import brentq  # a third of the time that flights take to load
+class _Valve:
+    """The cooler's valve of one gearbox, shut, wide open or between."""
 
-    hot, around = _heat(rules, heat, wet=True), np.array([air])
+    def __init__(self, rules: OilNetworkRules, gear_mass: float) -> None:
+        self.rules, self.gear_mass = rules, gear_mass
+        self.shut, self.wide = (self._network(opened) for opened in (0.0, 1.0))
 
-    def by(opened: float) -> Warmed:
-        network = _network(rules, gear_mass, opened, wet=True)
-        return warmed(network, np.array(warm), hot, surroundings=around, duration=duration)
+    def _network(self, opened: float) -> Relaxing:
+        return relaxing(_network(self.rules, self.gear_mass, opened, wet=True))
 
-    def left(opened: float) -> float:
-        return _asked(rules, float(by(opened).temperature[OIL])) - opened
+    def step(self, warm: Floats, heat: Floats, air: Floats, duration: float) -> tuple[float, Floats]:
+        """Return how far the valve stands open in an interval, and the temperatures at its end."""
+        from scipy.optimize import brentq  # a third of the time that flights take to load
 
-    opened = 0.0 if left(0.0) <= 0.0 else 1.0 if left(1.0) >= 0.0 else float(brentq(left, 0.0, 1.0, xtol=1e-10))
-    return by(opened)
+        def at(network: Relaxing, opened: float) -> tuple[Floats, float]:
+            after = network.after(warm, heat, surroundings=air, duration=duration)
+            return after, _asked(self.rules, float(after[OIL])) - opened
+
+        (cold, low), (hot, high) = at(self.shut, 0.0), at(self.wide, 1.0)
+        if low <= 0.0:
+            return 0.0, cold
+        if high >= 0.0:
+            return 1.0, hot
+        ends = {0.0: low, 1.0: high}
+
+        def left(opened: float) -> float:
+            return ends[opened] if opened in ends else at(self._network(opened), opened)[1]
+
+        opened = float(brentq(left, 0.0, 1.0, xtol=1e-10))
+        return opened, at(self._network(opened), opened)[0]
 
 
 def oil_along(
@@ -483,20 +511,19 @@ def oil_along(
         air: Temperature of the air, shape (n,) [K].
         duration: Of every interval, shape (n,) [s].
     """
-    start, end, now, limits = np.empty((len(air), 4)), np.empty((len(air), 4)), begun, _limits(rules)
-    for k, (heat, around, lasts) in enumerate(zip(heats, air.tolist(), duration.tolist(), strict=True)):
+    start, end, now, limits = np.empty((len(air), 4)), np.empty((len(air), 4)), np.array(begun), _limits(rules)
+    valve = _Valve(rules, gear_mass)
+    for k, (heat, lasts) in enumerate(zip(heats, duration.tolist(), strict=True)):
         start[k] = now
-        end[k] = _stepped(rules, gear_mass, now, heat=heat, air=around, duration=lasts).temperature
-        if all(found <= limit for found, limit in zip(end[k].tolist(), limits, strict=False)):
-            now = Warm(*end[k].tolist())  # what is too warm is refused, and what follows on it does not count
+        _, end[k] = valve.step(now, _heat(rules, heat, wet=True), air[k : k + 1], lasts)
+        if (end[k, : len(limits)] <= limits).all():
+            now = end[k]  # what is too warm is refused, and what follows on it does not count
     return start, end
 
 
-def _limits(rules: OilNetworkRules) -> tuple[float, ...]:
-    """Return the highest temperatures of oil, gears and bearings [K]."""
-    return tuple(
-        limit * (1.0 + 1e-12) for limit in (rules.highest_oil_k, rules.highest_gears_k, rules.highest_bearings_k)
-    )
+def _limits(rules: OilNetworkRules) -> Floats:
+    """Return the highest temperatures of oil, gears and bearings, shape (3,) [K]."""
+    return np.array([rules.highest_oil_k, rules.highest_gears_k, rules.highest_bearings_k]) * (1.0 + 1e-12)
 
 
 def dry_run(rules: OilNetworkRules, gear_mass: float, warm: Warm, *, heat: GearHeat, air: float) -> DryRun:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby, pairwise
 from typing import Any, NamedTuple
 
@@ -482,3 +482,51 @@ def _ends(stretch: Stretch, low: float, high: float) -> tuple[float, float]:
     phase, air = stretch.phase, air_at(np.array([low, high]), stretch.mission.isa_offset_k)
     first = true_of_calibrated(np.full(2, phase.from_cas or 0.0), air)[0] if phase.from_tas is None else phase.from_tas
     return float(first), float(_by_law([stretch], np.zeros(2, int), air)[1])
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Intervals that are asked what the one before is asked: the first few of a run are computed and speak for the rest.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Runs(NamedTuple):
+    """Which intervals are computed."""
+
+    kept: Ints
+    """Their numbers, rising."""
+    source: Ints
+    """Of every interval, the place among the kept of the one that speaks for it."""
+
+
+def runs_of(columns: Iterable[Any], starts: Bools, depth: int) -> Runs:
+    """Return which intervals are computed: of a run of equal ones the first few.
+
+    Args:
+        columns: What intervals are asked; equal bits are equal.
+        starts: Where a run starts in any case, shape (n,).
+        depth: How many of a run: what one takes over from the one before has settled by then.
+    """
+    fresh = starts.copy()
+    for column in columns:
+        bits = column.view(f"u{column.itemsize}")
+        fresh[1:] |= bits[1:] != bits[:-1]
+    places = np.arange(len(fresh))
+    kept = places - np.maximum.accumulate(np.where(fresh, places, 0)) < depth
+    return Runs(np.flatnonzero(kept), np.cumsum(kept) - 1)
+
+
+def spread(found: Any, source: Ints) -> Any:
+    """Return what all intervals get from what those get that speak for them.
+
+    Args:
+        found: Arrays with a first axis of what is kept, in records and mappings; what is none stays.
+        source: Of every interval, the place of the one that speaks for it.
+    """
+    if isinstance(found, np.ndarray):
+        return found[source]
+    if isinstance(found, dict):
+        return {name: spread(value, source) for name, value in found.items()}
+    if isinstance(found, tuple):
+        values = [spread(value, source) for value in found]
+        return type(found)(*values) if hasattr(found, "_fields") else tuple(values)
+    return found

@@ -5,7 +5,16 @@ from gearwright.train.balance import STANDSTILL, Turn, Turning, asked_speeds, ho
 from gearwright.train.efficiency import Efficiency, efficiencies
 from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
 from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
-from gearwright.train.load_case import Loads, along, can_be_along, left_alone, overruns, power_flow, power_flows
+from gearwright.train.load_case import (
+    Loads,
+    along,
+    can_be_along,
+    is_slight,
+    left_alone,
+    overruns,
+    power_flow,
+    power_flows,
+)
 from gearwright.train.power_flow import (
     Attachment,
     Branch,
@@ -49,6 +58,7 @@ __all__ = [
     "gears_of",
     "handed_on",
     "holding",
+    "is_slight",
     "left_alone",
     "members_of",
     "overruns",

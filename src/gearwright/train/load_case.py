@@ -274,13 +274,27 @@ def can_be_along(turn: Turn, balancing: int) -> bool:
     return rows == columns and not undecided(known, len(turn.matrix)).any()
 
 
+def is_slight(turn: Turn, balancing: int, part: Floats) -> Bools:
+    """Tell under which loads losses are so slight that there is one state, shape (n,).
+
+    Args:
+        turn: How the train turns.
+        balancing: Node of the machine that balances.
+        part: Part 1 − η that each mesh row loses under each load, shape (n, meshes) [-].
+    """
+    equations = turn.lossy((balancing,))
+    felt = np.maximum(np.abs(equations.felt.positive), np.abs(equations.felt.negative)).sum(axis=1)
+    return np.asarray(part.max(axis=1, initial=0.0) * felt.max(initial=0.0) < _SLIGHT)
+
+
 def along(turn: Turn, balancing: int, part: Floats, applied: Floats) -> Loads | None:
-    """Return the torques under many loads; None where losses are so large that several states may be.
+    """Return the torques under many loads; None where the sides that drive do not settle.
 
     Args:
         turn: How the train turns; the sense is the same for all loads.
         balancing: Node of the machine that balances.
-        part: Part 1 − η that each mesh row loses under each load, shape (n, meshes) [-]; clutches lose nothing.
+        part: Part 1 − η that each mesh row loses under each load, shape (n, meshes) [-], slight (`is_slight`);
+            clutches lose nothing.
         applied: Torques that are given on the nodes, shape (n, nodes) [N m].
 
     Source: `power_flow`: T + Aᵀ λ = 0 with losses in the direction of the power.
@@ -289,9 +303,6 @@ def along(turn: Turn, balancing: int, part: Floats, applied: Floats) -> Loads | 
     rows, nodes = known.matrix.shape
     if part.shape[1] < rows:
         part = np.concatenate([part, np.zeros((len(part), rows - part.shape[1]))], axis=1)
-    felt = np.maximum(np.abs(equations.felt.positive), np.abs(equations.felt.negative)).sum(axis=1)
-    if part.size and float(part.max()) * float(felt.max()) >= _SLIGHT:
-        return None
     asked = np.concatenate([applied, np.zeros((len(applied), len(known.completion)))], axis=1)
     x = -np.einsum("ij,lj->li", known.inverse, asked)
     before: Bools = x[:, :rows] < 0.0

@@ -9,7 +9,7 @@ from gearwright.errors import DesignError
 from gearwright.machines import angle_for_power, angle_for_thrust
 from gearwright.mission import fly_each
 from gearwright.mission.charts import angle_along
-from gearwright.mission.gearbox import runs_of, spread
+from gearwright.mission.profile import runs_of, spread
 
 
 def test_of_a_run_the_first_few_speak_for_the_rest():

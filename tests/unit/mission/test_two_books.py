@@ -27,7 +27,8 @@ def gas_heat(flight, warmer=0.0):
     """What the gas carries away, from recorded flows and temperatures alone [J]."""
     history = flight.history
     inlet = stagnation_ratios(air_at(history.altitude, flight.mission.isa_offset_k), history.mach)[0] * 288.15
-    gas = Exhaust(history.air_flow, history.fuel_flow, history.exhaust_temperature + warmer)
+    flows = history.air_flow, history.fuel_flow
+    gas = Exhaust(*flows, history.exhaust_temperature + warmer, history.casing_heat)
     return float((history.duration * exhaust_heat(gas, inlet)).sum())
 
 
