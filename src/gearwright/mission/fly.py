@@ -227,19 +227,19 @@ def _flights(all_flown: Sequence[Flown], *, coupled: bool = False) -> list[Fligh
     gearbox, blades, mission, supply, _ = all_flown[0]
     try:
         flying = Flying(gearbox, blades, supply, deck_of(all_flown), coupled=coupled)
-        if has_plan(supply, mission):
-            flying = planned(flying)
+        with np.errstate(all="ignore"):  # of what follows on an interval that cannot be flown
+            if has_plan(supply, mission):
+                flying = planned(flying)
+            whole = _flown_together(flying)
     except DesignError as error:  # one that has no course is told why alone, and does not stop the others
         if len(all_flown) == 1:
             return [error]
         half = len(all_flown) // 2
-        return _flights(all_flown[:half]) + _flights(all_flown[half:])
-    with np.errstate(all="ignore"):  # of what follows on an interval that cannot be flown
-        whole = _flown_together(flying)
+        return _flights(all_flown[:half], coupled=coupled) + _flights(all_flown[half:], coupled=coupled)
     deck, found = flying.deck, list[Flight | DesignError]()
     history = _history_of(deck, whole)
     for place, flown in enumerate(all_flown):
-        if whole.open[deck.flights[place]].any() and not coupled:
+        if whole.open[deck.flights[place]].any() and not (coupled or flying.follows):
             found += _flights([flown], coupled=True)
             continue
         told = refusal(deck, deck.flights[place], whole.doubts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -160,22 +161,38 @@ class Gearbox:
     ways: dict[tuple[object, ...], Way] = field(default_factory=dict, compare=False)
     """How it was found to turn."""
 
-    @property
+    @cached_property
     def places(self) -> list[int]:
         """Nodes of the machines without the propeller."""
         train = self.sizing.train
         return [train.column[train.machines[name]] for name in self.machines]
 
-    @property
+    @cached_property
     def node(self) -> int:
         """Of the propeller."""
         train = self.sizing.train
         return train.column[train.machines[self.propeller]]
 
-    @property
+    @cached_property
     def counts(self) -> Floats:
         """Equal meshes of every row, shape (meshes,) [-]."""
         return np.array([float(row.count) for row in self.sizing.train.meshes])
+
+    @cached_property
+    def staged(self) -> list[int]:
+        """Number of the stage of every mesh row."""
+        return [self.stages.index(row.stage) for row in self.sizing.train.meshes]
+
+    @cached_property
+    def ends(self) -> list[list[int]]:
+        """Columns of the rows' gears and carriers among the nodes; the ground is the last one."""
+        column = {node: k for k, node in enumerate((*self.sizing.train.nodes, GROUND))}
+        return [[column[row.nodes[place]] for row in self.sizing.train.meshes] for place in range(3)]
+
+    @cached_property
+    def takers(self) -> Bools:
+        """Machines that take their part of the power that is given, shape (machines,)."""
+        return np.array([name in self.taken for name in self.machines])
 
     def way(self, joints: tuple[Joint, ...], driving: frozenset[str]) -> Way:
         """Return how the train turns, found once.
@@ -329,9 +346,8 @@ def machine_powers(gearbox: Gearbox, parts: Floats, taken: Floats, power: Floats
         power: That they give together, shape (n,) [W].
     """
     given = parts * power[:, None]
-    takes = np.array([name in gearbox.taken for name in gearbox.machines])
-    total = np.abs(np.where(takes, 0.0, given).sum(axis=1))
-    powers = np.where(takes & (parts == 0.0), taken * total[:, None], given)
+    total = np.abs(np.where(gearbox.takers, 0.0, given).sum(axis=1))
+    powers = np.where(gearbox.takers & (parts == 0.0), taken * total[:, None], given)
     for name, demand in gearbox.demand.items():
         powers[:, gearbox.machines.index(name)] = -demand
     return powers
@@ -391,7 +407,7 @@ def _ways(gearbox: Gearbox, lanes: Ints, joints: tuple[Joint, ...], powers: Floa
 
 def _turned(gearbox: Gearbox, way: Way, powers: Floats, propeller_speed: Floats, lost: Floats) -> Carried:
     """Return what the train carries where it turns one way; large losses may leave it several states."""
-    part = lost[:, [gearbox.stages.index(row.stage) for row in gearbox.sizing.train.meshes]]
+    part = lost[:, gearbox.staged]
     slight = is_slight(way.turn, gearbox.node, part) if way.at_once else np.zeros(len(part), bool)
     if slight.all():
         found = _turned_slightly(gearbox, way, powers, propeller_speed, part)
@@ -465,7 +481,7 @@ def _still(gearbox: Gearbox, powers: Floats, speeds: Floats) -> Faults:
     faults: Faults = np.full(len(powers), None, object)
     for k, node in enumerate(gearbox.places):
         name = gearbox.machines[k]
-        if name in gearbox.demand:
+        if name in gearbox.demand or speeds[:, node].all():
             continue
         for place in np.flatnonzero((powers[:, k] != 0.0) & (speeds[:, node] == 0.0)):
             shaft, power = gearbox.sizing.train.machines[name], powers[place, k] / 1e3
@@ -501,15 +517,8 @@ def _one_by_one(gearbox: Gearbox, powers: Floats, propeller_speed: Floats, lost:
 def _mesh_losses(gearbox: Gearbox, carried: Carried) -> Floats:
     """Return what each mesh row loses, shape (n, meshes) [W]."""
     full = np.concatenate([carried.speeds, np.zeros((len(carried.speeds), 1))], axis=1)
-    first, second, third = (full[:, places] for places in _ends(gearbox))
+    first, second, third = (full[:, places] for places in gearbox.ends)
     return np.asarray(-carried.first * (first - third) - carried.second * (second - third))
-
-
-def _ends(gearbox: Gearbox) -> list[list[int]]:
-    """Return the columns of the meshes' gears and carriers; the ground is the last one."""
-    train = gearbox.sizing.train
-    column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
-    return [[column[row.nodes[place]] for row in train.meshes] for place in range(3)]
 
 
 def point_of(gearbox: Gearbox, carried: Carried) -> Point:
@@ -521,7 +530,7 @@ def point_of(gearbox: Gearbox, carried: Carried) -> Point:
     """
     train, speeds, powers = gearbox.sizing.train, carried.speeds, carried.powers
     total = np.zeros((speeds.shape[0], speeds.shape[1] + 1))
-    for places, torque in zip(_ends(gearbox), (carried.first, carried.second, carried.third), strict=True):
+    for places, torque in zip(gearbox.ends, (carried.first, carried.second, carried.third), strict=True):
         for k, place in enumerate(places):
             total[:, place] += np.abs(torque[:, k])
     for k, node in enumerate(gearbox.places):
@@ -833,7 +842,8 @@ def _met_by_trials(gearbox: Gearbox, asked: Asked, idle: Idle | None, lost: Floa
         left = _left(gearbox, asked, idle, carried.first / gearbox.counts, carried.speeds)
         short = np.where(~by_work & (left <= 0.0), left, np.nan)
         places = np.flatnonzero(~by_work)
-        carried.put(places, given(places, left[places])[0])
+        going_on = np.where(left > 0.0, left, asked.given)  # what is short is refused whatever it would carry
+        carried.put(places, given(places, going_on[places])[0])
     else:
         short = np.full(len(power), np.nan)
     slope, going = np.ones(len(power)), np.flatnonzero(by_work)

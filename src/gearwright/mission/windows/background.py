@@ -144,7 +144,7 @@ def background(flight: Flight, rules: WindowRules) -> Background:
         density=[(time, float(history.air_density[k])) for time, k in air],
         airspeed=[(time, float(history.true_airspeed[k])) for time, k in air],
         speed=_speed_curve(history, seen, start),
-        pitch=[(0.0, 0.0)],
+        pitch=steady(0.0),
         interval=int(np.searchsorted(first, start, side="right")) - 1,
     )
 
@@ -297,6 +297,15 @@ def value_at(curve: Curve, time: float) -> float:
     """
     times, values = zip(*curve, strict=True)
     return float(np.interp(time, times, values))
+
+
+def steady(value: float) -> Curve:
+    """Return a curve that stays at a value.
+
+    Args:
+        value: In the curve's unit.
+    """
+    return [(0.0, value)]
 
 
 def stepped(curve: Curve, rules: WindowRules, change: float) -> Curve:

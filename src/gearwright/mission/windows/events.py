@@ -23,10 +23,12 @@ from gearwright.mission.windows.background import (
     Background,
     Brake,
     Curve,
+    Stage,
     blended,
     changed_stage,
     flown_phase,
     lagged,
+    steady,
     stepped,
     until,
     value_at,
@@ -283,13 +285,16 @@ def slammed(back: Background, rules: WindowRules) -> Background:
         torques={
             name: _sped_up(back, rules, name, (powers[name], after.torques[name]))
             if name in back.supply.engines
-            else blended(curve, [(0.0, after.torques[name])], rules)
+            else blended(curve, steady(after.torques[name]), rules)
             for name, curve in back.torques.items()
         },
-        resistances={
-            shaft: blended(curve, [(0.0, after.resistances[shaft])], rules) for shaft, curve in back.resistances.items()
-        },
+        resistances=_resisted(back, after, rules),
     )
+
+
+def _resisted(back: Background, after: Stage, rules: WindowRules) -> dict[str, Curve]:
+    """Return what mesh losses take from shafts, while the event leads to another equilibrium."""
+    return {shaft: blended(curve, steady(after.resistances[shaft]), rules) for shaft, curve in back.resistances.items()}
 
 
 def _sped_up(back: Background, rules: WindowRules, name: str, end: tuple[float, float]) -> Curve:
@@ -393,7 +398,7 @@ def stopped(back: Background, rules: WindowRules) -> Background:
     end = rules.event_at + min(rules.over, 0.5 * takes)
     curve = [(rules.event_at, 0.0), (end, -torque), (end + 1e-6, -torque / creep)]
     torques = {
-        machine: blended(known, [(0.0, 0.0)], rules)
+        machine: blended(known, steady(0.0), rules)
         if machine == name
         else known
         if rules.lag is None
@@ -404,7 +409,7 @@ def stopped(back: Background, rules: WindowRules) -> Background:
     return replace(
         back,
         torques=torques,
-        resistances={shaft: blended(known, [(0.0, 0.0)], fading) for shaft, known in back.resistances.items()},
+        resistances={shaft: blended(known, steady(0.0), fading) for shaft, known in back.resistances.items()},
         brake=Brake(name, torque, curve, speed, creep),
     )
 
@@ -483,7 +488,7 @@ def changed(back: Background, rules: WindowRules) -> Background:
         case "mode-change":
             return _other_mode(back, rules)
         case "pitch-step":
-            return replace(back, pitch=stepped([(0.0, 0.0)], rules, rules.pitch_step or 0.0))
+            return replace(back, pitch=stepped(steady(0.0), rules, rules.pitch_step or 0.0))
         case "speed-step":
             return replace(back, speed=stepped(back.speed, rules, rules.speed_step or 0.0))
         case "gust":
@@ -512,7 +517,7 @@ def _scaled(back: Background, rules: WindowRules, machines: set[str]) -> Backgro
         message = f"{rules.event}, but the design has no such machine; choose another event"
         raise DesignError([Problem("windows", message)])
     torques = {
-        name: blended(curve, [(0.0, 0.0)], rules) if name in machines else curve for name, curve in back.torques.items()
+        name: blended(curve, steady(0.0), rules) if name in machines else curve for name, curve in back.torques.items()
     }
     return replace(back, torques=torques)
 
@@ -529,10 +534,8 @@ def _other_mode(back: Background, rules: WindowRules) -> Background:
     after = changed_stage(back, rules, phase, powers)
     return replace(
         back,
-        torques={name: blended(curve, [(0.0, after.torques[name])], rules) for name, curve in back.torques.items()},
-        resistances={
-            shaft: blended(curve, [(0.0, after.resistances[shaft])], rules) for shaft, curve in back.resistances.items()
-        },
+        torques={name: blended(curve, steady(after.torques[name]), rules) for name, curve in back.torques.items()},
+        resistances=_resisted(back, after, rules),
     )
 
 
@@ -554,7 +557,7 @@ def _joining(back: Background, rules: WindowRules) -> Background:
     joint = next((clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch), None)
     train = back.flight.sizing.train
     torques = {
-        name: blended([(0.0, 0.0)], curve, rules) if joint and train.machines[name] == joint.driving else curve
+        name: blended(steady(0.0), curve, rules) if joint and train.machines[name] == joint.driving else curve
         for name, curve in back.torques.items()
     }
     return replace(back, torques=torques)
