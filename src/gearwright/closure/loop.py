@@ -124,7 +124,7 @@ def changes_of(design: Design, factors: Factors) -> dict[str, Value]:
         if takes_factor(design, stage):
             own = design.rules(stage).iso6336.least_dynamic_factor
             upwards = min(_upwards(factor), LARGEST)
-            if upwards > own:
+            if upwards > own * (1.0 + STILL) or own <= 1.0 < upwards:
                 changes[f"{design.table(stage)}.gears.iso6336.least_dynamic_factor"] = upwards
     for stage, factor in factors.sharing.items():
         if takes_share(design, stage):

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from gearwright.arrays import smallest
+from gearwright.closure.course import sized
 from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, without
 from gearwright.identity import Role
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing
 from gearwright.sizing.insight import Trial, trial_of
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design, edited
@@ -28,6 +29,8 @@ NEAR = 5e-3
 """The same where whole millimetres are looked at afterwards [-]."""
 ROUNDING = 1e-9
 """Of a margin, and of a width over another [-]."""
+SMALL = 50
+"""Steps below which diameters are rounded to half a step: to 0.5 mm below 50 mm, to 1 mm above [-]."""
 MOST_STEPS = 40
 """Steps of the search for a width [-]."""
 LARGER = 1
@@ -228,8 +231,9 @@ class Proportioned(NamedTuple):
 
 
 def proportioned(
-    design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None
-) -> Proportioned:
+    design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None,
+    still: bool = False,
+) -> Proportioned:  # fmt: skip
     """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
 
     Args:
@@ -237,27 +241,39 @@ def proportioned(
         wishes: What is asked.
         before: Sizing of a round before: its teeth stay, and its modules are where the search begins.
         targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
+        still: Whether open axes stay where they stand first, room or not.
 
     Raises:
         DesignError: If the design cannot be sized.
     """
-    first = size(design) if before is None else before
+    first = sized(design) if before is None else before
     own = edited(design, dict(teeth_of(design, first)))
     sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
-    return Proportioned(written, size(written), sizes)
+    return Proportioned(written, sized(written, still=still), sizes)
 
 
-def written_out(found: Proportioned, left_out: frozenset[str] = frozenset()) -> Proportioned:
+def written_out(found: Proportioned, left_out: frozenset[str] = frozenset(), *, step: float = 0.0) -> Proportioned:
     """Return a design with the diameters of its plain shafts and pins written as sized, too.
 
     Args:
         found: With modules and widths.
         left_out: Requirements that do not count.
+        step: To whose multiples diameters and thicknesses are made larger, small ones to a half of it [m]; 0: to none.
     """
     free = without(found.design, left_out)
-    whole = edited(found.design, dict(_diameters(found.sizing if free is found.design else size(free))))
-    return Proportioned(whole, size(whole), found.sizes)
+    sizing = found.sizing if free is found.design else sized(free)
+    changes = {path: _shop(value, step / _MM) for path, value in _diameters(sizing)}
+    whole = edited(found.design, changes) if changes else found.design
+    return Proportioned(whole, sized(whole) if changes else found.sizing, found.sizes)
+
+
+def _shop(value: float, step: float) -> float:
+    """Return a size as a shop makes it: the next multiple of a step, below fifty steps of a half of it [mm]."""
+    if step <= 0.0:
+        return value
+    part = step if value >= SMALL * step else step / 2.0
+    return round(math.ceil(value / part - ROUNDING) * part, 6)
 
 
 def searched(design: Design) -> list[str]:
@@ -397,7 +413,7 @@ def sizes_of(design: Design, sizes: Mapping[str, StageSize]) -> Iterator[tuple[s
         yield f"{design.table(name)}.face_width_mm", found.face_width / _MM
 
 
-def _diameters(sizing: Sizing) -> Iterator[tuple[str, Value]]:
+def _diameters(sizing: Sizing) -> Iterator[tuple[str, float]]:
     """Yield diameters of plain shafts and pins and thicknesses of plates, where the design leaves them open."""
     design = sizing.design
     built = {shaft.name for shaft in sizing.built_shafts}

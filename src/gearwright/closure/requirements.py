@@ -13,6 +13,7 @@ from typing import Annotated, NamedTuple
 
 from gearwright.arrays import smallest_first
 from gearwright.checks import Check, worst
+from gearwright.closure.course import Effort
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind
 from gearwright.showing import Shown
@@ -255,7 +256,7 @@ class Round:
 
 @dataclass(frozen=True)
 class Unmet:
-    """A requirement that no freedom of the closure meets."""
+    """A requirement that nothing meets over which the closure searched."""
 
     requirement: str
     """Its name."""
@@ -265,6 +266,8 @@ class Unmet:
     """What the design gives and the closure therefore does not change; empty where nothing."""
     helps: str
     """What would help."""
+    searched: str
+    """Over what it was looked for."""
 
 
 @dataclass(frozen=True)
@@ -300,6 +303,12 @@ class Closed(Shown):
     kept: tuple[str, ...]
     """Paths of what the design gives and the closure does not change."""
     wishes: Wishes
+    effort: Effort
+    """What it cost, and over what it searched."""
+    text: str
+    """The closed design as TOML, from which it was read again before it was judged."""
+    changes_nothing: bool = False
+    """Whether the text is that of the file that was closed."""
 
     @property
     def outcome(self) -> Outcome:

@@ -460,7 +460,9 @@ def _inner(inner: Record | Mapping[str, Any], at: str) -> Iterator[str]:
         yield from _table(inner, at)
         return
     plain = [
-        f"{name_text(key)} = {value_text(value)}" for key, value in inner.items() if not isinstance(value, Record | dict)
+        f"{name_text(key)} = {value_text(value)}"
+        for key, value in inner.items()
+        if not isinstance(value, Record | dict)
     ]
     if plain:
         yield from ("", f"[{at}]", *plain)

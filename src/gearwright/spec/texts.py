@@ -56,13 +56,13 @@ def _table(record: Record, before: object, given: Mapping[str, Any]) -> dict[str
         if was is not None and name in record.model_fields_set and _equal(value, was):
             table |= {key: given[key] for key in stands}
         elif name in record.model_fields_set and value is not None:
-            key, meant = next(iter(stands.items()), None) or key_of(
-                type(record), info.alias or name, value
-            )
+            key, meant = next(iter(stands.items()), None) or key_of(type(record), info.alias or name, value)
             table[key] = _written(value, was, given.get(key), meant)
     for name, value in (record.model_extra or {}).items():
         was = None if old is None else (old.model_extra or {}).get(name)
-        table[name] = given[name] if name in given and _equal(value, was) else _written(value, was, given.get(name), None)
+        table[name] = (
+            given[name] if name in given and _equal(value, was) else _written(value, was, given.get(name), None)
+        )
     return {key: table[key] for key in (*(key for key in given if key in table), *table)}
 
 

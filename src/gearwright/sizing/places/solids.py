@@ -205,7 +205,7 @@ def _hold(solid: Solid, points: Floats) -> NDArray[np.bool_]:
     away = np.linalg.norm(off - along[:, None] * solid.axis, axis=1)
     places = (solid.centres - solid.centres[0]) @ solid.axis
     room = np.minimum(np.interp(along - _BALL, places, solid.radii), np.interp(along + _BALL, places, solid.radii))
-    return (away + _BALL < room) & (along - _BALL > places[0]) & (along + _BALL < places[-1])
+    return np.asarray((away + _BALL < room) & (along - _BALL > places[0]) & (along + _BALL < places[-1]))
 
 
 def _cross(one: Floats, other: Floats) -> Floats:
