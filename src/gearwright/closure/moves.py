@@ -115,35 +115,35 @@ def _sum(checks: Iterable[Check]) -> float:
 class Option:
     """A change of a settled design: proportioned once, judged, and confirmed, each only where somebody asks for it."""
 
-    def __init__(self, state: Settled, change: Change, name: str) -> None:
-        self.state, self.change = state, change
+    def __init__(self, state: Settled, change: Change, name: str, firsts: dict[str, Sizing]) -> None:
+        self.state, self.change, self.firsts = state, change, firsts
         self.name = f"{name} {sha256(repr(change).encode()).hexdigest()[:16]}"
 
     @cached_property
     def settled(self) -> Settled:
         """Proportioned once, with the dynamic factors of what it is a change of."""
-        return _screened(self.state, self.change)
+        return _screened(self.state, self.change, self.firsts)
 
     @cached_property
     def _still(self) -> Settled:
         """The same with open axes where they stand first."""
         now().looked_at += 1
-        found = _screened(self.state, self.change, still=True)
+        found = _screened(self.state, self.change, self.firsts, still=True)
         if not _lacks_room(found):
             self.__dict__["settled"] = found  # no axis has to be turned
         return found
 
     @cached_property
     def _first(self) -> Seen:
-        """Both masses [kg], what it lacks beside room [-], and whether it has room, before any axis is turned."""
-        return now().seen(f"{self.name} still", lambda: (*_masses(self._still), *_without_room(self._still)))
+        """Mass [kg], what it lacks beside room [-], and whether it has room, before any axis is turned."""
+        return now().seen(f"{self.name} still", lambda: (self._still.sizing.mass, *_without_room(self._still)))
 
     @cached_property
     def _exact(self) -> Seen:
-        """The same masses and lacks with axes turned where they must."""
-        if not self._first or self._first[3]:
+        """Mass and lacks with axes turned where they must."""
+        if not self._first or self.has_room:
             return self._first
-        return now().seen(f"{self.name} turned", lambda: (*_masses(self.settled), *_standing(self.settled)))
+        return now().seen(f"{self.name} turned", lambda: (self.settled.sizing.mass, *_standing(self.settled)))
 
     @cached_property
     def _shaken(self) -> Seen:
@@ -164,22 +164,22 @@ class Option:
     @property
     def complete(self) -> float:
         """Complete mass, before axes are turned [kg]."""
-        return self._first[1]
+        return now().seen(f"{self.name} weighs", lambda: (_complete(self._still),))[0]
 
     @property
     def has_room(self) -> bool:
         """Whether no axis has to be turned."""
-        return bool(self._first[3])
+        return bool(self._first[2])
 
     @property
     def stands(self) -> float:
         """What its sizing and its making lack beside room, without what shakes: it lacks no less [-]."""
-        return self._first[2]
+        return self._first[1]
 
     @property
     def short(self) -> float:
         """What all failing checks lack [-]; infinite where its axes or its modes cannot be had."""
-        return self._exact[2] + self._shaken[0] if self._exact and self._shaken else math.inf
+        return self._exact[1] + self._shaken[0] if self._exact and self._shaken else math.inf
 
     @property
     def rank(self) -> tuple[float, float]:
@@ -205,7 +205,10 @@ class Confirmed:
 
     @cached_property
     def _found(self) -> Seen:
-        return now().seen(f"{self.option.name} confirmed", lambda: (*_masses(self.settled), *judged(self.settled)[1:]))
+        return now().seen(
+            f"{self.option.name} confirmed",
+            lambda: (self.settled.sizing.mass, _complete(self.settled), *judged(self.settled)[1:]),
+        )
 
     @property
     def can_be_sized(self) -> bool:
@@ -249,7 +252,8 @@ def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
     started = None if task.start is None else task.start.teeth
     stands = (task.chosen, task.factors, task.targets, task.planets, started, own, dict(state.proportioned.sizes))
     name = sha256(repr(stands).encode()).hexdigest()[:16]
-    return [option for change in changes if (option := Option(state, change, name)).can_be_sized]
+    firsts = dict[str, Sizing]()
+    return [option for change in changes if (option := Option(state, change, name, firsts)).can_be_sized]
 
 
 def _lacks_room(state: Settled) -> bool:
@@ -265,23 +269,32 @@ def _without_room(state: Settled) -> tuple[float, float]:
     return _lacking(state, (check for check in checks if requirement_of(check) not in ("room", "making")))[0], 0.0
 
 
-def _screened(state: Settled, change: Change, *, still: bool = False) -> Settled:
-    """Return a change, proportioned once; the teeth of the other stages stay."""
+def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, still: bool = False) -> Settled:
+    """Return a change, proportioned once; the teeth of the other stages stay, and their sizes where they still do.
+
+    What teeth follow from a change is found once, whatever module is tried with them.
+    """
     design, sizing = state.task.design, state.sizing
     anew = tuple(f"{table}." for table in change.tables)
     stays = {path: value for path, value in teeth_of(design, sizing) if not path.startswith(anew)}
     own = {path: value for path, value in state.task.chosen.items() if path not in change.frees}
     task = replace(state.task, chosen={**own, **stays, **change.values})
     stated = edited(task.changed, changes_of(task.design, state.factors))
-    of_now = edited(stated, dict(sizes_of(stated, state.proportioned.sizes)))
-    first = sized(of_now, still=True) if change.tables else sizing
-    found = proportioned(stated, task.wishes, before=first, targets=task.targets, still=still)
+    first, sizes = sizing, state.proportioned.sizes
+    if change.tables:
+        name = repr({path: value for path, value in change.values.items() if not path.endswith(".module_mm")})
+        if name not in firsts:
+            alone = edited(task.design, {**task.chosen, **{path: None for path in change.values if ".module_" in path}})
+            alone = edited(alone, changes_of(task.design, state.factors))
+            firsts[name] = sized(edited(alone, dict(sizes_of(alone, sizes))), still=True)
+        first = firsts[name]
+    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=sizes, still=still)
     return replace(state, task=replace(task, start=first), proportioned=found)
 
 
-def _masses(state: Settled) -> tuple[float, float]:
-    """Return the masses of gears, shafts and carriers, and of everything in a gearbox [kg]."""
-    return state.sizing.mass, complete_mass(state.sizing).total
+def _complete(state: Settled) -> float:
+    """Return the mass of everything in a gearbox [kg]."""
+    return complete_mass(state.sizing).total
 
 
 def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change]:
@@ -897,7 +910,7 @@ def lightened(state: Settled, say: Callable[[str], None]) -> Settled:
 
 def _lighter(best: Candidate) -> Iterator[Confirmed]:
     """Yield changes that meet no less and are lighter, confirmed, the lightest as screened first."""
-    now_ = complete_mass(best.settled.sizing).total
+    now_ = _complete(best.settled)
     rows = options(best.settled, _changes_of_freedoms(best.settled))
     able = [row for row in rows if row.complete < (1.0 + NEARLY) * now_]
     confirmed = 0

@@ -29,6 +29,8 @@ NEAR = 5e-3
 """The same where whole millimetres are looked at afterwards [-]."""
 ROUNDING = 1e-9
 """Of a margin, and of a width over another [-]."""
+SPARE = 1.02
+"""By how much more a size may bear than it did and still be kept [-]."""
 SMALL = 50
 """Steps below which diameters are rounded to half a step: to 0.5 mm below 50 mm, to 1 mm above [-]."""
 MOST_STEPS = 40
@@ -232,7 +234,7 @@ class Proportioned(NamedTuple):
 
 def proportioned(
     design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None,
-    still: bool = False,
+    kept: Mapping[str, StageSize] | None = None, still: bool = False,
 ) -> Proportioned:  # fmt: skip
     """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
 
@@ -241,6 +243,7 @@ def proportioned(
         wishes: What is asked.
         before: Sizing of a round before: its teeth stay, and its modules are where the search begins.
         targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
+        kept: Stage -> size that it keeps where that just does, so that only what a change moves is searched anew.
         still: Whether open axes stay where they stand first, room or not.
 
     Raises:
@@ -248,7 +251,7 @@ def proportioned(
     """
     first = sized(design) if before is None else before
     own = edited(design, dict(teeth_of(design, first)))
-    sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}))
+    sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}, kept or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
     return Proportioned(written, sized(written, still=still), sizes)
 
@@ -294,7 +297,7 @@ def _is_open(stage: Pair | Planetary) -> bool:
 
 
 def _sizes(
-    trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float]
+    trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float], kept: Mapping[str, StageSize]
 ) -> Iterator[tuple[str, StageSize]]:
     """Yield the size of every stage that is searched; one that nothing does has its widest face."""
     owners, tied = module_owners(trial.design), list[StageTask]()
@@ -307,12 +310,25 @@ def _sizes(
         if is_tied(trial.design, name, owners):
             tied.append(task)
             continue
+        if name in kept and (still := _still_does(task, kept[name], trial.given)) is not None:
+            yield name, still
+            continue
         standard = wishes.rounded and rating.proportions.standard_modules
         given = f"{name}.module" in trial.given
         module = modules[name]
         found = sized_at(task, module) if given else lightest(task, module, standard=standard)
         yield name, found or _widest(task, module)
     yield from _together(tied, modules)
+
+
+def _still_does(task: StageTask, size: StageSize, given: Mapping[str, float]) -> StageSize | None:
+    """Return a size that a stage has, rated anew; None where it does not do any more, or much less would."""
+    if given.get(f"{task.name}.module", size.module) != size.module:
+        return None
+    margin, governs = task.governing(size.module, size.face_width)
+    if not 1.0 - ROUNDING <= margin <= max(size.margin, 1.0) * SPARE:
+        return None
+    return StageSize(size.module, size.face_width, margin, governs, size.volume)
 
 
 def _on_axes(trial: Trial, first: Sizing) -> dict[str, float]:

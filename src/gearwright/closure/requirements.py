@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
+from functools import cache, cached_property
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Annotated, NamedTuple
@@ -143,11 +143,16 @@ def requirement_of(check: Check) -> str:
     Args:
         check: Any.
     """
+    return _requirement(check.mode, check.part.kind)
+
+
+@cache
+def _requirement(mode: str, kind: Kind) -> str:
     best, length = "others", -1
     for name, requirement in REQUIREMENTS.items():
-        if requirement.kinds and check.part.kind not in requirement.kinds:
+        if requirement.kinds and kind not in requirement.kinds:
             continue
-        fitting = [len(mode) for mode in requirement.modes if check.mode.startswith(mode)]
+        fitting = [len(own) for own in requirement.modes if mode.startswith(own)]
         fitting += [0] if not requirement.modes and requirement.kinds else []
         if fitting and max(fitting) > length:
             best, length = name, max(fitting)
