@@ -318,7 +318,45 @@ def _sizes(
         module = modules[name]
         found = sized_at(task, module) if given else lightest(task, module, standard=standard)
         yield name, found or _widest(task, module)
+    for tasks in _of_one_module(tied, owners, wishes):
+        yield from _at_standard(tasks, modules[tasks[0].name])
+        tied = [task for task in tied if task not in tasks]
     yield from _together(tied, modules)
+
+
+def _of_one_module(tied: list[StageTask], owners: Mapping[str, str], wishes: Wishes) -> Iterator[list[StageTask]]:
+    """Yield the stages that share an open module, a standard one, and no axes with others."""
+    for owner in dict.fromkeys(owners[task.name] for task in tied):
+        tasks = [task for task in tied if owners[task.name] == owner]
+        design, given = tasks[0].trial.design, tasks[0].trial.given
+        proportions = [task.trial.rating(task.name).proportions for task in tasks]
+        standard = wishes.rounded and all(one is not None and one.standard_modules for one in proportions)
+        axes = {pair.coaxial_with for pair in design.pairs.values()}
+        coaxial = any(
+            task.name in axes or (task.name in design.pairs and design.pairs[task.name].coaxial_with is not None)
+            for task in tasks
+        )
+        if standard and not coaxial and not any(f"{task.name}.module" in given for task in tasks):
+            yield tasks
+
+
+def _at_standard(tasks: list[StageTask], start: float) -> Iterator[tuple[str, StageSize]]:
+    """Yield the sizes of stages at the standard module that fills least of those from the least that does for all."""
+    series = [value * _MM for value in STANDARD_MODULES]
+
+    def do(module: float) -> bool:
+        return all(_does(task, module) for task in tasks)
+
+    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
+    while place > 0 and do(series[place - 1]):
+        place -= 1
+    while place < len(series) - 1 and not do(series[place]):
+        place += 1
+    found = list[list[tuple[str, StageSize]]]()
+    for module in series[place : place + 1 + LARGER]:
+        sizes = {task.name: sized_at(task, module) or _widest(task, module) for task in tasks}
+        found.append(list(_as_wide(tasks, sizes)))
+    yield from smallest(found, lambda rows: sum(size.volume for _, size in rows))
 
 
 def _still_does(task: StageTask, size: StageSize, given: Mapping[str, float]) -> StageSize | None:
