@@ -17,8 +17,8 @@ from gearwright.closure.loop import (
     Factors,
     Settled,
     Task,
+    beyond_rating,
     changes_of,
-    confirmed,
     settled,
     start_of,
 )
@@ -490,10 +490,14 @@ def _read_again(state: Settled, source: Source | None, before: Design, step: flo
     found = written_out(state.proportioned, state.task.wishes.left_out, step=step)
     design = found.design
     if CONFIRMS not in state.task.wishes.left_out and design is not state.proportioned.design:
-        design = edited(design, changes_of(design, Factors(confirmed(found.sizing), {})))
-    text = design_text(design) if source is None else design_text_like(design, source.text, before)
+        design = edited(design, changes_of(design, Factors(beyond_rating(found.sizing), {})))
+    text = _text_of(design, source, before)
     again = parse(text, folder=None if source is None else source.folder)
     return Written(text, again, sized(again))
+
+
+def _text_of(design: Design, source: Source | None, before: Design) -> str:
+    return design_text(design) if source is None else design_text_like(design, source.text, before)
 
 
 def best_so_far(state: Settled, source: Source | None, before: Design) -> Written:
@@ -504,7 +508,9 @@ def best_so_far(state: Settled, source: Source | None, before: Design) -> Writte
         source: File as whose text it is written; None: written anew.
         before: Read from that file.
     """
-    return _read_again(state, source, before, SHOP[0] if state.task.wishes.rounded else 0.0)
+    step = SHOP[0] if state.task.wishes.rounded else 0.0
+    found = written_out(state.proportioned, state.task.wishes.left_out, step=step)
+    return Written(_text_of(found.design, source, before), found.design, found.sizing)
 
 
 def _simulated(state: Settled, asked: _Asked) -> tuple[Settled, Written, list[Check]]:

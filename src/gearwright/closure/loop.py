@@ -102,6 +102,19 @@ def confirmed(sizing: Sizing) -> dict[str, float]:
     return factors
 
 
+def beyond_rating(sizing: Sizing) -> dict[str, float]:
+    """Return stage -> dynamic factor by forced response, of those whose rating takes less [-].
+
+    Args:
+        sizing: As written.
+    """
+    application = sizing.design.service.application_factor
+    used = dict[str, float]()
+    for mesh in sizing.meshes:
+        used[mesh.stage] = min(used.get(mesh.stage, math.inf), mesh.rating.peaks / application)
+    return {stage: factor for stage, factor in confirmed(sizing).items() if factor > used[stage] * (1.0 + STILL)}
+
+
 def takes_factor(design: Design, stage: str) -> bool:
     """Tell whether the method of a stage takes a dynamic factor.
 
@@ -124,7 +137,7 @@ def changes_of(design: Design, factors: Factors) -> dict[str, Value]:
         if takes_factor(design, stage):
             own = design.rules(stage).iso6336.least_dynamic_factor
             upwards = min(_upwards(factor), LARGEST)
-            if upwards > own * (1.0 + STILL) or own <= 1.0 < upwards:
+            if upwards > own:
                 changes[f"{design.table(stage)}.gears.iso6336.least_dynamic_factor"] = upwards
     for stage, factor in factors.sharing.items():
         if takes_share(design, stage):

@@ -17,7 +17,7 @@ from gearwright.arrays import smallest_first
 from gearwright.checks import Check, Status
 from gearwright.closure.course import Seen, now, sized
 from gearwright.closure.loop import Settled, Task, changes_of, settled
-from gearwright.closure.proportion import Proportioned, is_tied, proportioned, searched, sizes_of, teeth_of
+from gearwright.closure.proportion import Proportioned, StageSize, is_tied, proportioned, searched, sizes_of, teeth_of
 from gearwright.closure.requirements import STRENGTH, Round, Step, Wishes, requirement_of, wanted
 from gearwright.dynamics.vibration import resonance_checks
 from gearwright.errors import GearwrightError
@@ -161,7 +161,7 @@ class Option:
         """Of gears, shafts and carriers, before axes are turned [kg]."""
         return self._first[0]
 
-    @property
+    @cached_property
     def complete(self) -> float:
         """Complete mass, before axes are turned [kg]."""
         return now().seen(f"{self.name} weighs", lambda: (_complete(self._still),))[0]
@@ -280,15 +280,16 @@ def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, stil
     own = {path: value for path, value in state.task.chosen.items() if path not in change.frees}
     task = replace(state.task, chosen={**own, **stays, **change.values})
     stated = edited(task.changed, changes_of(task.design, state.factors))
-    first, sizes = sizing, state.proportioned.sizes
+    first, sizes, kept = sizing, state.proportioned.sizes, dict[str, StageSize]()
     if change.tables:
+        kept = {name: size for name, size in sizes.items() if design.table(name) not in change.tables}
         name = repr({path: value for path, value in change.values.items() if not path.endswith(".module_mm")})
         if name not in firsts:
             alone = edited(task.design, {**task.chosen, **{path: None for path in change.values if ".module_" in path}})
             alone = edited(alone, changes_of(task.design, state.factors))
             firsts[name] = sized(edited(alone, dict(sizes_of(alone, sizes))), still=True)
         first = firsts[name]
-    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=sizes, still=still)
+    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still)
     return replace(state, task=replace(task, start=first), proportioned=found)
 
 

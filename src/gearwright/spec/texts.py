@@ -160,13 +160,14 @@ def _statements(text: str) -> Iterator[_Statement]:
 
 
 def _masked(text: str) -> str:
-    """Return a text of equal length: letters within texts in quotes as marks, comments as blanks."""
+    """Return a text of equal length: texts in quotes as marks, in brackets where they go on; comments as blanks."""
 
     def mask(found: re.Match[str]) -> str:
         words = found[0]
         if words.startswith("#"):
             return " " * len(words)
-        return "".join(letter if letter in "\n" else "_" for letter in words)
+        marks = "".join("\n" if letter == "\n" else "_" for letter in words)
+        return f"[{marks[1:-1]}]" if "\n" in words else marks
 
     return _STRINGS.sub(mask, text)
 
