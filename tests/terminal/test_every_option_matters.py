@@ -89,6 +89,8 @@ CASES = {
             "--variants": "=stuck.toml | --variants",
             "--why": "=stuck.toml | --why",
             "--out": "--out closed.toml",
+            "--start": "--start rated.toml",
+            "--journal": "--journal closing.journal",
             "--json": "--json",
         },
     ),

@@ -3,7 +3,8 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
-from gearwright.closure.close import OnMission, as_sized, close
+from gearwright.closure.close import OnMission, Source, as_sized, best_so_far, close
+from gearwright.closure.course import Course, Effort
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
     FREEDOMS,
@@ -25,10 +26,13 @@ __all__ = [
     "REQUIREMENTS",
     "Closed",
     "Contradiction",
+    "Course",
+    "Effort",
     "OnMission",
     "Outcome",
     "Requirement",
     "Round",
+    "Source",
     "StageLife",
     "Step",
     "Tried",
@@ -37,6 +41,7 @@ __all__ = [
     "Variants",
     "Wishes",
     "as_sized",
+    "best_so_far",
     "close",
     "contradictions",
     "nearest_variant",

@@ -10,10 +10,30 @@ from typing import NamedTuple
 
 from gearwright.catalogue import bearing, bore_around
 from gearwright.checks import Check, Status, accepted
-from gearwright.closure.loop import CONFIRMS, MOST_ROUNDS, Settled, Task, settled, start_of
-from gearwright.closure.moves import borne, lightened, separated
+from gearwright.closure.course import Course, Effort, now, sized, under_way
+from gearwright.closure.loop import (
+    CONFIRMS,
+    MOST_ROUNDS,
+    Factors,
+    Settled,
+    Task,
+    beyond_rating,
+    changes_of,
+    settled,
+    start_of,
+)
+from gearwright.closure.moves import (
+    TEETH_OF_PAIRS,
+    TEETH_OF_SETS,
+    borne,
+    judged,
+    lightened,
+    mended,
+    separated,
+)
 from gearwright.closure.proportion import Proportioned, searched, teeth_of, written_out
 from gearwright.closure.requirements import (
+    FREEDOMS,
     HOUR,
     REQUIREMENTS,
     Closed,
@@ -33,10 +53,12 @@ from gearwright.mission import Flight, durability, flight_checks, fly
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_seats import ENDS, planet_bodies
 from gearwright.sizing.making import built_checks
+from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
-from gearwright.spec import Design, Mission, edited
+from gearwright.spec import Design, Mission, design_text, edited, parse
 from gearwright.spec.design import NOTHING_GIVEN, Pair, given_values, module_owners
 from gearwright.spec.edit import Value
+from gearwright.spec.texts import design_text_like
 from gearwright.units import CELSIUS
 from gearwright.verbs import verb
 
@@ -291,6 +313,23 @@ ABOVE = 1.01
 """Factor on the dynamic factor that a peak asks for, as the next size shakes a little otherwise [-]."""
 
 
+class Source(NamedTuple):
+    """The file that a design was read from."""
+
+    text: str
+    """In TOML; its comments, order and units stay."""
+    folder: Path | None = None
+    """Where files that it names are looked for."""
+
+
+class Written(NamedTuple):
+    """A design as its text says it."""
+
+    text: str
+    design: Design
+    sizing: Sizing
+
+
 @verb
 @MESHES.sharing()
 def close(
@@ -298,6 +337,9 @@ def close(
     *,
     wishes: Wishes | None = None,
     on_mission: OnMission | None = None,
+    source: Source | None = None,
+    start: Design | None = None,
+    course: Course | None = None,
     tell: Callable[[str], None] | None = None,
 ) -> Closed:
     """Return a design whose free sizes meet every requirement that its checks know, written out for `review`.
@@ -305,48 +347,180 @@ def close(
     Proportion: the least module and width of every stage under all its strengths, then shafts, pins and plates.
     Confirm: dynamic factors by the forced response at the speeds of every case, and proportion again, at most eight
     rounds. Bear: what planets turn on, where that is open. Separate: other teeth or modules where critical speeds lie
-    too near. Lighten: what the wishes leave free. Simulate: the peaks of a run.
+    too near. Mend: the same where anything else is lacking. Lighten: what the wishes leave free. Simulate: the peaks of
+    a run. The written text is read, sized and judged anew.
 
     Args:
         design: As `gearwright.read` gives it; what it gives is kept, and told where it does not do.
         wishes: Life, rounding, what is left out; left out: as the design says.
         on_mission: What its gears live through beside their cases; left out: no flight.
+        source: File that the design was read from, as whose text it is written; left out: written anew.
+        start: Design of the same stages that was closed before: its teeth and modules are a second start of the search.
+        course: Counts what is done, knows what a journal knows, and holds the best design so far.
         tell: Called with what is being done.
 
     Raises:
-        DesignError: If the design cannot be sized.
+        DesignError: If the design cannot be sized, or the start has other stages.
     """
-    asked, say = wishes or Wishes(), tell or _silent
-    start = start_of(design, asked)
-    say("proportioning and confirming")
-    state = settled(Task(start, asked))
-    state = borne(state, say)
-    if asked.separate and "critical speeds" not in asked.left_out:
-        state = separated(state, say)
-    if asked.lighten:
-        state = lightened(state, say)
-    state, peaks = _simulated(state, say)
-    flown = list[Check]()
-    if on_mission is not None:
+    with under_way(course or Course()) as running:
+        return _close(_Asked(design, wishes or Wishes(), on_mission, source, tell or _silent), start, running)
+
+
+class _Asked(NamedTuple):
+    """What a closure is asked for."""
+
+    design: Design
+    wishes: Wishes
+    on_mission: OnMission | None
+    source: Source | None
+    say: Callable[[str], None]
+
+
+def _close(asked: _Asked, start: Design | None, course: Course) -> Closed:
+    own, say = start_of(asked.design, asked.wishes), asked.say
+    states = [_searched(Task(own, asked.wishes), say)]
+    if start is not None:
+        say("searching from the design that was closed before")
+        states.append(_searched(Task(own, asked.wishes, chosen=_choices_of(start, own)), say))
+    state = min(states, key=_order)
+    course.best = state
+    state, written, checks = _simulated(state, asked)
+    if asked.on_mission is not None:
         before = state.proportioned
-        state, flown = lived(state, on_mission, say)
+        state, _ = lived(state, asked.on_mission, say)
         state = named(state)
         if state.proportioned is not before:
-            state, peaks = _simulated(state, say)
-    return _closed(design, state, [*peaks, *flown])
+            state, written, checks = _simulated(state, asked)
+        flight = fly(written.sizing, asked.on_mission.mission, folder=asked.on_mission.folder)
+        checks = [*checks, *wanted(flight_checks(flight, durability(flight)), asked.wishes.left_out)]
+    return _closed(asked, state, written, checks)
+
+
+def _order(state: Settled) -> tuple[float, float]:
+    return round(judged(state).short, 6), complete_mass(state.sizing).total
+
+
+def _searched(task: Task, say: Callable[[str], None]) -> Settled:
+    """Return the design to which the search leads from one start."""
+    now().starts += 1
+    for name in searched(task.design):
+        module = "module and " if task.design.simple_stages[name].module is None else ""
+        now().searched[f"{module}face width of {name}"] = None
+    say("proportioning and confirming")
+    state = _noted(settled(task))
+    state = _noted(borne(state, say))
+    if task.wishes.separate and "critical speeds" not in task.wishes.left_out:
+        state = _noted(separated(state, say))
+    state = _noted(mended(state, say))
+    return _noted(lightened(state, say)) if task.wishes.lighten else state
+
+
+def _noted(state: Settled) -> Settled:
+    """Note a design as the best so far."""
+    now().best = state
+    return state
+
+
+def _choices_of(start: Design, own: Design) -> dict[str, Value]:
+    """Return the teeth, modules and planet bearings of a closed design: path -> value.
+
+    Raises:
+        DesignError: If it has other stages.
+    """
+    if start.simple_stages.keys() != own.simple_stages.keys():
+        there, here = (", ".join(one.simple_stages) or "none" for one in (start, own))
+        refuse([Problem("start", f"has the stages {there}, the design {here}; give one of the same stages")])
+    owners, chosen = module_owners(own), dict[str, Value]()
+    for name, stage in start.simple_stages.items():
+        mine, table = own.simple_stages[name], own.table(name)
+        for key in (*TEETH_OF_SETS, *TEETH_OF_PAIRS):
+            if getattr(stage, key, None) is not None and getattr(mine, key, None) is None:
+                chosen[f"{table}.{key}"] = getattr(stage, key)
+        if stage.module is not None and mine.module is None and owners[name] == name:
+            chosen[f"{table}.module_mm"] = stage.module / _MM
+    for name, planetary in start.planetaries.items():
+        seat = planetary.planet_bearing
+        if seat is not None and "planet_bearing" not in own.planetaries[name].model_fields_set:
+            chosen[f"planetaries.{name}.planet_bearing.kind"] = seat.kind
+            if "side_by_side" in seat.model_fields_set:
+                chosen[f"planetaries.{name}.planet_bearing.side_by_side"] = seat.side_by_side
+        if f"planetaries.{name}.sun_teeth" in chosen and not own.planetaries[name].planets_given:
+            chosen[f"planetaries.{name}.planets"] = planetary.planets
+    ratios = {f"{own.table(name)}.ratio": None for name, one in own.simple_stages.items() if one.ratio is not None}
+    return {**chosen, **{path: None for path in ratios if any(key.startswith(path[:-5]) for key in chosen)}}
 
 
 def _silent(_: str) -> None:
     """Say nothing."""
 
 
-def _simulated(state: Settled, say: Callable[[str], None]) -> tuple[Settled, list[Check]]:
-    """Return a design whose peaks in a run stay within its rating, and the checks of them."""
+# ----------------------------------------------------------------------------------------------------------------------
+# What is written: rounded as a shop does it, read again from its text, and judged as it stands there.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SHOP = (1e-3, 2e-4, 2e-6)
+"""Steps to which diameters and thicknesses are made larger, the next where one leaves more unmet than none [m]."""
+SHORT = 1e-6
+"""Of what a design lacks [-]."""
+AS_SHORT = 0.05
+"""What one that lacks something may lack more by its rounding [-]."""
+
+
+def written_as(state: Settled, source: Source | None, before: Design) -> Written:
+    """Return the text of a settled design, its sizes rounded as a shop makes them, and what is read from it.
+
+    Args:
+        state: From the loop.
+        source: File as whose text it is written; None: written anew.
+        before: Read from that file.
+    """
+    if not state.task.wishes.rounded:
+        return _read_again(state, source, before, 0.0)
+    exact = judged(state).short
+    for step in SHOP:
+        written = _read_again(state, source, before, step)
+        lacks = judged(replace(state, proportioned=Proportioned(written.design, written.sizing, {}))).short
+        if lacks <= exact + (SHORT if exact <= SHORT else AS_SHORT):
+            break
+    return written
+
+
+def _read_again(state: Settled, source: Source | None, before: Design, step: float) -> Written:
+    found = written_out(state.proportioned, state.task.wishes.left_out, step=step)
+    design = found.design
+    if CONFIRMS not in state.task.wishes.left_out and design is not state.proportioned.design:
+        design = edited(design, changes_of(design, Factors(beyond_rating(found.sizing), {})))
+    text = _text_of(design, source, before)
+    again = parse(text, folder=None if source is None else source.folder)
+    return Written(text, again, sized(again))
+
+
+def _text_of(design: Design, source: Source | None, before: Design) -> str:
+    return design_text(design) if source is None else design_text_like(design, source.text, before)
+
+
+def best_so_far(state: Settled, source: Source | None, before: Design) -> Written:
+    """Return a design as it stands where a closure is broken off: its sizes as they are, rounded or not.
+
+    Args:
+        state: The best so far.
+        source: File as whose text it is written; None: written anew.
+        before: Read from that file.
+    """
+    step = SHOP[0] if state.task.wishes.rounded else 0.0
+    found = written_out(state.proportioned, state.task.wishes.left_out, step=step)
+    return Written(_text_of(found.design, source, before), found.design, found.sizing)
+
+
+def _simulated(state: Settled, asked: _Asked) -> tuple[Settled, Written, list[Check]]:
+    """Return a design whose peaks in a run stay within its rating, as it is written, and the checks of them."""
+    written = written_as(state, asked.source, asked.design)
     if CONFIRMS in state.task.wishes.left_out:
-        return state, []
+        return state, written, []
     for _ in range(MOST_RUNS):
-        say("simulating every case")
-        peaks = list(peak_checks(state.sizing))
+        asked.say("simulating every case")
+        peaks = list(peak_checks(written.sizing))
         failing = [check for check in peaks if check.status is Status.FAILS]
         if not (factors := _asked_by(state, failing)):
             break
@@ -355,8 +529,9 @@ def _simulated(state: Settled, say: Callable[[str], None]) -> tuple[Settled, lis
         round_ = Round(Step.SIMULATE, state.sizing.mass, lacking, 0.0, f"peaks ask for {words}")
         task = replace(state.task, factors={**state.task.factors, **factors})
         again = settled(task)
-        state = replace(again, rounds=(*state.rounds, round_, *again.rounds))
-    return state, peaks
+        state = _noted(replace(again, rounds=(*state.rounds, round_, *again.rounds)))
+        written = written_as(state, asked.source, asked.design)
+    return state, written, peaks
 
 
 def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
@@ -371,26 +546,39 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
     return {stage: factor for stage, factor in factors.items() if factor > state.factors.dynamic.get(stage, 1.0)}
 
 
-def _closed(design: Design, state: Settled, moved: list[Check]) -> Closed:
-    asked = state.task.wishes
-    written, sizing, _ = written_out(state.proportioned, asked.left_out)
+def _closed(asked: _Asked, state: Settled, written: Written, moved: list[Check]) -> Closed:
+    wishes, sizing = asked.wishes, written.sizing
     checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
-    checks = [*wanted(checks, asked.left_out), state.converged]
-    judged = accepted(checks, sizing.design.waivers)
+    checks = [*wanted(checks, wishes.left_out), state.converged]
+    accepted_ = accepted(checks, sizing.design.waivers)
+    effort = now().effort(tuple(_not_searched(asked)))
     return Closed(
-        design=written,
+        design=written.design,
         sizing=sizing,
-        checks=judged,
+        checks=accepted_,
         rounds=state.rounds,
-        unmet=tuple(_unmet(design, check) for check in judged if check.fails),
-        lives=stage_lives(sizing, asked.left_out),
-        kept=tuple(given_values(design).values),
-        wishes=asked,
+        unmet=tuple(_unmet(asked.design, check, effort) for check in accepted_ if check.fails),
+        lives=stage_lives(sizing, wishes.left_out),
+        kept=tuple(given_values(asked.design).values),
+        wishes=wishes,
+        effort=effort,
+        text=written.text,
+        changes_nothing=asked.source is not None and written.text.strip() == asked.source.text.strip(),
     )
 
 
-def _unmet(design: Design, check: Check) -> Unmet:
+def _not_searched(asked: _Asked) -> Iterator[str]:
+    """Yield the freedoms that the wishes leave closed."""
+    yield from (f"{words} (--free {name})" for name, words in FREEDOMS.items() if name not in asked.wishes.free)
+    if not asked.wishes.lighten:
+        yield "anything lighter than the teeth as sized"
+    if not asked.wishes.separate:
+        yield "teeth and modules away from critical speeds"
+
+
+def _unmet(design: Design, check: Check, effort: Effort) -> Unmet:
     """Return what is not met, with what the design keeps the closure from changing."""
     name = requirement_of(check)
     kept = [path for path in given_values(design).values if path.partition(".")[0] == check.part.name]
-    return Unmet(name, check, ", ".join(kept), REQUIREMENTS[name].helps)
+    searched_ = ", ".join(effort.searched) or "nothing: the design gives all that a closure may change"
+    return Unmet(name, check, ", ".join(kept), REQUIREMENTS[name].helps, searched_)

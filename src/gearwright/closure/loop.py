@@ -102,6 +102,19 @@ def confirmed(sizing: Sizing) -> dict[str, float]:
     return factors
 
 
+def beyond_rating(sizing: Sizing) -> dict[str, float]:
+    """Return stage -> dynamic factor by forced response, of those whose rating takes less [-].
+
+    Args:
+        sizing: As written.
+    """
+    application = sizing.design.service.application_factor
+    used = dict[str, float]()
+    for mesh in sizing.meshes:
+        used[mesh.stage] = min(used.get(mesh.stage, math.inf), mesh.rating.peaks / application)
+    return {stage: factor for stage, factor in confirmed(sizing).items() if factor > used[stage] * (1.0 + STILL)}
+
+
 def takes_factor(design: Design, stage: str) -> bool:
     """Tell whether the method of a stage takes a dynamic factor.
 

@@ -8,25 +8,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property
+from hashlib import sha256
 from types import MappingProxyType
 from typing import NamedTuple
 
 from gearwright.arrays import smallest_first
 from gearwright.checks import Check, Status
+from gearwright.closure.course import Seen, now, sized
 from gearwright.closure.loop import Settled, Task, changes_of, settled
-from gearwright.closure.proportion import Proportioned, is_tied, proportioned, searched, sizes_of, teeth_of
-from gearwright.closure.requirements import Round, Step, Wishes, requirement_of, wanted
+from gearwright.closure.proportion import Proportioned, StageSize, is_tied, proportioned, searched, sizes_of, teeth_of
+from gearwright.closure.requirements import STRENGTH, Round, Step, Wishes, requirement_of, wanted
 from gearwright.dynamics.vibration import resonance_checks
 from gearwright.errors import GearwrightError
 from gearwright.identity import Role
 from gearwright.parts.gears import ISO53_A
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.mass.bodies import gear_blanks
 from gearwright.sizing.rating import BACKUP, LEAST_RING, STANDARD_MODULES
 from gearwright.spec import Design, edited
-from gearwright.spec.design import RATINGS, Planetary, module_owners
+from gearwright.spec.design import RATINGS, Pair, Planetary, module_owners
 from gearwright.spec.edit import Value
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -36,6 +39,8 @@ from gearwright.spec.edit import Value
 
 MOVED = ("critical speeds", "room", "teeth")
 """Requirements that other teeth and modules move."""
+MENDED = (*STRENGTH, *MOVED, "bearings", "room of planets", "carriers", "sharing")
+"""Those that larger modules and other teeth may meet, too."""
 TEETH = (-6, -4, -3, -2, -1, 1, 2, 3, 4, 6)
 """By how many teeth the sun or the pinion of a stage is changed [-]."""
 TEETH_OF_SETS = ("sun_teeth", "planet_teeth", "ring_teeth")
@@ -50,10 +55,10 @@ DRIVING = (Role.SUN, Role.PINION)
 
 
 class Change(NamedTuple):
-    """A change of one stage."""
+    """A change of one stage, or of several that share a gear."""
 
-    table: str
-    """Of the stage in the design file, where its teeth follow anew; empty: all teeth stay."""
+    tables: tuple[str, ...]
+    """Of the stages in the design file, where teeth follow anew; empty: all teeth stay."""
     values: Mapping[str, Value]
     """Path -> value."""
     frees: tuple[str, ...] = ()
@@ -81,50 +86,216 @@ def judged(state: Settled) -> Candidate:
     Args:
         state: From the loop.
     """
-    own = state.sizing
-    checks = wanted([*own.checks, *built_checks(own), *resonance_checks(own)], state.task.wishes.left_out)
-    lacking = [check for check in checks if check.status is Status.FAILS and not check.waiver]
+    short, near = _standing(state)
+    more, nearer = _shaking(state)
+    return Candidate(state, short + more, near + nearer)
+
+
+def _standing(state: Settled) -> tuple[float, float]:
+    """Return what sizing and making lack [-], and the part of room and teeth in it."""
+    return _lacking(state, [*state.sizing.checks, *built_checks(state.sizing)])
+
+
+def _shaking(state: Settled) -> tuple[float, float]:
+    """Return what resonances lack [-], which is the part of critical speeds."""
+    return _lacking(state, resonance_checks(state.sizing))
+
+
+def _lacking(state: Settled, checks: Iterable[Check]) -> tuple[float, float]:
+    counted = wanted(checks, state.task.wishes.left_out)
+    lacking = [check for check in counted if check.status is Status.FAILS and not check.waiver]
     near = (check for check in lacking if requirement_of(check) in MOVED)
-    return Candidate(state, _sum(lacking), _sum(near))
+    return _sum(lacking), _sum(near)
 
 
 def _sum(checks: Iterable[Check]) -> float:
     return sum(1.0 - (check.margin or 0.0) for check in checks)
 
 
-def screened(state: Settled, changes: Iterable[Change]) -> Iterator[Settled]:
-    """Yield every change that can be sized, proportioned once, with the dynamic factors of what it is a change of.
+class Option:
+    """A change of a settled design: proportioned once, judged, and confirmed, each only where somebody asks for it."""
+
+    def __init__(self, state: Settled, change: Change, name: str, firsts: dict[str, Sizing]) -> None:
+        self.state, self.change, self.firsts = state, change, firsts
+        self.name = f"{name} {sha256(repr(change).encode()).hexdigest()[:16]}"
+
+    @cached_property
+    def settled(self) -> Settled:
+        """Proportioned once, with the dynamic factors of what it is a change of."""
+        return _screened(self.state, self.change, self.firsts)
+
+    @cached_property
+    def _still(self) -> Settled:
+        """The same with open axes where they stand first."""
+        now().looked_at += 1
+        found = _screened(self.state, self.change, self.firsts, still=True)
+        if not _lacks_room(found):
+            self.__dict__["settled"] = found  # no axis has to be turned
+        return found
+
+    @cached_property
+    def _first(self) -> Seen:
+        """Mass [kg], what it lacks beside room [-], and whether it has room, before any axis is turned."""
+        return now().seen(f"{self.name} still", lambda: (self._still.sizing.mass, *_without_room(self._still)))
+
+    @cached_property
+    def _exact(self) -> Seen:
+        """Mass and lacks with axes turned where they must."""
+        if not self._first or self.has_room:
+            return self._first
+        return now().seen(f"{self.name} turned", lambda: (self.settled.sizing.mass, *_standing(self.settled)))
+
+    @cached_property
+    def _shaken(self) -> Seen:
+        if not self._exact:
+            return ()
+        return now().seen(f"{self.name} shakes", lambda: _shaking(self._still if self.has_room else self.settled))
+
+    @property
+    def can_be_sized(self) -> bool:
+        """Whether it can."""
+        return bool(self._first)
+
+    @property
+    def mass(self) -> float:
+        """Of gears, shafts and carriers, before axes are turned [kg]."""
+        return self._first[0]
+
+    @cached_property
+    def complete(self) -> float:
+        """Complete mass, before axes are turned [kg]."""
+        return now().seen(f"{self.name} weighs", lambda: (_complete(self._still),))[0]
+
+    @property
+    def has_room(self) -> bool:
+        """Whether no axis has to be turned."""
+        return bool(self._first[2])
+
+    @property
+    def stands(self) -> float:
+        """What its sizing and its making lack beside room, without what shakes: it lacks no less [-]."""
+        return self._first[1]
+
+    @property
+    def short(self) -> float:
+        """What all failing checks lack [-]; infinite where its axes or its modes cannot be had."""
+        return self._exact[1] + self._shaken[0] if self._exact and self._shaken else math.inf
+
+    @property
+    def rank(self) -> tuple[float, float]:
+        """What meets more comes first, then what is lighter."""
+        return round(self.short, 6), self._exact[0] if self._exact else math.inf
+
+    def confirmed(self) -> Confirmed:
+        """Return it with dynamic factors of its own."""
+        return Confirmed(self)
+
+
+class Confirmed:
+    """A change with the dynamic factors of its own."""
+
+    def __init__(self, option: Option) -> None:
+        self.option = option
+
+    @cached_property
+    def settled(self) -> Settled:
+        """From the loop."""
+        now().confirmed += 1
+        return settled(self.option.settled.task)
+
+    @cached_property
+    def _found(self) -> Seen:
+        return now().seen(
+            f"{self.option.name} confirmed",
+            lambda: (self.settled.sizing.mass, _complete(self.settled), *judged(self.settled)[1:]),
+        )
+
+    @property
+    def can_be_sized(self) -> bool:
+        """Whether it can."""
+        return bool(self._found)
+
+    @property
+    def complete(self) -> float:
+        """Complete mass [kg]."""
+        return self._found[1]
+
+    @property
+    def short(self) -> float:
+        """What all failing checks lack [-]."""
+        return self._found[2]
+
+    @property
+    def near(self) -> float:
+        """The part of critical speeds and of room in it [-]."""
+        return self._found[3]
+
+    @property
+    def rank(self) -> tuple[float, float]:
+        """What meets more comes first, then what is lighter."""
+        return round(self.short, 6), self._found[0]
+
+    @property
+    def candidate(self) -> Candidate:
+        """With its sizing."""
+        return Candidate(self.settled, self.short, self.near)
+
+
+def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
+    """Return every change that can be sized, proportioned once.
 
     Args:
         state: That is changed.
-        changes: One after another, each of the same state.
+        changes: Each of the same state.
     """
-    for change in changes:
-        try:
-            yield _screened(state, change)
-        except GearwrightError:
-            continue
+    task, own = state.task, state.factors
+    started = None if task.start is None else task.start.teeth
+    stands = (task.chosen, task.factors, task.targets, task.planets, started, own, dict(state.proportioned.sizes))
+    name = sha256(repr(stands).encode()).hexdigest()[:16]
+    firsts = dict[str, Sizing]()
+    return [option for change in changes if (option := Option(state, change, name, firsts)).can_be_sized]
 
 
-def _screened(state: Settled, change: Change) -> Settled:
-    """Return a change of one stage, proportioned once; the teeth of the other stages stay."""
+def _lacks_room(state: Settled) -> bool:
+    """Tell whether bodies stand into each other, so that open axes would be turned."""
+    return any(check.fails and requirement_of(check) == "room" for check in state.sizing.checks)
+
+
+def _without_room(state: Settled) -> tuple[float, float]:
+    """Return what sizing and making lack, and 1 if that is all; without room, and 0, where axes are to be turned."""
+    if not _lacks_room(state):
+        return _standing(state)[0], 1.0
+    checks = [*state.sizing.checks, *built_checks(state.sizing)]
+    return _lacking(state, (check for check in checks if requirement_of(check) not in ("room", "making")))[0], 0.0
+
+
+def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, still: bool = False) -> Settled:
+    """Return a change, proportioned once; the teeth of the other stages stay, and their sizes where they still do.
+
+    What teeth follow from a change is found once, whatever module is tried with them.
+    """
     design, sizing = state.task.design, state.sizing
-    stays = {path: value for path, value in teeth_of(design, sizing) if not path.startswith(f"{change.table}.")}
+    anew = tuple(f"{table}." for table in change.tables)
+    stays = {path: value for path, value in teeth_of(design, sizing) if not path.startswith(anew)}
     own = {path: value for path, value in state.task.chosen.items() if path not in change.frees}
     task = replace(state.task, chosen={**own, **stays, **change.values})
     stated = edited(task.changed, changes_of(task.design, state.factors))
-    first = size(edited(stated, dict(sizes_of(stated, state.proportioned.sizes))))
-    found = proportioned(stated, task.wishes, before=first, targets=task.targets)
+    first, sizes, kept = sizing, state.proportioned.sizes, dict[str, StageSize]()
+    if change.tables:
+        kept = {name: size for name, size in sizes.items() if design.table(name) not in change.tables}
+        name = repr({path: value for path, value in change.values.items() if not path.endswith(".module_mm")})
+        if name not in firsts:
+            alone = edited(task.design, {**task.chosen, **{path: None for path in change.values if ".module_" in path}})
+            alone = edited(alone, changes_of(task.design, state.factors))
+            firsts[name] = sized(edited(alone, dict(sizes_of(alone, sizes))), still=True)
+        first = firsts[name]
+    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still)
     return replace(state, task=replace(task, start=first), proportioned=found)
 
 
-def confirmed_anew(state: Settled) -> Candidate:
-    """Return a screened change with the dynamic factors of its own.
-
-    Args:
-        state: As screened.
-    """
-    return judged(settled(state.task))
+def _complete(state: Settled) -> float:
+    """Return the mass of everything in a gearbox [kg]."""
+    return complete_mass(state.sizing).total
 
 
 def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change]:
@@ -134,15 +305,53 @@ def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change
         state: With the teeth of now.
         steps: By how many teeth [-].
     """
-    design, sizing, steps = state.task.design, state.sizing, tuple(steps)
-    for name in searched(design):
-        stage, table = design.simple_stages[name], design.table(name)
-        keys = TEETH_OF_SETS if isinstance(stage, Planetary) else TEETH_OF_PAIRS
-        gear = next((gear for gear in sizing.gears if gear.stage == name and gear.role in DRIVING), None)
-        given = {f"{table}.{key}": None for key in keys if getattr(stage, key) is not None}
-        if (not given or "teeth" in state.task.wishes.free) and gear is not None:
-            frees = tuple(f"{table}.{key}" for key in keys)
-            yield from (Change(table, {**given, frees[0]: gear.teeth + step}, frees) for step in steps)
+    design, steps = state.task.design, tuple(steps)
+    for names in _sharing_gears(design):
+        together = _of_teeth(state, names, steps)
+        yield from together or (change for name in names for change in _of_teeth(state, (name,), steps))
+
+
+def _of_teeth(state: Settled, names: tuple[str, ...], steps: Iterable[int]) -> list[Change]:
+    """Return other teeth of some stages together; none where one of them gives some that are not free."""
+    design = state.task.design
+    keys = {name: _tooth_keys(design.simple_stages[name]) for name in names}
+    driving = {gear.stage: gear for gear in state.sizing.gears if gear.stage in names and gear.role in DRIVING}
+    given: dict[str, Value] = {
+        f"{design.table(name)}.{key}": None
+        for name in names
+        for key in keys[name]
+        if getattr(design.simple_stages[name], key) is not None
+    }
+    if not driving or (given and "teeth" not in state.task.wishes.free):
+        return []
+    now().searched[f"teeth of {' and '.join(names)}"] = None
+    frees = tuple(f"{design.table(name)}.{key}" for name in names for key in keys[name])
+    first = next(iter(driving.values())).teeth
+    return [
+        Change(
+            tuple(map(design.table, names)),
+            {
+                **given,
+                **{
+                    f"{design.table(name)}.{keys[name][0]}": gear.teeth + round(step * gear.teeth / first)
+                    for name, gear in driving.items()
+                },
+            },
+            frees,
+        )
+        for step in steps
+    ]
+
+
+def _tooth_keys(stage: Pair | Planetary) -> tuple[str, ...]:
+    return TEETH_OF_SETS if isinstance(stage, Planetary) else TEETH_OF_PAIRS
+
+
+def _sharing_gears(design: Design) -> Iterator[tuple[str, ...]]:
+    """Yield the stages whose size is searched, those that share gears together: their ratios change together."""
+    names, owners = searched(design), module_owners(design)
+    for owner in dict.fromkeys(owners[name] for name in names):
+        yield tuple(name for name in names if owners[name] == owner)
 
 
 def open_modules(state: Settled) -> dict[str, float]:
@@ -173,7 +382,9 @@ def words_of(chosen: Mapping[str, Value]) -> str:
     Args:
         chosen: Path -> value.
     """
-    return "; ".join(f"{path} = {value}" for path, value in chosen.items())
+    return "; ".join(
+        f"{path} = {value:.12g}" if isinstance(value, float) else f"{path} = {value}" for path, value in chosen.items()
+    )
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -362,12 +573,13 @@ def borne(state: Settled, tell: Callable[[str], None]) -> Settled:
     chosen: dict[str, Value] = {}
     for stage in open_sets(state):
         tell(f"choosing what the planets of {stage} turn on")
+        now().searched[f"bearings of the planets of {stage}"] = None
         best = min(_tried(state, stage), key=lambda row: row.order, default=None)
         if best is not None:
             chosen |= best.changes
     if not chosen:
         return state
-    words = "; ".join(f"{path} = {value}" for path, value in chosen.items())
+    words = words_of(chosen)
     round_ = Round(Step.BEAR, state.sizing.mass, 1.0, 0.0, words)
     again = settled(replace(state.task, chosen={**state.task.chosen, **chosen}, start=None, factors=state.task.factors))
     return replace(again, rounds=(*state.rounds, round_, *again.rounds))
@@ -436,7 +648,7 @@ def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> I
         if stage in task.planets and kind != "plain":
             changes[f"{path}.planet_bearing.life_h"] = task.planets[stage]
         try:
-            sizing = size(edited(own.design, changes))
+            sizing = sized(edited(own.design, changes))
         except GearwrightError:
             continue
         if module is not None:
@@ -451,6 +663,8 @@ def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> I
 
 SWEEPS = 5
 """Changes that are made one after another [-]."""
+MOST_TURNED = 12
+"""Choices of a sweep whose axes are turned to make room, the most promising first [-]."""
 CONFIRMED_OF_SWEEP = 3
 """The most promising choices of a sweep that are confirmed [-]."""
 STEPS = (-14, -12, -10, -8, *TEETH, 8, 10, 12, 14)
@@ -477,33 +691,58 @@ def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
         tell: Called with what is being done.
     """
     lacks = _other_lacks(judged(state))
-    best, wishes = _separated(state, lacks, tell), state.task.wishes
+    best, wishes = _moved(state, lacks, tell), state.task.wishes
     if _clear(best, lacks) or "teeth" not in wishes.free:
         return best.settled
     fewer = replace(wishes, free=tuple(name for name in wishes.free if name != "teeth"))
-    other = _separated(_wishing(state, fewer), lacks, tell)
+    other = _moved(_wishing(state, fewer), lacks, tell)
     return _wishing(min(best, other, key=lambda row: row.rank).settled, wishes)
+
+
+def mended(state: Settled, tell: Callable[[str], None]) -> Settled:
+    """Return a design that meets what it lacks, by other teeth and modules, or the nearest to it; else as it is.
+
+    What the least module and width of every stage leave unmet, such as room for bearings in planets, larger ones meet.
+
+    Args:
+        state: From the loop.
+        tell: Called with what is being done.
+    """
+    checks = wanted([*state.sizing.checks, *built_checks(state.sizing)], state.task.wishes.left_out)
+    lacking = {requirement_of(check) for check in checks if check.fails}
+    if not lacking & set(MENDED):
+        return state
+    return _moved(state, 0.0, tell, words="looking for what meets more").settled
 
 
 def _wishing(state: Settled, wishes: Wishes) -> Settled:
     return replace(state, task=replace(state.task, wishes=wishes))
 
 
-def _separated(state: Settled, lacks: float, tell: Callable[[str], None]) -> Candidate:
+def _moved(
+    state: Settled, lacks: float, tell: Callable[[str], None], words: str = "separating critical speeds"
+) -> Candidate:
     """Return what up to five changes lead to, each the best of its sweep."""
     best = judged(state)
     for sweep in range(SWEEPS):
         if _clear(best, lacks):
             break
-        tell(f"separating critical speeds, sweep {sweep + 1}")
-        found = min(_settled_of(best.settled, lacks), key=lambda row: row.rank, default=best)
-        if found.rank >= best.rank:
+        tell(f"{words}, sweep {sweep + 1}")
+        found = min(_settled_of(best.settled, lacks), key=lambda row: row.rank, default=None)
+        if found is None or found.rank >= best.rank:
             break
-        mass, words = found.settled.sizing.mass, words_of(found.settled.task.chosen)
-        round_ = Round(Step.SEPARATE, mass, 1.0 - found.short, 0.0, words)
-        settled_ = replace(found.settled, rounds=(*best.settled.rounds, round_, *found.settled.rounds))
-        best = Candidate(settled_, found.short, found.near)
+        best = _taken(best, found, Step.SEPARATE, words_of(found.settled.task.chosen))
     return best
+
+
+def _taken(best: Candidate, found: Confirmed, step: Step, words: str) -> Candidate:
+    """Return a change that is made, with the rounds to it."""
+    now().taken += 1
+    round_ = Round(step, found.settled.sizing.mass, 1.0 - found.short, 0.0, words)
+    rounds = (*best.settled.rounds, round_, *found.settled.rounds)
+    candidate = Candidate(replace(found.settled, rounds=rounds), found.short, found.near)
+    now().best = candidate.settled
+    return candidate
 
 
 def _other_lacks(candidate: Candidate) -> float:
@@ -511,19 +750,32 @@ def _other_lacks(candidate: Candidate) -> float:
     return candidate.short - candidate.near
 
 
-def _clear(candidate: Candidate, lacks: float) -> bool:
+def _clear(found: Candidate | Confirmed, lacks: float) -> bool:
     """Tell whether no critical speed is near, and nothing else lacks more than it may [-]."""
-    return candidate.near <= 0.0 and candidate.short <= lacks + NEARNESS_ROUNDING
+    return found.near <= 0.0 and found.short <= lacks + NEARNESS_ROUNDING
 
 
-def _settled_of(state: Settled, lacks: float) -> Iterator[Candidate]:
+def _settled_of(state: Settled, lacks: float) -> Iterator[Confirmed]:
     """Yield the most promising changes, confirmed, until one is clear and lacks no more than it may [-]."""
-    rows = map(judged, screened(state, (*_changes_away(state), *_together(state))))
-    for near in sorted(rows, key=lambda row: row.rank)[:CONFIRMED_OF_SWEEP]:
-        candidate = confirmed_anew(near.settled)
-        yield candidate
-        if _clear(candidate, lacks):
-            return
+    for near in _most_promising(options(state, (*_changes_away(state), *_together(state), *_beyond(state)))):
+        found = near.confirmed()
+        if found.can_be_sized:
+            yield found
+            if _clear(found, lacks):
+                return
+
+
+def _most_promising(rows: Iterable[Option]) -> list[Option]:
+    """Return the options that lack least: who lacks more as it stands is not shaken, as that only adds to it."""
+    best, turned = list[Option](), 0
+    for row in sorted(rows, key=lambda row: (round(row.stands, 6), row.mass)):
+        if len(best) == CONFIRMED_OF_SWEEP and (round(row.stands, 6), row.mass) > best[-1].rank:
+            break
+        turned += not row.has_room
+        if turned > MOST_TURNED and not row.has_room:
+            continue
+        best = sorted([*best, row], key=lambda one: one.rank)[:CONFIRMED_OF_SWEEP]
+    return [row for row in best if row.short < math.inf]
 
 
 def _changes_away(state: Settled) -> Iterator[Change]:
@@ -533,11 +785,12 @@ def _changes_away(state: Settled) -> Iterator[Change]:
     open_ = {design.table(name): own for name, own in alone}
     for change in other_teeth(state, STEPS):
         yield change
-        values = standard_modules(open_[change.table], BESIDE) if change.table in open_ else ()
-        yield from (_with_module(change, change.table, value) for value in values)
+        for table in change.tables if len(change.tables) == 1 else ():
+            values = standard_modules(open_[table], BESIDE) if table in open_ else ()
+            yield from (_with_module(change, table, value) for value in values)
     for table, own in open_.items():
         if f"{table}.module_mm" not in state.task.chosen:
-            yield from (_with_module(Change("", {}), table, value) for value in standard_modules(own, MODULES_UPWARDS))
+            yield from (_with_module(Change((), {}), table, value) for value in standard_modules(own, MODULES_UPWARDS))
 
 
 def _with_module(change: Change, table: str, value: float) -> Change:
@@ -552,7 +805,51 @@ def _together(state: Settled) -> Iterator[Change]:
     if tied and all(design.simple_stages[name].module is None for name in tied):
         own = {name: modules[name] for name in tied if owners[name] == name}
         for factor in LARGER:
-            yield Change("", {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
+            yield Change((), {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Modules that the sizing chooses and the proportioning does not: of compound sets, bevel pairs and face gears.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+BEYOND = (-3, -2, *range(1, 13), -1)
+"""By how many steps of ISO 54 such a module is changed [-]."""
+
+
+def modules_beyond(design: Design, sizing: Sizing) -> Iterator[tuple[str, str, float]]:
+    """Yield path, name and module [m] of what has one of its own that is open and no stage that is searched.
+
+    The gear groups of a compound set have modules in a fixed ratio, so that the one of its first gear speaks for all.
+
+    Args:
+        design: With its stages.
+        sizing: As sized.
+    """
+    modules = {gear.name: gear.module for gear in sizing.gears}
+    for name, compound in design.epicyclics.items():
+        if all(gear.module is None for gear in compound.toothed.values()):
+            first = next(iter(compound.toothed))
+            kind = next(kind for kind in ("suns", "rings", "planets") if first in getattr(compound, kind))
+            yield f"{design.table(name)}.{kind}.{first}.module_mm", name, modules[f"{name}.{first}"]
+    for name, pair in design.pairs.items():
+        own = next((gear.module for gear in sizing.gears if gear.stage == name), None)
+        if pair.kind == "bevel" and pair.outer_module is None and own is not None:
+            yield f"{design.table(name)}.outer_module_mm", name, own
+        elif pair.kind == "face" and pair.module is None and own is not None:
+            yield f"{design.table(name)}.module_mm", name, own
+
+
+def _beyond(state: Settled, steps: Iterable[int] = BEYOND) -> Iterator[Change]:
+    """Yield other modules of compound sets, bevel pairs and face gears: standard ones, or by factors."""
+    steps = tuple(steps)
+    for path, name, own in modules_beyond(state.task.design, state.sizing):
+        now().searched[f"module of {name}"] = None
+        if state.task.wishes.rounded and state.task.design.rules(name).iso6336.standard_modules:
+            values = [value for value in standard_modules(own, steps) if abs(value * _MM / own - 1.0) > MODULE_ROUNDING]
+        else:
+            values = [factor * own / _MM for factor in (*FACTORS, *LARGER)]
+        yield from (Change((), {path: value}) for value in values)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -608,41 +905,32 @@ def lightened(state: Settled, say: Callable[[str], None]) -> Settled:
         found = next(_lighter(best), None)
         if found is None:
             break
-        change, row = found
-        words = "; ".join(f"{path} = {value}" for path, value in change.values.items())
-        round_ = Round(Step.LIGHTEN, row.settled.sizing.mass, 1.0 - row.short, 0.0, words)
-        rounds = (*best.settled.rounds, round_, *row.settled.rounds)
-        best = row._replace(settled=replace(row.settled, rounds=rounds))
+        best = _taken(best, found, Step.LIGHTEN, words_of(found.option.change.values))
     return best.settled
 
 
-def _lighter(best: Candidate) -> Iterator[tuple[Change, Candidate]]:
+def _lighter(best: Candidate) -> Iterator[Confirmed]:
     """Yield changes that meet no less and are lighter, confirmed, the lightest as screened first."""
-    now = _mass(best.settled)
-    rows = (
-        (change, state) for change in _changes_of_freedoms(best.settled) for state in screened(best.settled, [change])
-    )
-    able = [(mass, change, state) for change, state in rows if (mass := _mass(state)) < (1.0 + NEARLY) * now]
+    now_ = _complete(best.settled)
+    rows = options(best.settled, _changes_of_freedoms(best.settled))
+    able = [row for row in rows if row.complete < (1.0 + NEARLY) * now_]
     confirmed = 0
-    for _, change, state in smallest_first(able, lambda row: row[0]):
+    for row in smallest_first(able, lambda row: row.complete):
         if confirmed == CONFIRMED:
             return
-        if judged(state).short > best.short + ROUNDING:
+        most = best.short + ROUNDING
+        if row.stands > most or row.short > most:
             continue
         confirmed += 1
-        candidate = confirmed_anew(state)
-        if candidate.short <= best.short + ROUNDING and _mass(candidate.settled) < (1.0 - LIGHTER) * now:
-            yield change, candidate
-
-
-def _mass(state: Settled) -> float:
-    """Return the mass of everything in a gearbox [kg]."""
-    return complete_mass(state.sizing).total
+        found = row.confirmed()
+        if found.can_be_sized and found.short <= most and found.complete < (1.0 - LIGHTER) * now_:
+            yield found
 
 
 def _changes_of_freedoms(state: Settled) -> Iterator[Change]:
     """Yield every single change of what is free; teeth that the design leaves open always are."""
     yield from _modules(state)
+    yield from _beyond(state, LIGHTER_MODULES)
     for name in dict.fromkeys(("teeth", *state.task.wishes.free)):
         yield from CHANGES[name](state)
 
@@ -664,10 +952,10 @@ def _modules(state: Settled) -> Iterator[Change]:
 def _as_large(state: Settled, stage: str, change: Change, factor: float) -> Iterator[Change]:
     """Yield another module with other teeth, so that the gears stay about as large, where both are open."""
     gear = next(gear for gear in state.sizing.gears if gear.stage == stage)
-    table = f"{state.task.design.table(stage)}."
+    table = state.task.design.table(stage)
     steps = {round(factor * gear.teeth) + more - gear.teeth for more in (-1, 0, 1)}
     for other in other_teeth(state, sorted(steps - {0})):
-        if f"{other.table}." == table:
+        if other.tables == (table,):
             yield other._replace(values={**other.values, **change.values})
 
 
@@ -681,7 +969,7 @@ def _other_modules(state: Settled, stage: str, own: float) -> Iterator[float]:
 
 def _scaled(state: Settled, modules: Mapping[str, float]) -> Change:
     """Return the change to some modules [m]."""
-    return Change("", {f"{state.task.design.table(name)}.module_mm": own / _MM for name, own in modules.items()})
+    return Change((), {f"{state.task.design.table(name)}.module_mm": own / _MM for name, own in modules.items()})
 
 
 def _teeth(state: Settled) -> Iterator[Change]:
@@ -695,7 +983,7 @@ def _shifts(state: Settled) -> Iterator[Change]:
         gear = next((gear for gear in state.sizing.gears if gear.stage == name and gear.role in DRIVING), None)
         if gear is not None:
             path = f"{state.task.design.table(name)}.{gear.role}_shift"
-            yield from (Change("", {path: round(gear.profile_shift + step, 3)}) for step in SHIFTS)
+            yield from (Change((), {path: round(gear.profile_shift + step, 3)}) for step in SHIFTS)
 
 
 def _planets(state: Settled) -> Iterator[Change]:
@@ -711,7 +999,7 @@ def _planets(state: Settled) -> Iterator[Change]:
             if 2 <= count <= MOST_PLANETS:
                 given = _given(state.task.design, name)
                 yield from (
-                    Change(table, {**given, f"{table}.planets": count, frees[0]: sun + step}, frees) for step in SUNS
+                    Change((table,), {**given, f"{table}.planets": count, frees[0]: sun + step}, frees) for step in SUNS
                 )
 
 
@@ -727,17 +1015,17 @@ def _helix(state: Settled) -> Iterator[Change]:
     if any(pair.kind == "cylindrical" for pair in design.pairs.values()):
         angle = math.degrees(design.gears.helix_angle)
         others = (round(angle + step, 6) for step in ANGLES)
-        yield from (Change("", {"gears.helix_angle_deg": other}) for other in others if 0.0 <= other <= WIDEST_ANGLE)
+        yield from (Change((), {"gears.helix_angle_deg": other}) for other in others if 0.0 <= other <= WIDEST_ANGLE)
 
 
 def _steels(state: Settled) -> Iterator[Change]:
     """Yield the other steels of the catalogue, and the grades of the one that is, where no class is stated."""
     design = state.task.changed
     rules = design.gears.iso6336
-    yield from (Change("", {"gears.iso6336.grade": grade}) for grade in GRADES if grade != rules.grade)
+    yield from (Change((), {"gears.iso6336.grade": grade}) for grade in GRADES if grade != rules.grade)
     if rules.steel is None:
         names = [name for name, one in design.known_materials.items() if one.steel and name != design.gears.material]
-        yield from (Change("", {"gears.material": name}) for name in names)
+        yield from (Change((), {"gears.material": name}) for name in names)
 
 
 def _bodies(freedom: str) -> Callable[[Settled], Iterator[Change]]:
@@ -745,7 +1033,7 @@ def _bodies(freedom: str) -> Callable[[Settled], Iterator[Change]]:
 
     def changes(state: Settled) -> Iterator[Change]:
         for own in thicknesses(state.task.changed, state.sizing, freedom):
-            yield from (Change("", own.at(value)) for value in own.others)
+            yield from (Change((), own.at(value)) for value in own.others)
 
     return changes
 

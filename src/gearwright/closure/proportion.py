@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from gearwright.arrays import smallest
+from gearwright.closure.course import sized
 from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, without
 from gearwright.identity import Role
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing
 from gearwright.sizing.insight import Trial, trial_of
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design, edited
@@ -28,6 +29,10 @@ NEAR = 5e-3
 """The same where whole millimetres are looked at afterwards [-]."""
 ROUNDING = 1e-9
 """Of a margin, and of a width over another [-]."""
+SPARE = 1.02
+"""By how much more a size may bear than it did and still be kept [-]."""
+SMALL = 50
+"""Steps below which diameters are rounded to half a step: to 0.5 mm below 50 mm, to 1 mm above [-]."""
 MOST_STEPS = 40
 """Steps of the search for a width [-]."""
 LARGER = 1
@@ -228,8 +233,9 @@ class Proportioned(NamedTuple):
 
 
 def proportioned(
-    design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None
-) -> Proportioned:
+    design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None,
+    kept: Mapping[str, StageSize] | None = None, still: bool = False,
+) -> Proportioned:  # fmt: skip
     """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
 
     Args:
@@ -237,27 +243,40 @@ def proportioned(
         wishes: What is asked.
         before: Sizing of a round before: its teeth stay, and its modules are where the search begins.
         targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
+        kept: Stage -> size that it keeps where that just does, so that only what a change moves is searched anew.
+        still: Whether open axes stay where they stand first, room or not.
 
     Raises:
         DesignError: If the design cannot be sized.
     """
-    first = size(design) if before is None else before
+    first = sized(design) if before is None else before
     own = edited(design, dict(teeth_of(design, first)))
-    sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}))
+    sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}, kept or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
-    return Proportioned(written, size(written), sizes)
+    return Proportioned(written, sized(written, still=still), sizes)
 
 
-def written_out(found: Proportioned, left_out: frozenset[str] = frozenset()) -> Proportioned:
+def written_out(found: Proportioned, left_out: frozenset[str] = frozenset(), *, step: float = 0.0) -> Proportioned:
     """Return a design with the diameters of its plain shafts and pins written as sized, too.
 
     Args:
         found: With modules and widths.
         left_out: Requirements that do not count.
+        step: To whose multiples diameters and thicknesses are made larger, small ones to a half of it [m]; 0: to none.
     """
     free = without(found.design, left_out)
-    whole = edited(found.design, dict(_diameters(found.sizing if free is found.design else size(free))))
-    return Proportioned(whole, size(whole), found.sizes)
+    sizing = found.sizing if free is found.design else sized(free)
+    changes = {path: _shop(value, step / _MM) for path, value in _diameters(sizing)}
+    whole = edited(found.design, changes) if changes else found.design
+    return Proportioned(whole, sized(whole) if changes else found.sizing, found.sizes)
+
+
+def _shop(value: float, step: float) -> float:
+    """Return a size as a shop makes it: the next multiple of a step, below fifty steps of a half of it [mm]."""
+    if step <= 0.0:
+        return value
+    part = step if value >= SMALL * step else step / 2.0
+    return round(math.ceil(value / part - ROUNDING) * part, 6)
 
 
 def searched(design: Design) -> list[str]:
@@ -278,7 +297,7 @@ def _is_open(stage: Pair | Planetary) -> bool:
 
 
 def _sizes(
-    trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float]
+    trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float], kept: Mapping[str, StageSize]
 ) -> Iterator[tuple[str, StageSize]]:
     """Yield the size of every stage that is searched; one that nothing does has its widest face."""
     owners, tied = module_owners(trial.design), list[StageTask]()
@@ -291,12 +310,63 @@ def _sizes(
         if is_tied(trial.design, name, owners):
             tied.append(task)
             continue
+        if name in kept and (still := _still_does(task, kept[name], trial.given)) is not None:
+            yield name, still
+            continue
         standard = wishes.rounded and rating.proportions.standard_modules
         given = f"{name}.module" in trial.given
         module = modules[name]
         found = sized_at(task, module) if given else lightest(task, module, standard=standard)
         yield name, found or _widest(task, module)
+    for tasks in _of_one_module(tied, owners, wishes):
+        yield from _at_standard(tasks, modules[tasks[0].name])
+        tied = [task for task in tied if task not in tasks]
     yield from _together(tied, modules)
+
+
+def _of_one_module(tied: list[StageTask], owners: Mapping[str, str], wishes: Wishes) -> Iterator[list[StageTask]]:
+    """Yield the stages that share an open module, a standard one, and no axes with others."""
+    for owner in dict.fromkeys(owners[task.name] for task in tied):
+        tasks = [task for task in tied if owners[task.name] == owner]
+        design, given = tasks[0].trial.design, tasks[0].trial.given
+        proportions = [task.trial.rating(task.name).proportions for task in tasks]
+        standard = wishes.rounded and all(one is not None and one.standard_modules for one in proportions)
+        axes = {pair.coaxial_with for pair in design.pairs.values()}
+        coaxial = any(
+            task.name in axes or (task.name in design.pairs and design.pairs[task.name].coaxial_with is not None)
+            for task in tasks
+        )
+        if standard and not coaxial and not any(f"{task.name}.module" in given for task in tasks):
+            yield tasks
+
+
+def _at_standard(tasks: list[StageTask], start: float) -> Iterator[tuple[str, StageSize]]:
+    """Yield the sizes of stages at the standard module that fills least of those from the least that does for all."""
+    series = [value * _MM for value in STANDARD_MODULES]
+
+    def do(module: float) -> bool:
+        return all(_does(task, module) for task in tasks)
+
+    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
+    while place > 0 and do(series[place - 1]):
+        place -= 1
+    while place < len(series) - 1 and not do(series[place]):
+        place += 1
+    found = list[list[tuple[str, StageSize]]]()
+    for module in series[place : place + 1 + LARGER]:
+        sizes = {task.name: sized_at(task, module) or _widest(task, module) for task in tasks}
+        found.append(list(_as_wide(tasks, sizes)))
+    yield from smallest(found, lambda rows: sum(size.volume for _, size in rows))
+
+
+def _still_does(task: StageTask, size: StageSize, given: Mapping[str, float]) -> StageSize | None:
+    """Return a size that a stage has, rated anew; None where it does not do any more, or much less would."""
+    if given.get(f"{task.name}.module", size.module) != size.module:
+        return None
+    margin, governs = task.governing(size.module, size.face_width)
+    if not 1.0 - ROUNDING <= margin <= max(size.margin, 1.0) * SPARE:
+        return None
+    return StageSize(size.module, size.face_width, margin, governs, size.volume)
 
 
 def _on_axes(trial: Trial, first: Sizing) -> dict[str, float]:
@@ -397,7 +467,7 @@ def sizes_of(design: Design, sizes: Mapping[str, StageSize]) -> Iterator[tuple[s
         yield f"{design.table(name)}.face_width_mm", found.face_width / _MM
 
 
-def _diameters(sizing: Sizing) -> Iterator[tuple[str, Value]]:
+def _diameters(sizing: Sizing) -> Iterator[tuple[str, float]]:
     """Yield diameters of plain shafts and pins and thicknesses of plates, where the design leaves them open."""
     design = sizing.design
     built = {shaft.name for shaft in sizing.built_shafts}

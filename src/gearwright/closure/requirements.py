@@ -6,13 +6,14 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
+from functools import cache, cached_property
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Annotated, NamedTuple
 
 from gearwright.arrays import smallest_first
 from gearwright.checks import Check, worst
+from gearwright.closure.course import Effort
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind
 from gearwright.showing import Shown
@@ -142,11 +143,16 @@ def requirement_of(check: Check) -> str:
     Args:
         check: Any.
     """
+    return _requirement(check.mode, check.part.kind)
+
+
+@cache
+def _requirement(mode: str, kind: Kind) -> str:
     best, length = "others", -1
     for name, requirement in REQUIREMENTS.items():
-        if requirement.kinds and check.part.kind not in requirement.kinds:
+        if requirement.kinds and kind not in requirement.kinds:
             continue
-        fitting = [len(mode) for mode in requirement.modes if check.mode.startswith(mode)]
+        fitting = [len(own) for own in requirement.modes if mode.startswith(own)]
         fitting += [0] if not requirement.modes and requirement.kinds else []
         if fitting and max(fitting) > length:
             best, length = name, max(fitting)
@@ -255,7 +261,7 @@ class Round:
 
 @dataclass(frozen=True)
 class Unmet:
-    """A requirement that no freedom of the closure meets."""
+    """A requirement that nothing meets over which the closure searched."""
 
     requirement: str
     """Its name."""
@@ -265,6 +271,8 @@ class Unmet:
     """What the design gives and the closure therefore does not change; empty where nothing."""
     helps: str
     """What would help."""
+    searched: str
+    """Over what it was looked for."""
 
 
 @dataclass(frozen=True)
@@ -300,6 +308,12 @@ class Closed(Shown):
     kept: tuple[str, ...]
     """Paths of what the design gives and the closure does not change."""
     wishes: Wishes
+    effort: Effort
+    """What it cost, and over what it searched."""
+    text: str
+    """The closed design as TOML, from which it was read again before it was judged."""
+    changes_nothing: bool = False
+    """Whether the text is that of the file that was closed."""
 
     @property
     def outcome(self) -> Outcome:

@@ -381,7 +381,8 @@ def architectures(
     say = tell or _quiet
     with _keeping(journal, kept) as book:
         say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}")
-        rows = _ranked(_Task(asked, life, workers, say, book), every, closed * _ANEW)
+        anew = max(closed, CLOSED) * _ANEW if closed else 0  # the same order, however few of them are closed
+        rows = _ranked(_Task(asked, life, workers, say, book), every, anew)
         best = [row for row in rows if row.design is not None][:closed]
         wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | dict(beside or {})
         open_ones = [named for named in wanted.items() if named[0] not in book.closed]

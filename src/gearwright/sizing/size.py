@@ -152,17 +152,18 @@ def size(design: Design) -> Sizing:
 
 @np.errstate(all="ignore")
 def size_unturned(design: Design) -> Sizing:
-    """Return a first sizing whose open axes stand where they stand first: masses to compare, no room to rely on.
+    """Return a sizing whose open axes stand where they stand first: masses to compare, no room to rely on.
 
     Args:
-        design: At level concept.
+        design: As `size` takes it.
 
     Raises:
         DesignError: As `size`.
     """
     given = given_values(design)
     refuse(given.problems)
-    return _lightest(design, build_train(design), given.values, still=True)
+    of = _of_nearest_gears if design.level == PRELIMINARY and design.teeth.sized == 1 else _lightest
+    return of(design, build_train(design), given.values, still=True)
 
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
@@ -201,7 +202,7 @@ def _passes(sizing: Sizing) -> bool:
     return not any(check.fails for check in sizing.checks)
 
 
-def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given]) -> Sizing:
+def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return the transmission of the teeth whose gears come nearest to meeting everything, the lightest of equals."""
     choices = choose_teeth(considering(design), train)
     trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
@@ -216,7 +217,7 @@ def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given]) 
         trying.note(place, gears.nearness, gears.heaviness, mass=gears.mass)
     for tried in trying.ranked():
         try:
-            sizing = completed(found[tried.place], given)
+            sizing = completed(found[tried.place], given, still=still)
         except DesignError as error:
             refused.append(error)
             continue

@@ -83,6 +83,7 @@ from gearwright.spec.studies import (
     read_study,
     value_at,
 )
+from gearwright.spec.texts import design_text_like
 
 __all__ = [
     "GROUND",
@@ -147,6 +148,7 @@ __all__ = [
     "case_named",
     "cases_of",
     "design_text",
+    "design_text_like",
     "drives_of",
     "edited",
     "edited_mission",

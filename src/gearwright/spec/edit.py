@@ -420,6 +420,8 @@ def _without(rules: GearRules) -> GearRules:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+HOUR = 3600.0
+"""[s]"""
 DIGITS = 15
 """Digits of a quantity in its unit, so that 0.0035 m is written as 3.5 mm."""
 
@@ -440,11 +442,11 @@ def _table(record: Record, path: str) -> Iterator[str]:
     """Yield the lines of a table: its own values, then the tables in it."""
     values, tables = list[str](), list[tuple[str, Record | Mapping[str, Any]]]()
     for key, value in _entries(record):
-        at = f"{path}.{_name(key)}" if path else _name(key)
+        at = f"{path}.{name_text(key)}" if path else name_text(key)
         if isinstance(value, Record | dict):
             tables.append((at, value))
         else:
-            values.append(f"{_name(key)} = {_written(value)}")
+            values.append(f"{name_text(key)} = {value_text(value)}")
     if path and (values or not tables):
         yield from ("", f"[{path}]")
     yield from values
@@ -458,13 +460,15 @@ def _inner(inner: Record | Mapping[str, Any], at: str) -> Iterator[str]:
         yield from _table(inner, at)
         return
     plain = [
-        f"{_name(key)} = {_written(value)}" for key, value in inner.items() if not isinstance(value, Record | dict)
+        f"{name_text(key)} = {value_text(value)}"
+        for key, value in inner.items()
+        if not isinstance(value, Record | dict)
     ]
     if plain:
         yield from ("", f"[{at}]", *plain)
     for key, value in inner.items():
         if isinstance(value, Record | dict):
-            yield from _inner(value, f"{at}.{_name(key)}")
+            yield from _inner(value, f"{at}.{name_text(key)}")
 
 
 def _entries(record: Record) -> Iterator[tuple[str, Any]]:
@@ -474,17 +478,25 @@ def _entries(record: Record) -> Iterator[tuple[str, Any]]:
         value = getattr(record, name)
         if name not in record.model_fields_set or value is None:
             continue
-        key, meant = _key(type(record), info.alias or name)
+        key, meant = key_of(type(record), info.alias or name, value)
         yield key, _rounded(meant.written(value)) if meant.suffix else value
     yield from (record.model_extra or {}).items()
 
 
-def _key(kind: type[Record], field: str) -> tuple[str, Key]:
-    """Return the key of a field in the unit in which people read its quantity, or the first that it has."""
+def key_of(kind: type[Record], field: str, value: object = None) -> tuple[str, Key]:
+    """Return the key of a field in the unit in which people read its quantity, or the first that it has.
+
+    Args:
+        kind: Of the record.
+        field: As its file has it, without a unit.
+        value: That is to be written [SI]: times of an hour and more are read in hours.
+    """
     keys = [(key, meant) for key, meant in keys_of(kind).items() if meant.field == field and not meant.inverse]
     quantity = quantity_of(kind.model_fields[field]) if field in kind.model_fields else None
     if quantity is None:
         return keys[0]
+    if quantity.dimension == "time" and isinstance(value, float) and value >= HOUR:
+        return next((pair for pair in keys if pair[1].factor == HOUR), keys[0])
     return next((pair for pair in keys if math.isclose(pair[1].factor * shown(1.0, quantity.dimension), 1.0)), keys[0])
 
 
@@ -492,15 +504,23 @@ def _rounded(value: float) -> float:
     return float(f"{value:.{DIGITS}g}")
 
 
-def _name(key: str) -> str:
-    """Return a key, in quotes where it has dots or other marks."""
+def name_text(key: str) -> str:
+    """Return a key as TOML has it, in quotes where it has dots or other marks.
+
+    Args:
+        key: One name.
+    """
     return key if is_path(key) and "." not in key and key.isascii() and " " not in key else json.dumps(key)
 
 
-def _written(value: Any) -> str:
-    """Return a value in TOML."""
+def value_text(value: Any) -> str:
+    """Return a value in TOML.
+
+    Args:
+        value: A number, text, truth value, or list of them.
+    """
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, list | tuple):
-        return f"[{', '.join(_written(entry) for entry in value)}]"
+        return f"[{', '.join(value_text(entry) for entry in value)}]"
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)

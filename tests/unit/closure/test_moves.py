@@ -8,7 +8,7 @@ import gearwright.closure.moves as separate
 from designs import PAIR, changed
 from gearwright.closure import Wishes, close
 from gearwright.closure.loop import Task, settled
-from gearwright.closure.moves import Candidate, Change, judged, other_teeth, screened
+from gearwright.closure.moves import Candidate, Change, judged, options, other_teeth
 from gearwright.closure.requirements import stage_lives
 from gearwright.sizing import size
 from gearwright.spec import edited, parse
@@ -46,7 +46,7 @@ def test_where_free_teeth_lead_nowhere_given_ones_are_tried(monkeypatch):
         asked.append(own.task.wishes.free)
         return Candidate(own, 0.4, 0.4) if "teeth" in own.task.wishes.free else Candidate(clear, 0.0, 0.0)
 
-    monkeypatch.setattr(separate, "_separated", found)
+    monkeypatch.setattr(separate, "_moved", found)
     best = separate.separated(state, lambda words: None)
     assert asked == [("teeth", "shifts"), ("shifts",)]
     assert best.sizing is clear.sizing
@@ -57,8 +57,9 @@ def test_where_free_teeth_lead_nowhere_given_ones_are_tried(monkeypatch):
 def test_other_teeth_of_one_pair_leave_pairs_on_common_axes_at_one_distance(step):
     state = settled(Task(edited(parse(COAXIAL), ISO), Wishes(free=("teeth",))))
     frees = ("pairs.next.pinion_teeth", "pairs.next.wheel_teeth")
-    change = Change("pairs.next", {frees[1]: None, frees[0]: 30 + step}, frees)
-    (other,) = screened(state, [change])
+    change = Change(("pairs.next",), {frees[1]: None, frees[0]: 30 + step}, frees)
+    (option,) = options(state, [change])
+    other = option.settled
     first, second = (mesh.centre_distance for mesh in other.sizing.meshes)
     assert next(gear.teeth for gear in other.sizing.gears if gear.name == "next.pinion") == 30 + step
     assert second == pytest.approx(first, rel=1e-9)
@@ -67,7 +68,7 @@ def test_other_teeth_of_one_pair_leave_pairs_on_common_axes_at_one_distance(step
 
 
 def test_a_pair_between_gears_of_two_other_pairs_is_closed_with_them():
-    """It has no gear of its own: its module is theirs, and no teeth of it are varied."""
+    """It has no gear of its own: its module is theirs, and no teeth of it are varied; theirs are together."""
     shared = changed(PAIR, '["fast", "slow"]', '["fast", "slow", "left", "right"]')
     shared = changed(shared, 'wheel = "slow"\n', 'wheel = "left"\npinion_teeth = 25\nwheel_teeth = 75\n')
     shared = changed(shared, '[propellers.propeller]\nshaft = "slow"\nspeed_rpm = 2000\ndiameter_m = 2\n',
@@ -79,4 +80,8 @@ def test_a_pair_between_gears_of_two_other_pairs_is_closed_with_them():
     assert modules["stage"] == modules["last"]
     assert {life.stage for life in stage_lives(state.sizing)} == {"stage", "last", "between"}
     free = replace(state, task=replace(state.task, wishes=Wishes(free=("teeth",))))
-    assert {change.table for change in other_teeth(free, [1])} == {"pairs.stage", "pairs.last"}
+    (change,) = other_teeth(free, [1])
+    assert {path: value for path, value in change.values.items() if value is not None} == {
+        "pairs.stage.pinion_teeth": 26,
+        "pairs.last.pinion_teeth": 26,
+    }

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json as json_text
 from collections.abc import Mapping
-from dataclasses import replace
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
@@ -13,7 +14,15 @@ import typer
 
 from gearwright.cli.answers import ANSWERS, answer_schema, answer_text, show_answer, show_rows
 from gearwright.cli.commands.studies import refuse_files
-from gearwright.cli.ends import CTRL_C, end_interrupted, interrupted_code, named_after, save_runs
+from gearwright.cli.ends import (
+    CTRL_C,
+    end_interrupted,
+    interrupted,
+    interrupted_code,
+    interrupted_name,
+    named_after,
+    save_runs,
+)
 from gearwright.cli.options import (
     CaseOption,
     DateOption,
@@ -32,14 +41,14 @@ from gearwright.cli.options import (
     stamped,
 )
 from gearwright.cli.terminal import progress, show, show_commands, show_json, tell
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.files import make_folder, write_bytes, write_text
 from gearwright.signals import answered
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
-    from gearwright.closure import Wishes
+    from gearwright.closure import Course, Source, Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.particulars import Particulars
@@ -602,26 +611,46 @@ def close(
     out: Annotated[
         Path | None, typer.Option(help="Write the closed design to this file, and a variant beside it")
     ] = None,
+    start: Annotated[
+        str | None,
+        typer.Option(
+            help="Design that was closed before: its teeth and modules are a second start", autocompletion=designs
+        ),
+    ] = None,
+    journal: Annotated[
+        Path | None,
+        typer.Option(help="Keep what is found in this file, and go on with it; left out: a file here, if interrupted"),
+    ] = None,
     json: JsonOption = False,
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
     from gearwright.cli.commands.flights import mission_of
-    from gearwright.closure import OnMission, Outcome, contradictions, nearest_variant
+    from gearwright.closure import OnMission, Outcome, Source, contradictions, nearest_variant
     from gearwright.closure import close as closed_by
     from gearwright.files import write_text
     from gearwright.render.answers.review import close_answer
     from gearwright.render.words.review import against_text, closure_text, variants_text
-    from gearwright.spec.edit import design_text
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text
+    from gearwright.spec.texts import design_text_like
+    from gearwright.study.closing import digest_of
 
+    refuse_files(None, None, out, journal)
     wishes = replace(wishes_of(life_h, free), rounded=not continuous, separate=not crossings, lighten=not as_sized)
     say = _quiet if json else tell
     with placed_in(design):
-        own = design_of(design)
+        own, before = design_of(design), None if start is None else design_of(start)
         flights = None if mission is None else OnMission(*mission_of(mission))
-        closed = closed_by(own, wishes=wishes, on_mission=flights, tell=say)
-        is_open = closed.outcome is Outcome.OPEN
-        against = contradictions(own, closed, tell=say) if why else ()
-        found = nearest_variant(own, closed, tell=say) if variants and is_open else None
+        source = Source(file_text(find_design(design)), find_design(design).parent)
+        kept = _Kept(own, source, out or named_after(design, "closed.toml"), digest_of(own, wishes, flights, before))
+        course = kept.course(journal, named_after(design, "close.journal"), say)
+        with kept.leaving(course):
+            closed = closed_by(
+                own, wishes=wishes, on_mission=flights, source=source, start=before, course=course, tell=say
+            )
+            is_open = closed.outcome is Outcome.OPEN
+            against = contradictions(own, closed, tell=say) if why else ()
+            found = nearest_variant(own, closed, tell=say) if variants and is_open else None
     if json:
         show_answer("close", close_answer(closed, found, against), design=closed.design.name)
     else:
@@ -630,14 +659,85 @@ def close(
             show(against_text(against))
         if found is not None:
             show(variants_text(found))
-    written = {} if out is None else {out: closed.design}
+    written = {} if out is None else {out: closed.text}
     if out is not None and found is not None and found.nearest is not None:
-        written[out.with_stem(f"{out.stem}-variant")] = found.nearest.closed.design
+        nearest = found.nearest.closed.design
+        written[out.with_stem(f"{out.stem}-variant")] = design_text_like(nearest, source.text, own)
     for path, result in written.items():
-        write_text(path, design_text(result))
+        write_text(path, result)
         say(f"wrote {path}")
     if closed.outcome is Outcome.OPEN:
         raise typer.Exit(1)
+
+
+@dataclass(frozen=True)
+class _Kept:
+    """What is left of a closure that is interrupted: its best design, and a journal with which it goes on."""
+
+    design: Design
+    source: Source
+    out: Path
+    asked: str
+    """Digest of everything that moves the result."""
+    journals: list[Path] = field(default_factory=list)
+    """File that is written; none where it is not known yet."""
+
+    def course(self, journal: Path | None, usual: Path, say: Callable[[str], None]) -> Course:
+        """Return what is counted and known: by the journal that is given, or by one that an interruption left here."""
+        from gearwright.closure import Course
+        from gearwright.study.closing import course_of, known_by
+
+        if journal is not None:
+            course = course_of(journal, self.asked, self.design)
+        else:
+            course = Course()
+            if usual.exists():
+                try:
+                    course = Course(known_by(usual, self.asked))
+                except DesignError as error:
+                    why = "; ".join(problem.message for problem in error.problems)
+                    say(f"{why}. It is begun anew; an interruption replaces the file")
+        self.journals.append(journal or usual)
+        if course.known:
+            say(f"going on from {journal or usual}, which knows {len(course.known)} answers")
+        return course
+
+    @contextmanager
+    def leaving(self, course: Course) -> Iterator[None]:
+        """Leave the best design and a journal where what is within is interrupted; take a usual one away after it."""
+        from gearwright.study.closing import keep_in
+
+        (journal,) = self.journals
+        try:
+            yield
+        except KeyboardInterrupt:
+            answered()
+            raise typer.Exit(interrupted(self._words(course, journal))) from None
+        if course.keep is None:
+            journal.unlink(missing_ok=True)
+        else:
+            keep_in(journal, self.asked, self.design, course.known)
+
+    def _words(self, course: Course, journal: Path) -> str:
+        """Write what there is, and say where."""
+        from gearwright.closure import best_so_far
+        from gearwright.render.tables.checks import check_sentence
+        from gearwright.study.closing import keep_in
+        from gearwright.units import text
+
+        if course.best is None:
+            return "nothing was found yet, and nothing is kept"
+        target = interrupted_name(self.out)
+        try:
+            best = best_so_far(course.best, self.source, self.design)
+            write_text(target, best.text)
+            worst = min(best.sizing.checks, key=lambda check: check.margin or 1.0, default=None)
+            words = f"the best so far, {text(best.sizing.mass, 'mass')}, is in {target}"
+            words += f": {check_sentence(worst)}" if worst is not None and worst.fails else ""
+            keep_in(journal, self.asked, self.design, course.known)
+        except GearwrightError as error:
+            return f"what was found could not be kept: {' '.join(str(error).split())}"
+        return f"{words}; the same command goes on from {journal}"
 
 
 def wishes_of(life_h: float | None, free: str | None) -> Wishes:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.checks import Check, Status
-from gearwright.closure import Closed, Contradiction, Outcome, Round, StageLife, Tried, Unmet, Variants
+from gearwright.closure import Closed, Contradiction, Effort, Outcome, Round, StageLife, Tried, Unmet, Variants
 from gearwright.identity import Kind
 from gearwright.render.answers.schema import named
 from gearwright.reviews import Review, Verdict
@@ -134,7 +134,7 @@ def reviewed_check(check: Check) -> ReviewedCheck:
 
 @dataclass(frozen=True)
 class UnmetRequirement:
-    """A requirement that no freedom meets."""
+    """A requirement that nothing meets over which the closure searched."""
 
     requirement: str
     check: ReviewedCheck
@@ -142,6 +142,8 @@ class UnmetRequirement:
     kept: str
     """What the design gives and the closure does not change; empty where nothing."""
     helps: str
+    searched: str
+    """Over what it was looked for."""
 
 
 @dataclass(frozen=True)
@@ -188,6 +190,10 @@ class CloseAnswer:
     """Variants that do not close."""
     contradictions: tuple[Contradiction, ...] = ()
     """What stands against what is not met, where that was asked for."""
+    effort: Effort | None = None
+    """What it cost, and over what it searched."""
+    changes_nothing: bool = False
+    """Whether the design stands in its file as it is closed."""
 
 
 def close_answer(
@@ -215,17 +221,19 @@ def close_answer(
         kept=closed.kept,
         rounds=closed.rounds,
         checks=tuple(reviewed_check(check) for check in closed.checks),
-        design_file=design_text(closed.design),
+        design_file=closed.text,
         variant=None
         if nearest is None
         else VariantAnswer(nearest.what, nearest.closed.whole.total, design_text(nearest.closed.design)),
         tried=() if variants is None else variants.tried,
         contradictions=tuple(against),
+        effort=closed.effort,
+        changes_nothing=closed.changes_nothing,
     )
 
 
 def _unmet(unmet: Unmet) -> UnmetRequirement:
-    return UnmetRequirement(unmet.requirement, reviewed_check(unmet.check), unmet.kept, unmet.helps)
+    return UnmetRequirement(unmet.requirement, reviewed_check(unmet.check), unmet.kept, unmet.helps, unmet.searched)
 
 
 @dataclass(frozen=True)

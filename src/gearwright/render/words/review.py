@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from gearwright.closure import Closed, Contradiction, Round, Variants
+from gearwright.closure import Closed, Contradiction, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
@@ -55,7 +55,8 @@ def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
     for name, value in _closed_rows(closed, all_rounds=all_rounds):
         grid.add_row(name, value)
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
-    return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), Text(), grid)
+    same = [Text("Nothing to change: the file gives the design as it is closed.")] if closed.changes_nothing else []
+    return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), *same, Text(), grid)
 
 
 def against_text(found: Sequence[Contradiction]) -> RenderableType:
@@ -121,9 +122,31 @@ def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str
         yield "rounds not shown", f"{left}: of kinds that are shown; --rounds shows all"
     for unmet in closed.unmet:
         kept = f"; given and kept: {unmet.kept}" if unmet.kept else ""
-        yield f"not met: {unmet.requirement}", f"{check_sentence(unmet.check)}{kept}. What helps: {unmet.helps}"
+        best = f"the best that was found is {check_sentence(unmet.check)}{kept}"
+        yield f"not met: {unmet.requirement}", f"{best}. Searched: {unmet.searched}. What helps: {unmet.helps}"
+    if closed.unmet:
+        yield (
+            "nearest that meets all",
+            "--variants looks for the smallest change of what is given that meets everything",
+        )
     if closed.kept:
         yield "given and kept", ", ".join(closed.kept)
+    yield from effort_rows(closed.effort)
+
+
+def effort_rows(effort: Effort) -> Iterator[tuple[str, str]]:
+    """Yield what a closure cost, and over what it searched: what, and in words.
+
+    Args:
+        effort: Of it.
+    """
+    known = f", {effort.from_journal} answers from its journal" if effort.from_journal else ""
+    cost = f"{effort.sizings} sizings{known}; {effort.looked_at} changes looked at, {effort.confirmed} confirmed"
+    starts = "one start" if effort.starts == 1 else f"{effort.starts} starts"
+    yield "effort", f"{cost}, {effort.taken} made; {starts}: a local search, no proof that nothing is lighter"
+    yield "searched", ", ".join(effort.searched) or "nothing: all that may be changed is given"
+    if effort.not_searched:
+        yield "not searched", ", ".join(effort.not_searched)
 
 
 def _told(rounds: Sequence[Round], *, all_rounds: bool) -> dict[int, Round]:

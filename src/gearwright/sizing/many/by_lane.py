@@ -439,6 +439,11 @@ def _rooms(module: ModuleType) -> None:
     module._meetings, module.room_checks = meetings_of, room_checks  # type: ignore[attr-defined]
 
 
+def _unproven(module: ModuleType) -> None:
+    """Tell by directions alone whether bodies stand into each other: points within them are looked for one by one."""
+    module._share_a_ball = lambda *_: False  # type: ignore[attr-defined]
+
+
 def _roots(module: ModuleType) -> None:
     """Go on with tangent points until those of all lanes are found."""
     module._any = lambda moving: bool(lanes_of(moving).data.any())  # type: ignore[attr-defined]
@@ -479,6 +484,7 @@ change_twins((
     ("gearwright.sizing.stage_sizes", _whole),
     ("gearwright.sizing.axis_order", _orders),
     ("gearwright.sizing.places.room", _rooms),
+    ("gearwright.sizing.places.solids", _unproven),
     ("gearwright.parts.gears.tooth_form", _outlines),
     ("gearwright.parts.iso6336.tooth_root", _roots),
     ("gearwright.parts.iso6336.steels", _lives),

@@ -12,8 +12,8 @@ from gearwright.arrays import smallest
 from gearwright.errors import DesignError
 from gearwright.sizing.places.bodies import Parts, placed
 from gearwright.sizing.places.frames import arrange_meshing
-from gearwright.sizing.places.room import Rules, entries, meetings, rules_of
-from gearwright.sizing.places.solids import axes_among, room_between
+from gearwright.sizing.places.room import Rules, any_into, entries, meetings, rules_of
+from gearwright.sizing.places.solids import axes_among, room_between, stand_into
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import Arrangement, Body, GearSizing, Turn
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, JointSizing, ShaftSizing
@@ -165,7 +165,7 @@ def _is_left(arrangement: Arrangement, names: tuple[str, ...]) -> bool:
     """Tell whether two bodies still stand into each other, on axes of their own."""
     one, other = (next(body for body in arrangement.bodies if body.name == name) for name in names)
     first, second = axes_among((one, other))
-    return first != second and room_between(one, other, enough=0.0).gap < -_TOUCH
+    return first != second and stand_into(one, other, _TOUCH)
 
 
 def _least(task: _Task, shaft: str, now: float, left: frozenset[str], moved: Sequence[Clash]) -> float | None:
@@ -180,7 +180,9 @@ def _least(task: _Task, shaft: str, now: float, left: frozenset[str], moved: Seq
         stands = task.turned(shaft, now + turn)
         if stands is None or any(_is_left(stands, pair) for pair in pairs):
             return False
-        return clashes(design, stands, task.rules).keys() <= left
+        return not any_into(stands.bodies, task.rules, but=left) and all(
+            entry.room.gap >= -_TOUCH or f"keep-out {entry.name}" in left for entry in entries(design, stands.bodies)
+        )
 
     turn = next((turn for turn in _grid(design, shaft, now) if clear(turn)), None)
     if turn is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import NamedTuple
@@ -27,6 +27,7 @@ from gearwright.sizing.places.solids import (
     room_between,
     solid_of,
     solid_room,
+    stand_into,
 )
 from gearwright.sizing.rating import BACKUP, TOOTH_HEIGHT, Context
 from gearwright.sizing.result import Arrangement, Body, GearSizing
@@ -132,6 +133,24 @@ def _meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
         if room.gap >= -_TOUCH:
             clear = min(clear, max(room.gap, 0.0))
     return found
+
+
+def any_into(bodies: Sequence[Body], rules: Rules, *, but: Collection[str]) -> bool:
+    """Tell whether bodies stand into each other, beside those of some shafts two at a time.
+
+    Args:
+        bodies: Of a transmission.
+        rules: Which of them need no room.
+        but: Two shafts of `meetings`, as words, whose bodies do not count.
+    """
+    every = zip(bodies, axes_among(bodies), map(_sphere, bodies), strict=True)
+    return any(
+        _minds(one, other, rules, coaxial=first == second)
+        and _apart(around, beside) <= 0.0
+        and " ".join(map(str, _ordered(owner(one), owner(other)))) not in but
+        and stand_into(one, other, _TOUCH)
+        for (one, first, around), (other, second, beside) in combinations(every, 2)
+    )
 
 
 def room_checks(arrangement: Arrangement, rules: Rules) -> list[Check]:

@@ -9,6 +9,7 @@ from itertools import chain, combinations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.arrays import Floats
 from gearwright.checks import Check
@@ -38,6 +39,9 @@ _TURNS = 28
 """Steps of a refinement, each with half the angle of the one before where nothing better is found [-]."""
 _PARALLEL = 1e-9
 """One less the cosine of the angle between two axes, and the sine, below which they are parallel [-]."""
+
+_BALL = 1e-6
+"""Radius of a ball within two bodies that proves that they stand into each other [m]."""
 
 
 class Room(NamedTuple):
@@ -120,11 +124,9 @@ def room_between(one: Body, other: Body, *, enough: float = math.inf) -> Room:
         other: Another one.
         enough: Gap that is found quickly and need not be looked for further [m]; it may then be more.
     """
-    cosine = sum(a * b for a, b in zip(one.direction, other.direction, strict=True))
-    if 1.0 - abs(cosine) < _PARALLEL and len(one.stations) == len(other.stations) == 2:
-        cylinders = all(body.stations[0].radius == body.stations[1].radius for body in (one, other))
-        if cylinders:
-            return _side_by_side(one, other, math.copysign(1.0, cosine))
+    if _are_cylinders(one, other):
+        cosine = sum(a * b for a, b in zip(one.direction, other.direction, strict=True))
+        return _side_by_side(one, other, math.copysign(1.0, cosine))
     return solid_room(solid_of(one), solid_of(other), enough=enough)
 
 
@@ -147,6 +149,75 @@ def solid_room(one: Solid, other: Solid, *, enough: float = math.inf) -> Room:
     apart = float(way @ (other.middle - one.middle))
     found = Room(apart, apart - float(np.max(gaps)))
     return found if best is None or found.gap >= best.gap else best
+
+
+def stand_into(one: Body, other: Body, touch: float) -> bool:
+    """Tell whether two bodies stand into each other: as `room_between` has it, without how far.
+
+    Args:
+        one: A body.
+        other: Another one.
+        touch: How far they may by rounding [m].
+    """
+    if _are_cylinders(one, other):
+        return room_between(one, other).gap < -touch
+    first, second = solid_of(one), solid_of(other)
+    if any(room.gap >= -touch for room in (*_inside(first, second), *_inside(second, first))):
+        return False
+    directions = _likely(first, second)
+    if float(np.max(_gaps(first, second, directions))) >= -touch:
+        return False
+    if _share_a_ball(first, second):
+        return True
+    directions = _refined(first, second, np.vstack([directions, _sphere()]), until=-touch)
+    return float(np.max(_gaps(first, second, directions))) < -touch
+
+
+def _are_cylinders(one: Body, other: Body) -> bool:
+    """Tell whether two bodies are cylinders side by side."""
+    cosine = sum(a * b for a, b in zip(one.direction, other.direction, strict=True))
+    parallel = 1.0 - abs(cosine) < _PARALLEL and len(one.stations) == len(other.stations) == 2
+    return parallel and all(body.stations[0].radius == body.stations[1].radius for body in (one, other))
+
+
+def _share_a_ball(one: Solid, other: Solid) -> bool:
+    """Tell whether a small ball is found within both: no direction then shows them apart. False proves nothing."""
+    points = np.vstack([_within(one), _within(other)])
+    return bool(np.any(_hold(one, points) & _hold(other, points)))
+
+
+def _within(solid: Solid) -> Floats:
+    """Return points within a body, on five circles between each two of its own (n, 3) [m]."""
+    parts = np.linspace(0.05, 0.95, 5)[:, None]
+    middles = np.concatenate([a + parts * (b - a) for a, b in zip(solid.centres, solid.centres[1:], strict=False)])
+    radii = np.concatenate([a + parts[:, 0] * (b - a) for a, b in zip(solid.radii, solid.radii[1:], strict=False)])
+    side = _square_to(solid.axis[None])
+    up = _cross(solid.axis[None], side)
+    ring = np.exp(2j * np.pi * np.arange(12) / 12)[:, None]
+    round_ = np.concatenate([part * (ring.real * side + ring.imag * up) for part in (0.0, 0.5, 0.95)])
+    return np.asarray((middles[:, None] + radii[:, None, None] * round_).reshape(-1, 3))
+
+
+def _hold(solid: Solid, points: Floats) -> NDArray[np.bool_]:
+    """Tell for each point whether a small ball about it lies within a body, between two neighbouring circles (n,)."""
+    off = points - solid.centres[0]
+    along = off @ solid.axis
+    away = np.linalg.norm(off - along[:, None] * solid.axis, axis=1)
+    places = (solid.centres - solid.centres[0]) @ solid.axis
+    room = np.minimum(np.interp(along - _BALL, places, solid.radii), np.interp(along + _BALL, places, solid.radii))
+    return np.asarray((away + _BALL < room) & (along - _BALL > places[0]) & (along + _BALL < places[-1]))
+
+
+def _cross(one: Floats, other: Floats) -> Floats:
+    """Return the products of vectors, row by row: what `numpy.cross` gives, without its looks at shapes (n, 3)."""
+    (a, b, c), (x, y, z) = one.T, other.T
+    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=1)
+
+
+def _square_to(ways: Floats) -> Floats:
+    """Return unit vectors square to given ones (n, 3)."""
+    side = _cross(ways, np.eye(3)[np.argmin(np.abs(ways), axis=1)])
+    return np.asarray(side / np.linalg.norm(side, axis=1)[:, None])
 
 
 def _side_by_side(one: Body, other: Body, sense: float) -> Room:
@@ -191,17 +262,20 @@ def _sphere() -> Floats:
     return np.stack([height, flat * np.cos(turn), flat * np.sin(turn)], axis=1)
 
 
-def _refined(one: Solid, other: Solid, directions: Floats) -> Floats:
-    """Return the best of given directions, each turned step by step to where the shadows are farthest apart."""
+def _refined(one: Solid, other: Solid, directions: Floats, *, until: float = math.inf) -> Floats:
+    """Return the best of given directions, each turned step by step to where the shadows are farthest apart.
+
+    Where one of them shows as much room as is looked for [m] it ends.
+    """
     best = directions[np.argsort(-_gaps(one, other, directions), kind="stable")[:_STARTS]]
     angle = np.full(len(best), 0.2)
     value = _gaps(one, other, best)
     ring = np.exp(2j * np.pi * np.arange(8) / 8)
     for _ in range(_TURNS):
-        near = np.eye(3)[np.argmin(np.abs(best), axis=1)]
-        side = np.cross(best, near)
-        side /= np.linalg.norm(side, axis=1)[:, None]
-        up = np.cross(best, side)
+        if float(np.max(value)) >= until:
+            break
+        side = _square_to(best)
+        up = _cross(best, side)
         tried = best[:, None] + angle[:, None, None] * (
             ring.real[:, None] * side[:, None] + ring.imag[:, None] * up[:, None]
         )
