@@ -3,7 +3,7 @@
 from unittest.mock import patch
 
 import gearwright as gw
-from gearwright.sizing.rating import remembering
+from gearwright.sizing.rating import MESHES
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.spec import at_level, edited
 
@@ -19,7 +19,7 @@ OTHERS = [
 
 def test_sizings_that_share_what_meshes_gave_have_the_bits_of_each_alone():
     alone = [gw.size(design) for design in OTHERS]
-    with remembering():
+    with MESHES.sharing():
         assert [gw.size(design) for design in OTHERS] == alone
 
 
@@ -32,7 +32,7 @@ def test_equal_meshes_are_rated_once_within_and_anew_behind():
         return rate(*arguments)
 
     with patch.object(Iso6336, "_rate", counted):
-        with remembering():
+        with MESHES.sharing():
             for _ in range(2):
                 counts.append(0)
                 gw.size(DESIGN)
