@@ -1,0 +1,958 @@
+"""Look by brute force for the lightest gearbox that passes, and tell how far the one that `size` chooses is from it.
+
+    python tests/oracle/oracle_search.py answer                 # answers what answers.jsonl lacks; takes hours
+    python tests/oracle/oracle_search.py compare                # sizes every design anew beside the kept answers
+    python tests/oracle/oracle_search.py exhaust planetary 0    # every width of one design, to judge the search itself
+
+A design of `oracle_designs` leaves modules and face widths open, often teeth and numbers of planets. Whatever the search
+tries is written into the design and sized by `gearwright.size`, with every module, width, tooth number and number of
+planets given, so that nothing here depends on how `size` chooses. Tried are the modules of ISO 54 from four below to six
+above the chosen one, the teeth within the tolerance of the ratio that can be put together, two planets to five, and of
+each combination whole millimetres of face width, down to the least that passes. Stages that share no axis are tried one
+after the other, twice at most; those on common axes together.
+
+What passes: every check of `size`. Where none is found of a design whose own choice fails some, the lightest is looked for
+that fails no other check, and those no worse.
+
+A combination that fails at the face width with which it would weigh as much as the best that is known is left out: any
+narrower face bears less. That is so but for resonances of the mesh, which may let a narrower face pass; `exhaust` tells
+what that hides. What is found is therefore a gearbox that exists, not always the lightest of all.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from oracle_designs import KINDS, OF_FILES, all_designs, design_of
+
+from gearwright import DesignError, edited, size
+from gearwright.sizing.result import Sizing
+from gearwright.spec import Design, Epicyclic, Pair, Planetary
+from gearwright.spec.design import relative_modules
+
+ANSWERS = Path(__file__).parent / "answers.jsonl"
+MODULES = (
+    1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0, 10.0,
+    11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
+)  # fmt: skip
+"""Series I and II of ISO 54:1996 [mm]."""
+BELOW, ABOVE = 4, 6
+"""Steps of them that are tried on either side of the chosen one [-]."""
+MOST = 150
+"""Sizings of one design; half as many more where none is found that passes [-]."""
+WORTH = 1.3
+"""Estimate of a combination's gears over that of the choice up to which it is looked at [-]."""
+WIDER = 1.4
+"""Estimated face width over the widest that is allowed up to which a combination is looked at [-]."""
+CONSIDERED = 90
+"""Combinations of one stage that are looked at [-]."""
+LOOSE = (1.1, 1.4, 9.0)
+"""Face widths that are tried over the estimate where no lighter gearbox is known, the last as wide as allowed [-]."""
+TIGHT = 1e-9
+"""Of a ratio that counts as rounding [-]."""
+
+Changes = dict[str, Any]
+"""Dotted path -> value, as `edited` takes them."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What comes of a design with some entries given.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Outcome(NamedTuple):
+    """A sized design as the search reads it."""
+
+    mass: float
+    """[kg]"""
+    ratios: Mapping[str, float]
+    """Name of a check -> its least value over limit [-], of what is assessed and not waived."""
+
+    @property
+    def failing(self) -> dict[str, float]:
+        """Checks that fail, with their ratios."""
+        return {name: ratio for name, ratio in self.ratios.items() if ratio < 1.0 - TIGHT}
+
+    def width_factor(self, stage: str) -> float:
+        """Return by what the face width of a stage could change until it is just strong enough, roughly [-]."""
+        bending, pitting = strengths(self.ratios, stage)
+        return max(1.0 / bending, 1.0 / pitting**2)
+
+
+def outcome_of(sizing: Sizing) -> Outcome:
+    """Return mass and checks of a sizing.
+
+    Args:
+        sizing: Any.
+    """
+    ratios = dict[str, float]()
+    for check in sizing.checks:
+        if check.ratio is not None and not check.waiver:
+            ratios[check.name] = min(check.ratio, ratios.get(check.name, math.inf))
+    return Outcome(sizing.mass, ratios)
+
+
+def strengths(ratios: Mapping[str, float], stage: str) -> tuple[float, float]:
+    """Return the least ratios of a stage's roots and flanks [-]; 1 where it has none.
+
+    Args:
+        ratios: Name of a check -> its ratio.
+        stage: Its name.
+    """
+
+    def least(modes: tuple[str, ...]) -> float:
+        own = (ratio for name, ratio in ratios.items() if stage_of(name) == stage and name.endswith(modes))
+        return max(min(own, default=1.0), 1e-3)
+
+    return least(("tooth root",)), least(("pitting", "scuffing"))
+
+
+def stage_of(check: str) -> str:
+    """Return the stage of a check, by its name.
+
+    Args:
+        check: Such as ``set.sun pitting``.
+    """
+    return check.split(" ")[0].split(".")[0]
+
+
+@dataclass
+class Trials:
+    """The sizings of one design."""
+
+    design: Design
+    most: int = MOST
+    """Sizings that may be made [-]."""
+    known: dict[tuple[tuple[str, Any], ...], Outcome | None] = field(default_factory=dict)
+
+    @property
+    def spent(self) -> bool:
+        """Whether no more may be made."""
+        return len(self.known) >= self.most
+
+    def of(self, changes: Changes) -> Outcome | None:
+        """Return what comes of some changes; None where the design is refused.
+
+        Args:
+            changes: Of the open design.
+        """
+        key = tuple(sorted(changes.items()))
+        if key not in self.known:
+            try:
+                self.known[key] = outcome_of(size(edited(self.design, changes)))
+            except DesignError:
+                self.known[key] = None
+        return self.known[key]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Asked ratios and tooth numbers that can be made and put together.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def asked_ratios(design: Design) -> dict[str, float]:
+    """Return stage -> z_2/z_1 or z_r/z_s that speeds of machines and given ratios ask for, as far as they tell.
+
+    Args:
+        design: As read.
+    """
+    speeds = {"ground": 0.0} | {
+        machine.shaft: machine.asked_speed
+        for machine in design.machines.values()
+        if machine.asked_speed is not None
+    }
+    found = dict[str, float]()
+    for _ in range(len(design.simple_stages)):
+        for name, stage in design.simple_stages.items():
+            if isinstance(stage, Pair):
+                _ask_pair(name, stage, speeds, found)
+            else:
+                _ask_set(name, stage, speeds, found)
+    return found
+
+
+def _ask_pair(name: str, pair: Pair, speeds: dict[str, float], found: dict[str, float]) -> None:
+    pinions, wheels = _names(pair.pinion), _names(pair.wheel)
+    fast = next((speeds[shaft] for shaft in pinions if shaft in speeds), None)
+    slow = next((speeds[shaft] for shaft in wheels if shaft in speeds), None)
+    ratio = pair.ratio
+    if pair.pinion_teeth and pair.wheel_teeth:
+        ratio = pair.wheel_teeth / pair.pinion_teeth
+    if ratio is None and fast and slow:
+        ratio = abs(fast / slow)
+    if ratio is not None:
+        found[name] = ratio
+        if fast and slow is None:
+            speeds.update(dict.fromkeys(wheels, fast / ratio))
+
+
+def _names(side: object) -> list[str]:
+    return [str(name) for name in side] if isinstance(side, tuple | list) else [str(side)]
+
+
+def _ask_set(name: str, stage: Planetary, speeds: dict[str, float], found: dict[str, float]) -> None:
+    sun, ring, carrier = (speeds.get(shaft) for shaft in (stage.sun, stage.ring, stage.carrier))
+    ratio = None if stage.ratio is None else stage.ratio - 1.0
+    if stage.known_teeth is not None:
+        ratio = stage.known_teeth[2] / stage.known_teeth[0]
+    if ratio is None and None not in (sun, ring, carrier):
+        assert sun is not None and ring is not None and carrier is not None
+        ratio = abs((sun - carrier) / (ring - carrier))
+    if ratio is None:
+        return
+    found[name] = ratio
+    if sun is not None and carrier is None and ring == 0.0:
+        speeds[stage.carrier] = sun / (1.0 + ratio)
+    elif sun is not None and ring is None and carrier == 0.0:
+        speeds[stage.ring] = sun / ratio
+
+
+class Teeth(NamedTuple):
+    """Tooth numbers of a stage, of sun, planet and ring or of pinion and wheel, and its number of planets."""
+
+    numbers: tuple[int, ...]
+    planets: int = 1
+
+
+def set_choices(design: Design, name: str, ratio: float, counts: Iterable[int]) -> Iterator[Teeth]:
+    """Yield the teeth of a planetary set that can be put together and come near enough to its ratio.
+
+    Args:
+        design: With the rules of the search.
+        name: Of the set.
+        ratio: z_r/z_s that is asked [-].
+        counts: Numbers of planets that are looked at [-].
+    """
+    rules, stage = design.teeth, design.planetaries[name]
+    given = stage.known_teeth
+    for count in counts:
+        for sun in range(rules.sun_minimum, (rules.sun_maximum or 59) + 1):
+            middle = sun * (ratio - 1.0) / 2.0
+            for planet in range(max(math.floor(0.95 * middle) - 2, rules.planet_minimum), math.ceil(1.05 * middle) + 3):
+                teeth = (sun, planet, sun + 2 * planet)
+                if given is None and abs((1.0 + teeth[2] / sun) / (1.0 + ratio) - 1.0) <= rules.stage_tolerance:
+                    if _stands(teeth, count):
+                        yield Teeth(teeth, count)
+        if given is not None and _stands(given, count):
+            yield Teeth(tuple(given), count)
+
+
+def _stands(teeth: tuple[int, ...], planets: int) -> bool:
+    sun, planet, ring = teeth
+    return (sun + ring) % planets == 0 and (sun + planet) * math.sin(math.pi / planets) > planet + 2.0
+
+
+def pair_choices(design: Design, name: str, ratio: float) -> Iterator[Teeth]:
+    """Yield the teeth of a pair that come near enough to its ratio.
+
+    Args:
+        design: With the rules of the search.
+        name: Of the pair.
+        ratio: z_2/z_1 that is asked [-].
+    """
+    rules, pair = design.teeth, design.pairs[name]
+    if pair.pinion_teeth and pair.wheel_teeth:
+        yield Teeth((pair.pinion_teeth, pair.wheel_teeth))
+        return
+    gears = design.rules(name)
+    lean = 0.0 if pair.kind != "cylindrical" else gears.helix_angle
+    transverse = math.atan(math.tan(gears.pressure_angle) / math.cos(lean))
+    fewest = 12 if pair.kind == "bevel" else math.ceil(2.0 * math.cos(lean) / math.sin(transverse) ** 2)
+    for pinion in range(rules.pinion_minimum or fewest, rules.pinion_maximum + 1):
+        for wheel in range(math.floor(0.95 * ratio * pinion), math.ceil(1.05 * ratio * pinion) + 1):
+            if wheel >= fewest and abs(wheel / pinion / ratio - 1.0) <= rules.stage_tolerance:
+                yield Teeth((pinion, wheel))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Blocks: what is tried together, and combinations of its modules, teeth and planets with an estimate of what they weigh.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Combination(NamedTuple):
+    """Modules, teeth and planets of a block, without its face widths."""
+
+    changes: Changes
+    low: tuple[int, ...]
+    """Narrowest faces that its rules allow [mm]."""
+    cap: tuple[int, ...]
+    """Widest [mm]."""
+    guess: tuple[float, ...]
+    """Face widths that strength asks for, by the margins of the choice [mm]."""
+    volume: float
+    """Of its gears for one millimetre of width, to compare them."""
+
+    @property
+    def estimate(self) -> float:
+        """What its gears weigh, to compare them."""
+        return self.volume * (sum(map(max, self.guess, self.low)) or 1.0)
+
+
+@dataclass(frozen=True)
+class Block:
+    """Stages that are tried together."""
+
+    stages: tuple[str, ...]
+    widths: tuple[str, ...]
+    """Paths of the face widths, in millimetres; none where no standard proportions them."""
+    start: Changes
+    """The choice of `size`, written out."""
+    combinations: tuple[Combination, ...]
+    """The most promising first."""
+    gears: float
+    """What its gears weigh in the choice [kg]."""
+    volume: float
+    """Of the choice, as of combinations, times its face widths."""
+
+
+def modules_around(module: float) -> list[float]:
+    """Return the standard modules around one, and that one [mm].
+
+    Args:
+        module: [mm].
+    """
+    place = next((at for at, one in enumerate(MODULES) if one >= module * (1.0 - 1e-6)), len(MODULES) - 1)
+    return sorted({*MODULES[max(place - BELOW, 0) : place + ABOVE + 1], round(module, 9)})
+
+
+def blocks_of(design: Design, sizing: Sizing) -> list[Block]:
+    """Return the blocks of a design.
+
+    Args:
+        design: With its freedoms.
+        sizing: With its choice.
+    """
+    found = list[Block]()
+    tied = {pair.coaxial_with: name for name, pair in design.pairs.items() if pair.coaxial_with}
+    asked = asked_ratios(design)
+    for name, stage in design.stages.items():
+        if not isinstance(stage, Epicyclic) and (stage.module or stage.face_width):
+            continue
+        if isinstance(stage, Epicyclic):
+            found.append(_compound(design, sizing, name))
+        elif name in tied:
+            found.append(_on_axes(design, sizing, name, tied[name]))
+        elif name not in tied.values():
+            found.append(_alone(design, sizing, name, asked.get(name)))
+    return found
+
+
+def _gears(sizing: Sizing, stage: str) -> list[Any]:
+    return [gear for gear in sizing.gears if gear.stage == stage]
+
+
+def _weight(sizing: Sizing, stages: Iterable[str]) -> float:
+    return sum(gear.mass * gear.bodies for stage in stages for gear in _gears(sizing, stage))
+
+
+def _proportions(design: Design, stage: str) -> tuple[float, float] | None:
+    """Return the widest face over the pinion's diameter and over the module; None where no standard says so."""
+    rules = design.rules(stage)
+    method = {"iso10300": "iso6336"}.get(design.rating(stage), design.rating(stage))
+    own = getattr(rules, method.replace("-2006", ""), None)
+    return None if own is None or method == "lewis-hertz" else (own.widest_diameters, own.widest_modules)
+
+
+def _alone(design: Design, sizing: Sizing, name: str, asked: float | None) -> Block:
+    """Return the block of a pair or planetary set that shares no axis whose distance matters."""
+    stage, table = design.simple_stages[name], design.table(name)
+    is_set, gears = isinstance(stage, Planetary), _gears(sizing, name)
+    bevel = isinstance(stage, Pair) and stage.kind == "bevel"
+    lean = 0.0 if is_set else gears[0].helix_angle
+    order = ("sun", "planet", "ring") if is_set else ("pinion", "wheel")
+    of = {gear.role.value: gear for gear in gears}
+    teeth, width = tuple(of[role].teeth for role in order), 1e3 * gears[0].face_width
+    module = 1e3 * gears[0].module
+    if bevel:
+        module = module / math.cos(lean) + width / math.hypot(*teeth)
+    planets = sizing.design.planetaries[name].planets if is_set else 1
+    chosen = Teeth(teeth, planets or 1)
+    key, limits = f"{table}.{'outer_module_mm' if bevel else 'module_mm'}", _proportions(design, name)
+    widths = (f"{table}.face_width_mm",) if limits is not None else ()
+
+    def written(own: Teeth, size_: float) -> Changes:
+        found: Changes = {key: round(size_, 9)}
+        keys = {f"{table}.{role}_teeth": z for role, z in zip(order, own.numbers, strict=True)}
+        if any(getattr(stage, f"{role}_teeth") is None for role in order):
+            found |= keys | ({f"{table}.ratio": None} if stage.ratio is not None else {})
+        if is_set and design.planetaries[name].planets_given is None:
+            found[f"{table}.planets"] = own.planets
+        return found
+
+    choices = [chosen]
+    if isinstance(stage, Planetary):
+        given = stage.planets_given
+        counts = (given,) if given is not None else range(2, design.teeth.planets_maximum + 1)
+        choices += set_choices(design, name, asked if asked is not None else teeth[2] / teeth[0], counts)
+    elif not stage.pinion_teeth or not stage.wheel_teeth:
+        choices += pair_choices(design, name, asked if asked is not None else teeth[1] / teeth[0])
+    margins = strengths(outcome_of(sizing).ratios, name)
+    needs = _needs(chosen, module)
+    combinations = []
+    for own, size_ in product(dict.fromkeys(choices), modules_around(module)):
+        rolls, flanks = _needs(own, size_)
+        guess = width * max(rolls / needs[0] / margins[0], flanks / needs[1] / margins[1] ** 2)
+        cap, low = width, 1.0
+        if limits is not None:
+            cap = min(limits[0] * size_ * min(own.numbers[:1]) / math.cos(lean), limits[1] * size_)
+            low = design.rules(name).overlap_ratio * math.pi * size_ / math.sin(lean) if lean else size_
+            if bevel:
+                cone = math.hypot(*own.numbers) / 2.0
+                cap, low = min(cone / 3.0, 10.0) * size_, size_
+        most = max(math.floor(cap + 1e-9), 1)
+        faces = (((min(math.ceil(low - 1e-9), most),), (most,), (guess,))) if widths else ((), (), ())
+        combinations.append(Combination(written(own, size_), *faces, _volume(own, size_, lean)))
+    volume = _volume(chosen, module, lean) * (width if widths else 1.0)
+    start = written(chosen, module) | ({widths[0]: round(width, 6)} if widths else {})
+    return Block(
+        (name,), widths, start, _promising(combinations, volume), _weight(sizing, (name,)), volume
+    )  # fmt: skip
+
+
+SHARING = {2: 1.05, 3: 1.05, 4: 1.15, 5: 1.25}
+"""Planets -> about what K_γ is, for estimates alone [-]."""
+
+
+def _needs(own: Teeth, module: float) -> tuple[float, float]:
+    """Return the face widths that roots and flanks ask for, to compare combinations."""
+    first, second = (module * z for z in own.numbers[:2])
+    share = SHARING.get(own.planets, 1.0) / own.planets
+    return share / (first * module), share / first * (1.0 / first + 1.0 / second)
+
+
+def _volume(own: Teeth, module: float, lean: float) -> float:
+    """Return what gears of one millimetre of width fill, to compare combinations."""
+    if len(own.numbers) == 2:
+        return sum(z**2 for z in own.numbers) * (module / math.cos(lean)) ** 2
+    sun, planet, ring = own.numbers
+    return float(sun**2 + own.planets * planet**2 + 4.0 * ring * 3.95) * module**2
+
+
+def _promising(combinations: Sequence[Combination], chosen: float) -> tuple[Combination, ...]:
+    """Return the combinations whose gears may be light, the lightest by their estimate first.
+
+    Args:
+        combinations: Of a stage.
+        chosen: Estimate of the choice.
+    """
+    fits = [one for one in combinations if all(g <= WIDER * cap for g, cap in zip(one.guess, one.cap, strict=True))]
+    light = [one for one in fits if one.estimate <= WORTH * chosen]
+    return tuple(sorted(light, key=lambda one: one.estimate)[:CONSIDERED])
+
+
+def _compound(design: Design, sizing: Sizing, name: str) -> Block:
+    """Return the block of a compound set: one module that sets the others, a face width for every group of gears."""
+    epicyclic = design.epicyclics[name]
+    ratios = relative_modules(epicyclic)
+    tables = {gear: kind for kind in ("suns", "rings", "planets") for gear in getattr(epicyclic, kind)}
+    of = {gear.own: gear for gear in _gears(sizing, name)}
+    groups = {group: [gear for gear in epicyclic.toothed if epicyclic.group(gear) == group] for group in ratios}
+    first = next(group for group, ratio in ratios.items() if abs(ratio - 1.0) < 1e-12)
+    path = f"epicyclics.{name}"
+    lead = groups[first][0]
+    key = f"{path}.{tables[lead]}.{lead}.module_mm"
+    unit = 1e3 * of[lead].module
+    # A gear that meshes in two planes is as long as both faces: a gear of one plane tells the width of its group.
+    width_of = {group: 1e3 * min(of[gear].face_width for gear in own) for group, own in groups.items()}
+    widths = tuple(f"{path}.{tables[own[0]]}.{own[0]}.face_width_mm" for own in groups.values())
+    limits = _proportions(design, name)
+    volumes = {group: sum((of[gear].teeth * ratios[group]) ** 2 * of[gear].bodies for gear in own) for group, own in groups.items()}
+    combinations = []
+    for module in modules_around(unit):
+        low, cap, guess = [], [], []
+        for group, own in groups.items():
+            size_ = ratios[group] * module
+            least = min(of[gear].teeth for gear in own)
+            most = limits[1] * size_ if limits else 2.0 * width_of[group]
+            cap.append(max(math.floor(min(most, limits[0] * size_ * least if limits else most) + 1e-9), 1))
+            low.append(min(math.ceil(size_ - 1e-9), cap[-1]))
+            guess.append(width_of[group] * (unit / module) ** 2)
+        combinations.append(
+            Combination({key: round(module, 9)}, tuple(low), tuple(cap), tuple(guess), module**2 * sum(volumes.values()))
+        )
+    start = {key: round(unit, 9)} | {at: round(w, 6) for at, w in zip(widths, width_of.values(), strict=True)}
+    return Block((name,), widths, start, tuple(combinations), _weight(sizing, (name,)), 1.0)
+
+
+AXES = (0.70, 0.75, 0.80, 0.84, 0.88, 0.92, 0.96, 1.0, 1.04, 1.08, 1.15)
+"""Factors on the modules of pairs on common axes, which are no standard ones [-]."""
+
+
+def _on_axes(design: Design, sizing: Sizing, first: str, second: str) -> Block:
+    """Return the block of two pairs of one centre distance, whose teeth are given."""
+    gears = {name: _gears(sizing, name) for name in (first, second)}
+    modules = {name: 1e3 * own[0].module for name, own in gears.items()}
+    width = {name: 1e3 * own[0].face_width for name, own in gears.items()}
+    widths = tuple(f"pairs.{name}.face_width_mm" for name in gears)
+    combinations = []
+    for factor in AXES:
+        low, cap, guess = [], [], []
+        for name, own in gears.items():
+            limits = _proportions(design, name)
+            assert limits is not None
+            lean, module = own[0].helix_angle, factor * modules[name]
+            pinion = next(gear.teeth for gear in own if gear.role.value == "pinion")
+            cap.append(math.floor(min(limits[0] * module * pinion / math.cos(lean), limits[1] * module) + 1e-9))
+            least = design.rules(name).overlap_ratio * math.pi * module / math.sin(lean) if lean else module
+            low.append(min(math.ceil(least - 1e-9), cap[-1]))
+            guess.append(width[name] / factor**2)
+        changes = {f"pairs.{name}.module_mm": round(factor * module, 9) for name, module in modules.items()}
+        combinations.append(Combination(changes, tuple(low), tuple(cap), tuple(guess), factor**2))
+    start = {f"pairs.{name}.module_mm": round(module, 9) for name, module in modules.items()}
+    start |= {at: round(w, 6) for at, w in zip(widths, width.values(), strict=True)}
+    return Block((first, second), widths, start, tuple(combinations), _weight(sizing, gears), 1.0)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The search: of every combination the least face widths that pass, as long as they may be lighter than the best.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+Accepts = Callable[[Outcome], bool]
+
+
+def passes(outcome: Outcome) -> bool:
+    """Tell whether every check passes.
+
+    Args:
+        outcome: Of a sizing.
+    """
+    return not outcome.failing
+
+
+def no_worse_than(choice: Outcome) -> Accepts:
+    """Return what tells whether an outcome fails nothing that a choice does not fail as badly.
+
+    Args:
+        choice: That fails something.
+    """
+    allowed = choice.failing
+
+    def accepts(outcome: Outcome) -> bool:
+        return all(ratio >= allowed.get(name, 1.0) - 1e-9 for name, ratio in outcome.failing.items())
+
+    return accepts
+
+
+@dataclass
+class Best:
+    """The lightest that is known."""
+
+    changes: Changes
+    mass: float = math.inf
+    """[kg]; infinite where none is accepted yet."""
+
+
+def improve(trials: Trials, block: Block, best: Best, accepts: Accepts) -> None:
+    """Look through the combinations of a block for a lighter one that is accepted.
+
+    Args:
+        trials: Of the design.
+        block: What is tried.
+        best: Where the search stands; it is changed.
+        accepts: What an outcome has to meet.
+    """
+    others = {path: value for path, value in best.changes.items() if path not in block.start}
+    for combination in block.combinations:
+        if trials.spent:
+            return
+        base = {**others, **combination.changes}
+        narrowed = _faces if len(block.widths) > 1 else _face
+        for changes, mass in narrowed(trials, block, base, combination, best.mass, accepts):
+            if mass < best.mass * (1.0 - TIGHT):
+                best.changes, best.mass = changes, mass
+
+
+def _face(
+    trials: Trials, block: Block, base: Changes, own: Combination, limit: float, accepts: Accepts
+) -> Iterator[tuple[Changes, float]]:
+    """Yield a combination of one face width, or of none, if it is accepted and lighter than a limit [kg]."""
+    if not block.widths:
+        outcome = trials.of(base)
+        if outcome is not None and outcome.mass < limit and accepts(outcome):
+            yield base, outcome.mass
+        return
+    (path,), (low,), (cap,) = block.widths, own.low, own.cap
+
+    def at(width: int) -> Outcome | None:
+        return trials.of({**base, path: width})
+
+    width: int | None
+    if limit < math.inf:
+        start = min(max(round(block.volume / own.volume), low), cap)
+        width = _break_even(at, (low, start, cap), limit, block.gears * own.volume / block.volume)
+    else:
+        tries = dict.fromkeys(min(max(math.ceil(factor * own.guess[0]), low), cap) for factor in LOOSE)
+        width = next((tried for tried in tries if _accepted(at(tried), accepts)), None)
+    if width is None or not _accepted(at(width), accepts):
+        return
+    width = _narrowest(at, low, width, accepts, block.stages[0])
+    outcome = at(width)
+    assert outcome is not None
+    yield {**base, path: width}, outcome.mass
+
+
+def _accepted(outcome: Outcome | None, accepts: Accepts) -> bool:
+    return outcome is not None and accepts(outcome)
+
+
+def _break_even(
+    at: Callable[[int], Outcome | None], widths: tuple[int, int, int], limit: float, slope: float
+) -> int | None:
+    """Return about the widest face with which a combination is lighter than a limit; None where none is.
+
+    Args:
+        at: Face width [mm] -> what comes of it.
+        widths: The narrowest, where to start, and the widest [mm].
+        limit: Mass [kg].
+        slope: Mass of the gears for one millimetre [kg], roughly.
+    """
+    low, width, cap = widths
+    for _ in range(4):
+        outcome = at(width)
+        if outcome is None:
+            return None
+        wanted = min(max(width + math.floor((limit - outcome.mass) / slope), low), cap)
+        if outcome.mass < limit and abs(wanted - width) <= max(1, 0.02 * width):
+            return width
+        if wanted == width:
+            return None
+        width = wanted
+    outcome = at(width)
+    return width if outcome is not None and outcome.mass < limit else None
+
+
+def _narrowest(
+    at: Callable[[int], Outcome | None], low: int, width: int, accepts: Accepts, stage: str
+) -> int:
+    """Return the least face width down from one that is accepted, by its strength and then by halves [mm].
+
+    Args:
+        at: Face width [mm] -> what comes of it.
+        low: The narrowest [mm].
+        width: One that is accepted [mm].
+        accepts: What an outcome has to meet.
+        stage: Whose strength tells where to look.
+    """
+    low -= 1
+    by_strength = True
+    while width - low > 1:
+        outcome = at(width)
+        assert outcome is not None
+        middle = (low + width) // 2
+        if by_strength:
+            middle = min(max(math.ceil(width * outcome.width_factor(stage)), low + 1), width - 1)
+        if _accepted(at(middle), accepts):
+            width, by_strength = middle, True
+        else:
+            low, by_strength = middle, not by_strength
+    return width
+
+
+def _faces(
+    trials: Trials, block: Block, base: Changes, own: Combination, limit: float, accepts: Accepts
+) -> Iterator[tuple[Changes, float]]:
+    """Yield a combination of several face widths, each narrowed in turn, if it is accepted."""
+    bounds = list(zip(own.guess, own.low, own.cap, strict=True))
+    tries = ([min(max(math.ceil(factor * guess), low), cap) for guess, low, cap in bounds] for factor in LOOSE)
+    widths = next((tried for tried in tries if _accepted(_at(trials, block, base, tried), accepts)), None)
+    if widths is None:
+        return
+    for place, low in enumerate(own.low):
+
+        def at(width: int, place: int = place, widths: list[int] = widths) -> Outcome | None:
+            return _at(trials, block, base, [*widths[:place], width, *widths[place + 1 :]])
+
+        widths[place] = _narrowest(at, low, widths[place], accepts, block.stages[min(place, len(block.stages) - 1)])
+    outcome = _at(trials, block, base, widths)
+    if outcome is not None and outcome.mass < limit:
+        yield {**base, **dict(zip(block.widths, widths, strict=True))}, outcome.mass
+
+
+def _at(trials: Trials, block: Block, base: Changes, widths: Sequence[int]) -> Outcome | None:
+    return trials.of({**base, **dict(zip(block.widths, widths, strict=True))})
+
+
+def searched(trials: Trials, blocks: Sequence[Block], choice: Outcome) -> tuple[Changes, Outcome | None]:
+    """Return the lightest that passes, and what comes of it; without any, the lightest that is no worse than the choice.
+
+    Args:
+        trials: Of the design.
+        blocks: From `blocks_of`.
+        choice: Of `size`.
+    """
+    start: Changes = {path: value for block in blocks for path, value in block.start.items()}
+    best, most = Best(dict(start)), trials.most
+    for share in (0.65 / len(blocks), 0.35 / len(blocks)):
+        before = best.mass
+        for block in blocks:
+            trials.most = len(trials.known) + math.ceil(share * most)
+            _improve_one(trials, block, best, choice)
+        if len(blocks) == 1 or best.mass >= before < math.inf:
+            break
+    found = trials.of(best.changes)
+    if found is not None and passes(found):
+        return best.changes, found
+    best = Best(dict(start), choice.mass)
+    for block in blocks:
+        trials.most = len(trials.known) + math.ceil(0.5 * most / len(blocks))
+        improve(trials, block, best, no_worse_than(choice))
+    return best.changes, trials.of(best.changes)
+
+
+def _improve_one(trials: Trials, block: Block, best: Best, choice: Outcome) -> None:
+    """Look for a lighter block of which everything passes, whatever fails in other blocks."""
+    now = trials.of(best.changes) or choice
+    elsewhere = {name for name in now.failing if stage_of(name) in trials.design.stages} - {
+        name for name in now.failing if stage_of(name) in block.stages
+    }
+
+    def accepts(outcome: Outcome) -> bool:
+        return outcome.failing.keys() <= elsewhere
+
+    best.mass = now.mass if accepts(now) else math.inf
+    improve(trials, block, best, accepts)
+    if best.mass == math.inf:
+        best.mass = now.mass
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Answers, kept as JSON lines.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+PASSES, MEETS, FAILS = "passes", "choice fails, another passes", "fails"
+"""Classes: the choice passes; it fails something and another gearbox does not; none is found that passes."""
+
+
+def answer(kind: str, number: int | str, most: int = MOST) -> dict[str, Any]:
+    """Return what the search finds of one design.
+
+    Args:
+        kind: Of the design.
+        number: Of the design.
+        most: Sizings that may be made [-].
+    """
+    begun = time.process_time()
+    design = design_of(kind, number)
+    sizing = size(design)
+    choice, trials = outcome_of(sizing), Trials(design, most)
+    changes, found = searched(trials, blocks_of(design, sizing), choice)
+    record: dict[str, Any] = {"kind": kind, "k": number, "level": design.level, "open": open_in(design)}
+    record |= {"choice": round(choice.mass, 4), "choice_fails": rounded(choice.failing)}
+    if found is None:
+        found, changes = choice, {}
+    which = PASSES if passes(choice) else MEETS if passes(found) else FAILS
+    mass = min(found.mass, choice.mass) if which != MEETS else found.mass
+    if mass == choice.mass and which != MEETS:
+        changes = {}
+    record |= {"class": which, "best": round(mass, 4), "gap": round(1.0 - mass / choice.mass, 5)}
+    record |= {"changes": {path: changes[path] for path in sorted(changes)}, "was": was(design, sizing, changes)}
+    if which == FAILS:
+        record["best_fails"] = rounded(found.failing)
+    return record | {"sizings": len(trials.known), "seconds": round(time.process_time() - begun, 1)}
+
+
+def rounded(ratios: Mapping[str, float]) -> dict[str, float]:
+    """Return ratios as they are kept.
+
+    Args:
+        ratios: Name of a check -> its ratio [-].
+    """
+    return {name: round(ratio, 4) for name, ratio in sorted(ratios.items(), key=lambda row: row[1])}
+
+
+def open_in(design: Design) -> list[str]:
+    """Return what a design leaves open beside modules and face widths.
+
+    Args:
+        design: As read.
+    """
+    found = []
+    for stage in design.simple_stages.values():
+        if isinstance(stage, Planetary):
+            found += ["teeth"] if stage.known_teeth is None else []
+            found += ["planets"] if stage.planets_given is None else []
+        else:
+            found += [] if stage.pinion_teeth and stage.wheel_teeth else ["teeth"]
+    return sorted(set(found))
+
+
+def was(design: Design, sizing: Sizing, changes: Changes) -> dict[str, str]:
+    """Return stage -> teeth, planets, module and face width of the choice, in short, where another one is lighter.
+
+    Args:
+        design: With its stages.
+        sizing: The choice.
+        changes: Of the best; empty where it is the choice.
+    """
+    if not changes:
+        return {}
+    found = {}
+    for stage in design.stages:
+        gears = [gear for gear in sizing.gears if gear.stage == stage]
+        count = max(gear.bodies for gear in gears)
+        found[stage] = (
+            "/".join(str(gear.teeth) for gear in gears) + (f" ×{count}" if count > 1 else "")
+            + " m " + "/".join(dict.fromkeys(f"{1e3 * gear.module:.4g}" for gear in gears))
+            + " b " + "/".join(dict.fromkeys(f"{1e3 * gear.face_width:.4g}" for gear in gears))
+        )  # fmt: skip
+    return found
+
+
+def kept(path: Path = ANSWERS) -> list[dict[str, Any]]:
+    """Return the kept answers.
+
+    Args:
+        path: Where they are kept.
+    """
+    return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# How far today's choices are from the kept answers.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Compared(NamedTuple):
+    """A design sized today beside its kept answer."""
+
+    kind: str
+    number: int | str
+    mass: float
+    """Of today's choice [kg]."""
+    fails: Mapping[str, float]
+    """What fails in it."""
+    best: float
+    """Mass of the kept gearbox as it is sized today [kg]."""
+    best_fails: Mapping[str, float]
+    """What fails in that."""
+
+    @property
+    def verdict(self) -> str:
+        """Class of today's choice."""
+        return PASSES if not self.fails else FAILS if self.best_fails else MEETS
+
+    @property
+    def gap(self) -> float:
+        """Part of its mass that the choice could save [-]; below zero where it is lighter than the kept answer."""
+        return 1.0 - self.best / self.mass
+
+
+def compared(record: Mapping[str, Any]) -> Compared:
+    """Return a design as `size` chooses it today, beside its kept answer.
+
+    Args:
+        record: A kept answer.
+    """
+    design = design_of(record["kind"], record["k"])
+    choice = outcome_of(size(design))
+    best = outcome_of(size(edited(design, record["changes"]))) if record["changes"] else None
+    if best is None or (not choice.failing and best.failing):
+        mass = best.mass if best is not None and not best.failing else min(record["best"], choice.mass)
+        best = Outcome(mass if best is None else choice.mass, choice.ratios)
+    return Compared(record["kind"], record["k"], choice.mass, choice.failing, best.mass, best.failing)
+
+
+def table(rows: Sequence[Compared]) -> str:
+    """Return the gaps of every kind as a table of Markdown.
+
+    Args:
+        rows: Designs.
+    """
+    lines = [
+        "| kind | designs | choice passes | gap: median | 95 % | worst | another passes where the choice fails | none passes |",
+        "| --- | --- | --- | --- | --- | --- | --- | --- |",
+    ]
+    kinds = [*KINDS, OF_FILES]
+    for kind in (*kinds, "all"):
+        own = [row for row in rows if kind in (row.kind, "all")]
+        if not own:
+            continue
+        gaps = [max(row.gap, 0.0) for row in own if row.verdict == PASSES]
+        told = [f"{100 * value:.1f} %" for value in np.percentile(gaps, (50, 95, 100))] if gaps else ["–"] * 3
+        meets, fails = (sum(row.verdict == which for row in own) for which in (MEETS, FAILS))
+        lines.append(f"| {kind} | {len(own)} | {len(gaps)} | {' | '.join(told)} | {meets} | {fails} |")
+    return "\n".join(lines)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Commands.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def _answer(arguments: argparse.Namespace) -> None:
+    path: Path = arguments.answers
+    done = {(record["kind"], record["k"]) for record in kept(path)}
+    asked = [key for key in all_designs() if key not in done and arguments.kind in (None, key[0])]
+    with path.open("a") as file:
+        for kind, number in asked[: arguments.count]:
+            try:
+                record = answer(kind, number, arguments.most)
+            except DesignError as error:
+                record = {"kind": kind, "k": number, "refused": str(error)[:200]}
+            file.write(json.dumps(record, ensure_ascii=False) + "\n")
+            file.flush()
+            print(kind, number, record.get("class", "refused"), record.get("gap"), record.get("sizings"), flush=True)
+
+
+def _compare(arguments: argparse.Namespace) -> None:
+    records = [record for record in kept(arguments.answers) if "refused" not in record]
+    rows = [compared(record) for record in records if arguments.kind in (None, record["kind"])][: arguments.count]
+    print(table(rows))
+    for row in sorted(rows, key=lambda row: -row.gap)[: arguments.worst]:
+        fails = ", ".join(f"{name} {ratio:.3f}" for name, ratio in row.fails.items()) or "passes"
+        print(f"{row.kind} {row.number}: {row.mass:.3f} kg, {fails}; best {row.best:.3f} kg, gap {100 * row.gap:.1f} %")
+
+
+def _exhaust(arguments: argparse.Namespace) -> None:
+    """Size every width of every combination of a design of one face width, and tell the lightest that passes."""
+    design = design_of(arguments.kind, int(arguments.number))
+    sizing = size(design)
+    (block,) = blocks_of(design, sizing)
+    trials, found = Trials(design, sys.maxsize), list[tuple[float, Changes]]()
+    for own in block.combinations:
+        for width in range(own.low[0], own.cap[0] + 1):
+            changes = {**own.changes, block.widths[0]: width}
+            if _accepted(trials.of(changes), passes):
+                found.append((trials.of(changes).mass, changes))  # type: ignore[union-attr]
+    mass, changes = min(found, key=lambda row: row[0], default=(math.inf, {}))
+    print(f"{arguments.kind} {arguments.number}: {len(trials.known)} sizings, {mass:.4f} kg, {changes}")
+
+
+def main(words: Sequence[str] | None = None) -> None:
+    """Run a command.
+
+    Args:
+        words: Of the command line.
+    """
+    parser = argparse.ArgumentParser(description=str(__doc__).splitlines()[0])
+    commands = parser.add_subparsers(required=True)
+    for name, run in (("answer", _answer), ("compare", _compare)):
+        command = commands.add_parser(name)
+        command.add_argument("--answers", type=Path, default=ANSWERS)
+        command.add_argument("--kind", default=None)
+        command.add_argument("--count", type=int, default=None)
+        command.add_argument("--most", type=int, default=MOST)
+        command.add_argument("--worst", type=int, default=10)
+        command.set_defaults(run=run)
+    command = commands.add_parser("exhaust")
+    command.add_argument("kind")
+    command.add_argument("number")
+    command.set_defaults(run=_exhaust)
+    arguments = parser.parse_args(words)
+    arguments.run(arguments)
+
+
+if __name__ == "__main__":
+    main()
