@@ -1,8 +1,8 @@
 """Random designs of every kind of gearbox, from published seeds, written as a user writes them.
 
-Design k of a kind comes from `numpy.random.default_rng([SEED, kind, k])`: its power, speeds, ratio, life, material, cases
-and application factor, and what it leaves open. Face widths and modules are always open; teeth in half of the designs,
-numbers of planets in most.
+Design k of a kind comes from `numpy.random.default_rng([SEED, kind, k])`: its power, speeds, ratio, life, material,
+cases and application factor, and what it leaves open. Face widths and modules are always open; teeth in half of the
+designs, numbers of planets in most.
 """
 
 from __future__ import annotations
@@ -354,7 +354,13 @@ def stepped(draw: Draw) -> str:
     return head(service, "in out", output=service.speed / output) + tables + rules_of(draw)
 
 
-RAVIGNEAUX = ((45, 54, 27, 27, 108), (30, 36, 18, 18, 72), (36, 45, 24, 24, 93), (45, 63, 27, 27, 117), (33, 39, 21, 21, 81))
+RAVIGNEAUX = (
+    (45, 54, 27, 27, 108),
+    (30, 36, 18, 18, 72),
+    (36, 45, 24, 24, 93),
+    (45, 63, 27, 27, 117),
+    (33, 39, 21, 21, 81),
+)
 """Teeth of small and large sun, short and long planet, ring."""
 
 
@@ -437,8 +443,8 @@ class KindOf(NamedTuple):
     number: int
     """Second entry of its seeds."""
     made: Callable[[Draw], str]
-    count: int
-    """Designs that are asked about."""
+    designs: int
+    """How many of it are asked about."""
 
 
 KINDS = {
@@ -490,8 +496,8 @@ def all_designs() -> list[tuple[str, int | str]]:
     """Return kind and number of every design that leaves sizes open, files first and then one of each kind in turn."""
     names = [path.stem for path in sorted(DATA.glob("*.toml")) if "module_mm" not in path.read_text()]
     found: list[tuple[str, int | str]] = [(OF_FILES, name) for name in names]
-    most = max(kind.count for kind in KINDS.values())
-    return found + [(name, k) for k in range(most) for name, kind in KINDS.items() if k < kind.count]
+    most = max(kind.designs for kind in KINDS.values())
+    return found + [(name, k) for k in range(most) for name, kind in KINDS.items() if k < kind.designs]
 
 
 __all__ = ["DATA", "KINDS", "OF_FILES", "DesignError", "all_designs", "design_of", "text_of"]
