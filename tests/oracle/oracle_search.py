@@ -884,13 +884,15 @@ def compared(record: Mapping[str, Any]) -> Compared:
     Args:
         record: A kept answer.
     """
-    design = design_of(record["kind"], record["k"])
+    key = record["kind"], record["k"]
+    design = design_of(*key)
     choice = outcome_of(size(design))
-    best = outcome_of(size(edited(design, record["changes"]))) if record["changes"] else None
-    if best is None or (not choice.failing and best.failing):
-        mass = best.mass if best is not None and not best.failing else min(record["best"], choice.mass)
-        best = Outcome(mass if best is None else choice.mass, choice.ratios)
-    return Compared(record["kind"], record["k"], choice.mass, choice.failing, best.mass, best.failing)
+    if not record["changes"]:
+        return Compared(*key, choice.mass, choice.failing, min(record["best"], choice.mass), choice.failing)
+    best = outcome_of(size(edited(design, record["changes"])))
+    if best.failing and not choice.failing:  # checks have moved
+        best = choice
+    return Compared(*key, choice.mass, choice.failing, best.mass, best.failing)
 
 
 def table(rows: Sequence[Compared]) -> str:
