@@ -21,8 +21,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from oracle_answers import rounded
 from oracle_designs import DATA, HARD, KINDS, MATERIALS, OF_FILES, Draw, design_of
-from oracle_search import Changes, Outcome, blocks_of, no_worse_than, outcome_of, rounded
+from oracle_search import Changes, Outcome, blocks_of, no_worse_than, outcome_of
 
 from gearwright import DesignError, edited, read, size
 from gearwright.spec import Design

@@ -1,8 +1,4 @@
-"""Look by brute force for the lightest gearbox that passes, and tell how far the one that `size` chooses is from it.
-
-    python tests/oracle/oracle_search.py answer                 # answers what answers.jsonl lacks; takes hours
-    python tests/oracle/oracle_search.py compare                # sizes every design anew beside the kept answers
-    python tests/oracle/oracle_search.py exhaust planetary 0    # every width of one design, to judge the search itself
+"""Search by brute force for the lightest gearbox that passes, among those that a design leaves open.
 
 A design of `oracle_designs` leaves modules and face widths open, often teeth and numbers of planets. Whatever the
 search tries is written into the design and sized by `gearwright.size`, with every module, width, tooth number and
@@ -22,26 +18,17 @@ what that hides. What is found is therefore a gearbox that exists, not always th
 
 from __future__ import annotations
 
-import argparse
-import json
 import math
-import sys
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
-from pathlib import Path
 from typing import Any, NamedTuple
-
-import numpy as np
-from oracle_designs import KINDS, OF_FILES, all_designs, design_of
 
 from gearwright import DesignError, edited, size
 from gearwright.sizing.result import Sizing
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
 from gearwright.spec.design import relative_modules
 
-ANSWERS = Path(__file__).parent / "answers.jsonl"
 MODULES = (
     1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0, 10.0,
     11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
@@ -620,8 +607,8 @@ def _face(
         width = _break_even(at, (low, start, cap), limit, block.gears * own.volume / block.volume)
     else:
         tries = dict.fromkeys(min(max(math.ceil(factor * own.guess[0]), low), cap) for factor in LOOSE)
-        width = next((tried for tried in tries if _accepted(at(tried), accepts)), None)
-    if width is None or not _accepted(at(width), accepts):
+        width = next((tried for tried in tries if accepted(at(tried), accepts)), None)
+    if width is None or not accepted(at(width), accepts):
         return
     width = _narrowest(at, low, width, accepts, block.stages[0])
     outcome = at(width)
@@ -629,7 +616,13 @@ def _face(
     yield {**base, path: width}, outcome.mass
 
 
-def _accepted(outcome: Outcome | None, accepts: Accepts) -> bool:
+def accepted(outcome: Outcome | None, accepts: Accepts) -> bool:
+    """Tell whether there is an outcome, and it is accepted.
+
+    Args:
+        outcome: Of a trial.
+        accepts: What it has to meet.
+    """
     return outcome is not None and accepts(outcome)
 
 
@@ -677,7 +670,7 @@ def _narrowest(at: Callable[[int], Outcome | None], low: int, width: int, accept
         middle = (low + width) // 2
         if by_strength:
             middle = min(max(math.ceil(width * outcome.width_factor(stage)), low + 1), width - 1)
-        if _accepted(at(middle), accepts):
+        if accepted(at(middle), accepts):
             width, by_strength = middle, True
         else:
             low, by_strength = middle, not by_strength
@@ -690,7 +683,7 @@ def _faces(
     """Yield a combination of several face widths, each narrowed in turn, if it is accepted."""
     bounds = list(zip(own.guess, own.low, own.cap, strict=True))
     tries = ([min(max(math.ceil(factor * guess), low), cap) for guess, low, cap in bounds] for factor in TOGETHER)
-    widths = next((tried for tried in tries if _accepted(_at(trials, block, base, tried), accepts)), None)
+    widths = next((tried for tried in tries if accepted(_at(trials, block, base, tried), accepts)), None)
     if widths is None:
         return
     for place, low in enumerate(own.low):
@@ -725,7 +718,7 @@ def searched(trials: Trials, blocks: Sequence[Block], choice: Outcome) -> tuple[
             _improve_one(trials, block, best, choice)
         if best.mass >= before < math.inf:
             break
-    if not passes(choice) and _accepted(trials.of(best.changes), passes):  # the first that passes may be a heavy one
+    if not passes(choice) and accepted(trials.of(best.changes), passes):  # the first that passes may be a heavy one
         for block in blocks:
             trials.most = len(trials.known) + math.ceil(most / len(blocks))
             _improve_one(trials, block, best, choice)
@@ -753,237 +746,3 @@ def _improve_one(trials: Trials, block: Block, best: Best, choice: Outcome) -> N
     improve(trials, block, best, accepts)
     if best.mass == math.inf:
         best.mass = now.mass
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Answers, kept as JSON lines.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-PASSES, MEETS, FAILS = "passes", "choice fails, another passes", "fails"
-"""Classes: the choice passes; it fails something and another gearbox does not; none is found that passes."""
-
-
-def answer(kind: str, number: int | str, most: int = MOST) -> dict[str, Any]:
-    """Return what the search finds of one design.
-
-    Args:
-        kind: Of the design.
-        number: Of the design.
-        most: Sizings that may be made [-].
-    """
-    begun = time.process_time()
-    design = design_of(kind, number)
-    sizing = size(design)
-    choice, trials = outcome_of(sizing), Trials(design, most)
-    changes, found = searched(trials, blocks_of(design, sizing), choice)
-    record: dict[str, Any] = {"kind": kind, "k": number, "level": design.level, "open": open_in(design)}
-    record |= {"choice": round(choice.mass, 4), "choice_fails": rounded(choice.failing)}
-    if found is None:
-        found, changes = choice, {}
-    which = PASSES if passes(choice) else MEETS if passes(found) else FAILS
-    mass = min(found.mass, choice.mass) if which != MEETS else found.mass
-    if mass == choice.mass and which != MEETS:
-        changes = {}
-    record |= {"class": which, "best": round(mass, 4), "gap": round(1.0 - mass / choice.mass, 5)}
-    record |= {"changes": {path: changes[path] for path in sorted(changes)}, "was": was(design, sizing, changes)}
-    if which == FAILS:
-        record["best_fails"] = rounded(found.failing)
-    return record | {"sizings": len(trials.known), "seconds": round(time.process_time() - begun, 1)}
-
-
-def rounded(ratios: Mapping[str, float]) -> dict[str, float]:
-    """Return ratios as they are kept.
-
-    Args:
-        ratios: Name of a check -> its ratio [-].
-    """
-    return {name: round(ratio, 4) for name, ratio in sorted(ratios.items(), key=lambda row: row[1])}
-
-
-def open_in(design: Design) -> list[str]:
-    """Return what a design leaves open beside modules and face widths.
-
-    Args:
-        design: As read.
-    """
-    found = []
-    for stage in design.simple_stages.values():
-        if isinstance(stage, Planetary):
-            found += ["teeth"] if stage.known_teeth is None else []
-            found += ["planets"] if stage.planets_given is None else []
-        else:
-            found += [] if stage.pinion_teeth and stage.wheel_teeth else ["teeth"]
-    return sorted(set(found))
-
-
-def was(design: Design, sizing: Sizing, changes: Changes) -> dict[str, str]:
-    """Return stage -> teeth, planets, module and face width of the choice, in short, where another one is lighter.
-
-    Args:
-        design: With its stages.
-        sizing: The choice.
-        changes: Of the best; empty where it is the choice.
-    """
-    if not changes:
-        return {}
-    found = {}
-    for stage in design.stages:
-        gears = [gear for gear in sizing.gears if gear.stage == stage]
-        count = max(gear.bodies for gear in gears)
-        found[stage] = (
-            "/".join(str(gear.teeth) for gear in gears) + (f" ×{count}" if count > 1 else "")
-            + " m " + "/".join(dict.fromkeys(f"{1e3 * gear.module:.4g}" for gear in gears))
-            + " b " + "/".join(dict.fromkeys(f"{1e3 * gear.face_width:.4g}" for gear in gears))
-        )  # fmt: skip
-    return found
-
-
-def kept(path: Path = ANSWERS) -> list[dict[str, Any]]:
-    """Return the kept answers.
-
-    Args:
-        path: Where they are kept.
-    """
-    return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# How far today's choices are from the kept answers.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-class Compared(NamedTuple):
-    """A design sized today beside its kept answer."""
-
-    kind: str
-    number: int | str
-    mass: float
-    """Of today's choice [kg]."""
-    fails: Mapping[str, float]
-    """What fails in it."""
-    best: float
-    """Mass of the kept gearbox as it is sized today [kg]."""
-    best_fails: Mapping[str, float]
-    """What fails in that."""
-
-    @property
-    def verdict(self) -> str:
-        """Class of today's choice."""
-        return PASSES if not self.fails else FAILS if self.best_fails else MEETS
-
-    @property
-    def gap(self) -> float:
-        """Part of its mass that the choice could save [-]; below zero where it is lighter than the kept answer."""
-        return 1.0 - self.best / self.mass
-
-
-def compared(record: Mapping[str, Any]) -> Compared:
-    """Return a design as `size` chooses it today, beside its kept answer.
-
-    Args:
-        record: A kept answer.
-    """
-    key = record["kind"], record["k"]
-    design = design_of(*key)
-    choice = outcome_of(size(design))
-    if not record["changes"]:
-        return Compared(*key, choice.mass, choice.failing, min(record["best"], choice.mass), choice.failing)
-    best = outcome_of(size(edited(design, record["changes"])))
-    if best.failing and not choice.failing:  # checks have moved
-        best = choice
-    return Compared(*key, choice.mass, choice.failing, best.mass, best.failing)
-
-
-def table(rows: Sequence[Compared]) -> str:
-    """Return the gaps of every kind as a table of Markdown.
-
-    Args:
-        rows: Designs.
-    """
-    lines = [
-        "| kind | designs | choice passes | gap: median | 95 % | worst | choice fails, another passes | none passes |",
-        "| --- | --- | --- | --- | --- | --- | --- | --- |",
-    ]
-    kinds = [*KINDS, OF_FILES]
-    for kind in (*kinds, "all"):
-        own = [row for row in rows if kind in (row.kind, "all")]
-        if not own:
-            continue
-        gaps = [max(row.gap, 0.0) for row in own if row.verdict == PASSES]
-        told = [f"{100 * value:.1f} %" for value in np.percentile(gaps, (50, 95, 100))] if gaps else ["–"] * 3
-        meets, fails = (sum(row.verdict == which for row in own) for which in (MEETS, FAILS))
-        lines.append(f"| {kind} | {len(own)} | {len(gaps)} | {' | '.join(told)} | {meets} | {fails} |")
-    return "\n".join(lines)
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Commands.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-def _answer(arguments: argparse.Namespace) -> None:
-    path: Path = arguments.answers
-    done = {(record["kind"], record["k"]) for record in kept(path)}
-    asked = [key for key in all_designs() if key not in done and arguments.kind in (None, key[0])]
-    with path.open("a") as file:
-        for kind, number in asked[: arguments.count]:
-            try:
-                record = answer(kind, number, arguments.most)
-            except DesignError as error:
-                record = {"kind": kind, "k": number, "refused": str(error)[:200]}
-            file.write(json.dumps(record, ensure_ascii=False) + "\n")
-            file.flush()
-            print(kind, number, record.get("class", "refused"), record.get("gap"), record.get("sizings"), flush=True)
-
-
-def _compare(arguments: argparse.Namespace) -> None:
-    records = [record for record in kept(arguments.answers) if "refused" not in record]
-    rows = [compared(record) for record in records if arguments.kind in (None, record["kind"])][: arguments.count]
-    print(table(rows))
-    for row in sorted(rows, key=lambda row: -row.gap)[: arguments.worst]:
-        fails = ", ".join(f"{name} {ratio:.3f}" for name, ratio in row.fails.items()) or "passes"
-        print(f"{row.kind} {row.number}: {row.mass:.3f} kg, {fails}; best {row.best:.3f} kg, gap {100 * row.gap:.1f} %")
-
-
-def _exhaust(arguments: argparse.Namespace) -> None:
-    """Size every width of every combination of a design of one face width, and tell the lightest that passes."""
-    design = design_of(arguments.kind, int(arguments.number))
-    sizing = size(design)
-    (block,) = blocks_of(design, sizing)
-    trials, found = Trials(design, sys.maxsize), list[tuple[float, Changes]]()
-    for own in block.combinations:
-        for width in range(own.low[0], own.cap[0] + 1):
-            changes = {**own.changes, block.widths[0]: width}
-            if _accepted(trials.of(changes), passes):
-                found.append((trials.of(changes).mass, changes))  # type: ignore[union-attr]
-    mass, changes = min(found, key=lambda row: row[0], default=(math.inf, {}))
-    print(f"{arguments.kind} {arguments.number}: {len(trials.known)} sizings, {mass:.4f} kg, {changes}")
-
-
-def main(words: Sequence[str] | None = None) -> None:
-    """Run a command.
-
-    Args:
-        words: Of the command line.
-    """
-    parser = argparse.ArgumentParser(description=str(__doc__).splitlines()[0])
-    commands = parser.add_subparsers(required=True)
-    for name, run in (("answer", _answer), ("compare", _compare)):
-        command = commands.add_parser(name)
-        command.add_argument("--answers", type=Path, default=ANSWERS)
-        command.add_argument("--kind", default=None)
-        command.add_argument("--count", type=int, default=None)
-        command.add_argument("--most", type=int, default=MOST)
-        command.add_argument("--worst", type=int, default=10)
-        command.set_defaults(run=run)
-    command = commands.add_parser("exhaust")
-    command.add_argument("kind")
-    command.add_argument("number")
-    command.set_defaults(run=_exhaust)
-    arguments = parser.parse_args(words)
-    arguments.run(arguments)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,15 @@
 """What the search for the lightest gearbox found still stands, for a few designs of each kind's quickest."""
 
+from pathlib import Path
+
 import pytest
+from oracle_answers import FAILS, as_kept, compared, kept, table
 from oracle_designs import KINDS, all_designs, design_of
-from oracle_search import FAILS, Outcome, compared, kept, outcome_of
+from oracle_search import Outcome, outcome_of
 
 from gearwright import edited, size
 
+ROOT = Path(__file__).parents[2]
 ALIKE = 1e-3
 """Part by which masses may differ where nothing but their last digits moved [-]."""
 FARTHER = 0.005
@@ -38,6 +42,11 @@ def test_every_design_has_its_answer_once():
     assert len(keys) == len(set(keys))
     assert set(keys) == set(all_designs())
     assert sum(kind.count for kind in KINDS.values()) == 300
+
+
+def test_the_page_shows_the_gaps_that_are_kept():
+    page = (ROOT / "docs" / "theory" / "choice.md").read_text(encoding="utf-8")
+    assert table([as_kept(one) for one in kept() if "refused" not in one]) in page
 
 
 def test_what_fails_does_not_count_as_passing():
