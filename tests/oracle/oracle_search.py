@@ -36,7 +36,7 @@ MODULES = (
 """Series I and II of ISO 54:1996 [mm]."""
 BELOW, ABOVE = 4, 6
 """Steps of them that are tried on either side of the chosen one [-]."""
-MOST = 180
+MOST = 100
 """Sizings of one design; half as many more where none is found that passes [-]."""
 SHARES = (0.65, 0.35)
 """Parts of them in the first and the second round over several stages [-]."""
@@ -720,7 +720,7 @@ def searched(trials: Trials, blocks: Sequence[Block], choice: Outcome) -> tuple[
             break
     if not passes(choice) and accepted(trials.of(best.changes), passes):  # the first that passes may be a heavy one
         for block in blocks:
-            trials.most = len(trials.known) + math.ceil(most / len(blocks))
+            trials.most = len(trials.known) + math.ceil(0.6 * most / len(blocks))
             _improve_one(trials, block, best, choice)
     found = trials.of(best.changes)
     if found is not None and passes(found):
