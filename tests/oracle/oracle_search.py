@@ -4,7 +4,7 @@ A design of `oracle_designs` leaves modules and face widths open, often teeth an
 search tries is written into the design and sized by `gearwright.size`, with every module, width, tooth number and
 number of planets given, so that nothing here depends on how `size` chooses. Tried are the modules of ISO 54 from four
 below to six above the chosen one, the teeth within the tolerance of the ratio that can be put together, two planets to
-five, and of each combination whole millimetres of face width, down to the least that passes. The 90 combinations of a
+five, and of each combination whole millimetres of face width, down to the least that passes. The 60 combinations of a
 stage are looked at whose gears are the lightest by an estimate from the margins of the choice. Stages that share no
 axis are tried one after the other, twice at most; those on common axes together.
 
@@ -36,10 +36,15 @@ MODULES = (
 """Series I and II of ISO 54:1996 [mm]."""
 BELOW, ABOVE = 4, 6
 """Steps of them that are tried on either side of the chosen one [-]."""
-MOST = 100
+MOST = 80
 """Sizings of one design; half as many more where none is found that passes [-]."""
 SHARES = (0.65, 0.35)
 """Parts of them in the first and the second round over several stages [-]."""
+FAR = 0.8
+"""Face width that is estimated over the one with which a combination weighs as much as the best that is known, below
+which it is tried first [-]."""
+LARGEST = 10.0
+"""Mass of the best that is known over that of the choice, of which the search takes notice [-]."""
 HOPELESS, TRIED = 0.7, 40
 """Ratio that some combination has come to in every check by so many sizings, or the search for one that passes is given
 up [-]."""
@@ -47,7 +52,7 @@ WORTH = 1.3
 """Estimate of a combination's gears over that of the choice up to which it is looked at [-]."""
 WIDER = 1.4
 """Estimated face width over the widest that is allowed up to which a combination is looked at [-]."""
-CONSIDERED = 90
+CONSIDERED = 60
 """Combinations of one stage that are looked at [-]."""
 LOOSE = (1.1, 1.4, 9.0)
 """Face widths that are tried over the estimate where no lighter gearbox is known, the last as wide as allowed [-]."""
@@ -320,6 +325,8 @@ class Block:
     """What its gears weigh in the choice [kg]."""
     volume: float
     """Of the choice, as of combinations, times its face widths."""
+    mass: float
+    """Of the whole choice [kg]."""
 
 
 def modules_around(module: float) -> list[float]:
@@ -425,7 +432,7 @@ def _alone(design: Design, sizing: Sizing, name: str, asked: float | None) -> Bl
     volume = _volume(chosen, module, lean) * (width if widths else 1.0)
     start = written(chosen, module) | ({widths[0]: round(width, 6)} if widths else {})
     return Block(
-        (name,), widths, start, _promising(combinations, volume), _weight(sizing, (name,)), volume
+        (name,), widths, start, _promising(combinations, volume), _weight(sizing, (name,)), volume, sizing.mass
     )  # fmt: skip
 
 
@@ -496,7 +503,7 @@ def _compound(design: Design, sizing: Sizing, name: str) -> Block:
             )
         )
     start = {key: round(unit, 9)} | {at: round(w, 6) for at, w in zip(widths, width_of.values(), strict=True)}
-    return Block((name,), widths, start, tuple(combinations), _weight(sizing, (name,)), 1.0)
+    return Block((name,), widths, start, tuple(combinations), _weight(sizing, (name,)), 1.0, sizing.mass)
 
 
 AXES = (0.70, 0.75, 0.80, 0.84, 0.88, 0.92, 0.96, 1.0, 1.04, 1.08, 1.15)
@@ -525,7 +532,7 @@ def _on_axes(design: Design, sizing: Sizing, first: str, second: str) -> Block:
         combinations.append(Combination(changes, tuple(low), tuple(cap), tuple(guess), factor**2))
     start = {f"pairs.{name}.module_mm": round(module, 9) for name, module in modules.items()}
     start |= {at: round(w, 6) for at, w in zip(widths, width.values(), strict=True)}
-    return Block((first, second), widths, start, tuple(combinations), _weight(sizing, gears), 1.0)
+    return Block((first, second), widths, start, tuple(combinations), _weight(sizing, gears), 1.0, sizing.mass)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -575,22 +582,36 @@ def improve(trials: Trials, block: Block, best: Best, accepts: Accepts) -> None:
         accepts: What an outcome has to meet.
     """
     others = {path: value for path, value in best.changes.items() if path not in block.start}
-    begun = len(trials.known)
-    for combination in block.combinations:
-        hopeless = best.mass == math.inf and len(trials.known) > begun + TRIED and trials.hopeless(accepts)
-        if trials.spent or hopeless:
+    begun, narrowed = len(trials.known), _faces if len(block.widths) > 1 else _face
+    for loose in LOOSE:
+        for combination in block.combinations:
+            hopeless = best.mass == math.inf and len(trials.known) > begun + TRIED and trials.hopeless(accepts)
+            if trials.spent or hopeless:
+                return
+            base = {**others, **combination.changes}
+            asked = Asked(best.mass, accepts, loose)
+            for changes, mass in narrowed(trials, block, base, combination, asked):
+                if mass < best.mass * (1.0 - TIGHT):
+                    best.changes, best.mass = changes, mass
+        if best.mass < math.inf:
             return
-        base = {**others, **combination.changes}
-        narrowed = _faces if len(block.widths) > 1 else _face
-        for changes, mass in narrowed(trials, block, base, combination, best.mass, accepts):
-            if mass < best.mass * (1.0 - TIGHT):
-                best.changes, best.mass = changes, mass
+
+
+class Asked(NamedTuple):
+    """What a combination has to meet."""
+
+    limit: float
+    """Mass below which it is of interest [kg]."""
+    accepts: Accepts
+    loose: float
+    """Face width that is tried over the estimate where no gearbox is known [-]."""
 
 
 def _face(
-    trials: Trials, block: Block, base: Changes, own: Combination, limit: float, accepts: Accepts
+    trials: Trials, block: Block, base: Changes, own: Combination, asked: Asked
 ) -> Iterator[tuple[Changes, float]]:
     """Yield a combination of one face width, or of none, if it is accepted and lighter than a limit [kg]."""
+    limit, accepts = asked.limit, asked.accepts
     if not block.widths:
         outcome = trials.of(base)
         if outcome is not None and outcome.mass < limit and accepts(outcome):
@@ -601,13 +622,14 @@ def _face(
     def at(width: int) -> Outcome | None:
         return trials.of({**base, path: width})
 
-    width: int | None
-    if limit < math.inf:
-        start = min(max(round(block.volume / own.volume), low), cap)
+    width: int | None = min(max(math.ceil(asked.loose * own.guess[0]), low), cap)
+    assert width is not None
+    even = block.volume / own.volume * (min(limit, LARGEST * block.mass) / block.mass)
+    if limit < math.inf and width < FAR * even and accepted(at(width), accepts):
+        pass  # the best that is known is a heavy one: narrowed from there
+    elif limit < math.inf:
+        start = min(max(round(even), low), cap)
         width = _break_even(at, (low, start, cap), limit, block.gears * own.volume / block.volume)
-    else:
-        tries = dict.fromkeys(min(max(math.ceil(factor * own.guess[0]), low), cap) for factor in LOOSE)
-        width = next((tried for tried in tries if accepted(at(tried), accepts)), None)
     if width is None or not accepted(at(width), accepts):
         return
     width = _narrowest(at, low, width, accepts, block.stages[0])
@@ -678,9 +700,10 @@ def _narrowest(at: Callable[[int], Outcome | None], low: int, width: int, accept
 
 
 def _faces(
-    trials: Trials, block: Block, base: Changes, own: Combination, limit: float, accepts: Accepts
+    trials: Trials, block: Block, base: Changes, own: Combination, asked: Asked
 ) -> Iterator[tuple[Changes, float]]:
     """Yield a combination of several face widths, each narrowed in turn, if it is accepted."""
+    limit, accepts = asked.limit, asked.accepts
     bounds = list(zip(own.guess, own.low, own.cap, strict=True))
     tries = ([min(max(math.ceil(factor * guess), low), cap) for guess, low, cap in bounds] for factor in TOGETHER)
     widths = next((tried for tried in tries if accepted(_at(trials, block, base, tried), accepts)), None)
