@@ -12,15 +12,16 @@ What passes: every check of `size`. Where none is found of a design whose own ch
 for that fails no other check, and those no worse.
 
 A combination that fails at the face width with which it would weigh as much as the best that is known is left out, as a
-narrower face bears less. That is so but for resonances of the mesh, which may let a narrower face pass; `exhaust` tells
-what that hides. What is found is therefore a gearbox that exists, not always the lightest of all.
+narrower face bears less. That is so but for resonances of the mesh, which may let a narrower face pass: where the
+choice fails and combinations are few, their widths are looked through, and `exhaust` tells what is hidden elsewhere.
+What is found is therefore a gearbox that exists, not always the lightest of all.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -56,8 +57,10 @@ CONSIDERED = 60
 """Combinations of one stage that are looked at [-]."""
 LOOSE = (1.1, 1.4, 9.0)
 """Face widths that are tried over the estimate where no lighter gearbox is known, the last as wide as allowed [-]."""
-TOGETHER = (1.1, 1.25, 1.4, 1.8, 9.0)
+TOGETHER = (1.1, 1.2, 1.3, 1.4, 1.6, 1.8, 2.2, 9.0)
 """Likewise, of several face widths at once [-]."""
+FEW, WIDTHS = 12, 20
+"""Combinations whose face widths are looked through where resonances part those that pass, and how many of each [-]."""
 TIGHT = 1e-9
 """Of a ratio that counts as rounding [-]."""
 
@@ -339,12 +342,13 @@ def modules_around(module: float) -> list[float]:
     return sorted({*MODULES[max(place - BELOW, 0) : place + ABOVE + 1], round(module, 9)})
 
 
-def blocks_of(design: Design, sizing: Sizing) -> list[Block]:
+def blocks_of(design: Design, sizing: Sizing, *, narrowest: float = 1.0) -> list[Block]:
     """Return the blocks of a design.
 
     Args:
         design: With its freedoms.
         sizing: With its choice.
+        narrowest: Least face width over the module [-]; 1 is where `size` begins to look.
     """
     found = list[Block]()
     tied = {pair.coaxial_with: name for name, pair in design.pairs.items() if pair.coaxial_with}
@@ -358,7 +362,20 @@ def blocks_of(design: Design, sizing: Sizing) -> list[Block]:
             found.append(_on_axes(design, sizing, name, tied[name]))
         elif name not in tied.values():
             found.append(_alone(design, sizing, name, asked.get(name)))
-    return found
+    return [_wide(block, narrowest) for block in found] if narrowest > 1.0 else found
+
+
+def _wide(block: Block, narrowest: float) -> Block:
+    """Return a block without faces that are narrower than so many modules."""
+    wide = []
+    for own in block.combinations:
+        # The first of two modules on common axes, and of a compound set, is within a tenth or so of the other.
+        module = next(value for path, value in own.changes.items() if path.endswith("module_mm"))
+        low = tuple(
+            min(max(low, math.ceil(narrowest * module)), cap) for low, cap in zip(own.low, own.cap, strict=True)
+        )
+        wide.append(own._replace(low=low))
+    return replace(block, combinations=tuple(wide))
 
 
 def _gears(sizing: Sizing, stage: str) -> list[Any]:
@@ -745,6 +762,8 @@ def searched(trials: Trials, blocks: Sequence[Block], choice: Outcome) -> tuple[
         for block in blocks:
             trials.most = len(trials.known) + math.ceil(0.6 * most / len(blocks))
             _improve_one(trials, block, best, choice)
+    if not passes(choice) and len(blocks) == 1 and len(blocks[0].widths) == 1:
+        _scan(trials, blocks[0], best)
     found = trials.of(best.changes)
     if found is not None and passes(found):
         return best.changes, found
@@ -753,6 +772,29 @@ def searched(trials: Trials, blocks: Sequence[Block], choice: Outcome) -> tuple[
         trials.most = len(trials.known) + math.ceil(0.5 * most / len(blocks))
         improve(trials, block, best, no_worse_than(choice))
     return best.changes, trials.of(best.changes)
+
+
+def _scan(trials: Trials, block: Block, best: Best) -> None:
+    """Look through few combinations of one face width from narrow to wide: between resonances some may pass."""
+    limit = best.mass if accepted(trials.of(best.changes), passes) else math.inf
+    hopeless = limit == math.inf and len(trials.known) > TRIED and trials.hopeless(passes)
+    if len(block.combinations) > FEW or hopeless:
+        return
+    for own in block.combinations:
+        (low,), (cap,) = own.low, own.cap
+        step = max(1, (cap - low) // WIDTHS)
+        for width in range(low, cap + 1, step):
+            changes = {**own.changes, block.widths[0]: width}
+            outcome = trials.of(changes)
+            if outcome is None or outcome.mass >= limit:
+                break
+            if passes(outcome):
+                finer = ({**changes, block.widths[0]: less} for less in range(max(low, width - step + 1), width))
+                best.changes = next((one for one in finer if accepted(trials.of(one), passes)), changes)
+                found = trials.of(best.changes)
+                assert found is not None
+                limit = best.mass = found.mass
+                break
 
 
 def _improve_one(trials: Trials, block: Block, best: Best, choice: Outcome) -> None:
