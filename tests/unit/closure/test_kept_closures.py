@@ -25,7 +25,7 @@ power_kw = 60
 speed_rpm = 6000
 [propellers.propeller]
 shaft = "slow"
-speed_rpm = 1500
+speed_rpm = 1200
 diameter_m = 2
 [planetaries.set]
 sun = "fast"

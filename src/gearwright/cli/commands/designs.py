@@ -642,15 +642,13 @@ def close(
         own, before = design_of(design), None if start is None else design_of(start)
         flights = None if mission is None else OnMission(*mission_of(mission))
         source = Source(file_text(find_design(design)), find_design(design).parent)
-        kept = _Kept(own, source, out or named_after(design, "closed.toml"), digest_of(own, wishes, flights, before))
-        course = kept.course(journal, named_after(design, "close.journal"), say)
-        with kept.leaving(course):
-            closed = closed_by(
-                own, wishes=wishes, on_mission=flights, source=source, start=before, course=course, tell=say
-            )
-            is_open = closed.outcome is Outcome.OPEN
-            against = contradictions(own, closed, tell=say) if why else ()
-            found = nearest_variant(own, closed, tell=say) if variants and is_open else None
+    kept = _Kept(own, source, out or named_after(design, "closed.toml"), digest_of(own, wishes, flights, before))
+    course = kept.course(journal, named_after(design, "close.journal"), say)
+    with placed_in(design), kept.leaving(course):
+        closed = closed_by(own, wishes=wishes, on_mission=flights, source=source, start=before, course=course, tell=say)
+        is_open = closed.outcome is Outcome.OPEN
+        against = contradictions(own, closed, tell=say) if why else ()
+        found = nearest_variant(own, closed, tell=say) if variants and is_open else None
     if json:
         show_answer("close", close_answer(closed, found, against), design=closed.design.name)
     else:
