@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
@@ -48,7 +49,7 @@ from gearwright.signals import answered
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from gearwright.closure import Course, Source, Wishes
+    from gearwright.closure import Closed, Course, Source, Variants, Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.render.pages.page import Stamp
@@ -608,7 +609,6 @@ def close(
     from gearwright.cli.commands.flights import mission_of
     from gearwright.closure import OnMission, Outcome, Source, contradictions, nearest_variant
     from gearwright.closure import close as closed_by
-    from gearwright.files import write_text
     from gearwright.render.answers.review import close_answer
     from gearwright.render.words.review import against_text, closure_text, variants_text
     from gearwright.shipped import find_design
@@ -638,15 +638,22 @@ def close(
             show(against_text(against))
         if found is not None:
             show(variants_text(found))
-    written = {} if out is None else {out: closed.text}
-    if out is not None and found is not None and found.nearest is not None:
-        nearest = found.nearest.closed.design
-        written[out.with_stem(f"{out.stem}-variant")] = design_text_like(nearest, source.text, own)
+    if out is not None:
+        _write_closed(out, closed, found, partial(design_text_like, text=source.text, before=own), say)
+    if closed.outcome is Outcome.OPEN:
+        raise typer.Exit(1)
+
+
+def _write_closed(
+    out: Path, closed: Closed, found: Variants | None, text_of: Callable[[Design], str], say: Callable[[str], None]
+) -> None:
+    """Write a closed design, and its nearest variant beside it."""
+    written = {out: closed.text}
+    if found is not None and found.nearest is not None:
+        written[out.with_stem(f"{out.stem}-variant")] = text_of(found.nearest.closed.design)
     for path, result in written.items():
         write_text(path, result)
         say(f"wrote {path}")
-    if closed.outcome is Outcome.OPEN:
-        raise typer.Exit(1)
 
 
 @dataclass(frozen=True)
