@@ -8,9 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gearwright.checks import BEYOND_SIZING, Check, accepted, unknown_waivers
-from gearwright.errors import DesignError, refuse
-from gearwright.identity import Kind, PartId
+from gearwright.base import BEYOND_SIZING, Check, DesignError, Kind, PartId, accepted, refuse, unknown_waivers, verb
 from gearwright.machines import (
     LENGTH_RATIO,
     motor_diameter,
@@ -46,7 +44,6 @@ from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_te
 from gearwright.spec import Airscrew, Design, ElectricMachine, Machine, Turbine
 from gearwright.spec.design import Given, Rotor, given_values
 from gearwright.train import Train, build_train
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Machines as the gearbox needs them: torque, mass of motors, inertia of what turns; how fast tips of rotors are.

@@ -11,9 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import largest
-from gearwright.errors import Problem, refuse
-from gearwright.identity import Role
+from gearwright.base import Problem, Role, largest, refuse
 from gearwright.memo import Memo, SharedMemo
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso6336_scuffing import scuffing_safeties

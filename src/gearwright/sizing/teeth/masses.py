@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, largest
-from gearwright.identity import Role
+from gearwright.base import Floats, Ints, Role, largest
 from gearwright.sizing.rating import (
     LEAST_TORQUE,
     Ask,
