@@ -71,7 +71,8 @@ def test_the_next_smaller_whole_millimetre_fails():
 def test_no_lighter_standard_module_and_whole_width_meets_the_strengths():
     """Modules of ISO 54 from 1.5 to 3.5 mm, whole widths from six modules to what the rules allow, as a user would try.
 
-    Narrower faces of larger modules may weigh half a per cent less. A closure compares complete gearboxes, and what saves less than a thousandth of one counts as no lighter.
+    Narrower faces of larger modules may weigh half a per cent less. A closure compares complete gearboxes; what saves
+    less than a thousandth of one counts as no lighter.
     """
     best = closed().sizing
     design, gears = closed().design, best.gears
