@@ -50,12 +50,14 @@ from gearwright.sizing.rating import (
     context_of,
     demands_of,
     fewest_virtual_teeth,
+    made_share,
     method_for,
     rate_row,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, StageSize, compound_sizes, sharing_of_sizes, stage_sizes
-from gearwright.sizing.teeth import Chosen, made_share, refuse_contradictions
+from gearwright.sizing.size_grids import StageSize
+from gearwright.sizing.stage_sizes import ROUNDS, STILL, compound_sizes, sharing_of_sizes, stage_sizes
+from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
 from gearwright.spec.design import NOTHING_GIVEN, ForbiddenBand, Given, allowed_in_case, cases_forbidding

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
@@ -13,11 +13,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import largest
+from gearwright.arrays import Floats, largest
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
-from gearwright.sizing.rating.iso6336 import Iso6336Rating
-from gearwright.sizing.rating.iso6336_scuffing import scuffing_safeties
+from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth
 from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, Unloaded
 from gearwright.sizing.rating.rules import Ask, FarGear, Rating, rating_of
@@ -448,27 +447,29 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
     return reserve
 
 
-def scuffing_ratio(
-    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
-) -> float:
-    """Return the least safety of a row against scuffing over the asked one [-]; ∞ where its method has none.
+def sizes_near(
+    context: Context, mesh: Mesh, modules: Floats, face_widths: Floats, left_out: Collection[str] = ()
+) -> Floats | None:
+    """Return the least value over limit that the method finds for arrays of sizes of a row, but for what films ask [-].
+
+    None where nothing loads it, and where its method takes sizes one by one.
 
     Args:
         context: What sizing reads.
         mesh: A row of the train.
-        module: m_n [m].
-        face_width: b [m].
-        asked: As for `rate_row`, so that a size that is kept is not rated again [m].
+        modules: m_n, of bevel gears m_mn [m].
+        face_widths: b, of the same shape [m].
+        left_out: Modes of checks that are not asked for, with those that are waived.
     """
-    rated = rate_row(context, mesh, module, face_width, asked=asked)
-    if not isinstance(rated, Iso6336Rating):
-        return math.inf
-    safeties = (safety for safety in scuffing_safeties(rated) if safety is not None)
-    return min(safeties, default=math.inf) / rated.scuffing_asked
+    loaded = _loaded(context, mesh, modules, face_widths)
+    if isinstance(loaded, Unloaded):
+        return None
+    waived = {name.removeprefix(f"{mesh.part} ") for name in context.design.waivers}
+    return method_for(loaded.rating).nearness(loaded, waived.union(left_out))
 
 
 def _loaded(
-    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
+    context: Context, mesh: Mesh, module: Numbers, face_width: Numbers, asked: tuple[float, float] = _NONE_ASKED
 ) -> LoadedMesh | Unloaded:
     """Return one mesh of a row with all that its life consists of."""
     rating, (case, per_tooth) = context.rating(mesh), worst_case(context, mesh)

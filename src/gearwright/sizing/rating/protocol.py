@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Protocol, TypeVar
@@ -122,9 +122,9 @@ class LoadedMesh(NamedTuple):
 
     rating: Rating
     """Rules of its stage."""
-    module: float
-    """m_n, of bevel gears m_mn [m]."""
-    face_width: float
+    module: Any
+    """m_n, of bevel gears m_mn; a number, or an array where `nearness` is asked [m]."""
+    face_width: Any
     """b [m]."""
     heaviest: Load
     """The heaviest case over the whole life."""
@@ -273,6 +273,9 @@ class Method(Protocol[R]):
 
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads, as sizes are tried [-]."""
+
+    def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> Floats | None:
+        """Return the least value over limit of an array of sizes, but for films [-]; None where it takes them one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts of both gears."""

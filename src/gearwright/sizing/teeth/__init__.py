@@ -4,7 +4,6 @@ How large the teeth become is for `stages`.
 """
 
 from gearwright.sizing.teeth.front import EQUAL
-from gearwright.sizing.teeth.masses import made_share
 from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, Trying, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.stage import refuse_contradictions
 
@@ -15,7 +14,6 @@ __all__ = [
     "StageTeeth",
     "Trying",
     "choose_teeth",
-    "made_share",
     "refuse_contradictions",
     "stage_teeth",
 ]

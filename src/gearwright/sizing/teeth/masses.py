@@ -11,7 +11,9 @@ import numpy as np
 from gearwright.arrays import Floats, Ints, largest
 from gearwright.identity import Role
 from gearwright.sizing.rating import (
+    BEARING_GAP,
     LEAST_TORQUE,
+    RIM,
     Ask,
     Load,
     LoadedMesh,
@@ -30,7 +32,7 @@ from gearwright.sizing.rating import (
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary, case_named
-from gearwright.spec.design import GROUND, GearRules, module_owners
+from gearwright.spec.design import GROUND, module_owners
 from gearwright.train import Mesh, PowerFlow, gears_of
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -105,13 +107,8 @@ def _with_teeth(load: Load, teeth: tuple[int, int], ratio: float) -> Load:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-RIM = 1.25 + 1.2 * 2.25
-"""Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
-of 1.2 tooth heights (AGMA 2001-D04)."""
 _TEETH = 1 << 16
 """More than any gear has [-]."""
-_BEARING_GAP = 0.5
-"""Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
 
 
 def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -> Front:
@@ -267,7 +264,7 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
         ring = ring_teeth(task, small, large)
         annulus = _annulus(ring, wall)
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
-        planet = large**2 - _BEARING_GAP * _inside(large) if task.made else large**2
+        planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
         return teeth, np.asarray(disc * (small**2 + planets * planet + annulus), dtype=np.float64)
     pinion, wheel = gears_of(task.name, stage)
     wheel_square = (
@@ -286,22 +283,6 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
 def _inside(teeth: Ints) -> Floats:
     """Return (d_i/m)² inside the rim of a gear whose wall is as thick as teeth and their backing ask [-]."""
     return np.asarray(np.maximum(teeth - 2.0 * RIM, 0.0) ** 2, dtype=np.float64)
-
-
-def made_share(role: Role, teeth: int, rules: GearRules) -> float:
-    """Return what a gear as it is made weighs over its disc or annulus, by the estimate of the search [-].
-
-    Args:
-        role: Of the gear.
-        teeth: Its number [-].
-        rules: Of its stage.
-    """
-    room = max(teeth - 2.0 * RIM, 0.0)
-    inside = room * room / (teeth * teeth)
-    if role is Role.PLANET:
-        return 1.0 - _BEARING_GAP * inside
-    webbed = role is Role.WHEEL and rules.web_ratio == 1.0
-    return 1.0 - (1.0 - rules.web_thickness_ratio) * inside if webbed else 1.0
 
 
 def _annulus(teeth: Ints, wall: float) -> Floats:
