@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import heapq
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,7 +27,7 @@ from gearwright.sizing.answers import locking_checks
 from gearwright.sizing.bearing_seats import named_room
 from gearwright.sizing.bearings import planet_lives
 from gearwright.sizing.losses import dipping
-from gearwright.sizing.mass import as_made, refuse_dishes
+from gearwright.sizing.mass import as_made, complete_mass, refuse_dishes
 from gearwright.sizing.places import (
     beside_checks,
     coaxial_checks,
@@ -41,10 +43,10 @@ from gearwright.sizing.rating import Context, Known, remembered
 from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
-from gearwright.sizing.stages import Geared, geared
+from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
 from gearwright.spec import Airscrew, Design, ElectricMachine, Machine, Turbine
-from gearwright.spec.design import Given, Rotor, given_values
+from gearwright.spec.design import CONCEPT, RATINGS, Given, Rotor, given_values
 from gearwright.train import Train, build_train
 from gearwright.verbs import verb
 
@@ -128,13 +130,21 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+COMPLETED = 4
+"""Gears, of one or several choices of teeth, that are completed before the lightest that passes is taken [-]."""
+MOST_COMPLETED = 8
+"""The same where none passes so far [-]."""
+WORTH = 1.25
+"""Estimate of gears over that of the first ones up to which they are completed [-]."""
+
+
 @verb
 @np.errstate(all="ignore")  # what overflows or is no number does not pass the gate
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
-    Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does; at a
-    preliminary level that with the lightest gears that pass theirs, or come nearest to it.
+    Of several choices of teeth, modules and widths that are completed the lightest is taken that passes its checks, or
+    that which comes nearest where none does.
 
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
@@ -144,10 +154,7 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
-    train = build_train(design)
-    if design.level == PRELIMINARY and design.teeth.sized == 1:
-        return _of_nearest_gears(design, train, given.values)
-    return _lightest(design, train, given.values)
+    return _lightest(design, build_train(design), given.values)
 
 
 @np.errstate(all="ignore")
@@ -165,67 +172,148 @@ def size_unturned(design: Design) -> Sizing:
     return _lightest(design, build_train(design), given.values, still=True)
 
 
+def is_compared(design: Design) -> bool:
+    """Tell whether gears are sized on a grid, or held against all that is asked of them, so that several are compared.
+
+    Args:
+        design: As read.
+    """
+    return design.level == PRELIMINARY or any(RATINGS[design.rating(name)].table for name in design.stages)
+
+
+@dataclass
+class _Looked:
+    """What came of the gears that were looked at."""
+
+    sized: int = 0
+    """Choices of teeth whose gears came out [-]."""
+    short: int = 0
+    """Those of them whose gears fall short of what is asked of them [-]."""
+    refused: list[DesignError] = field(default_factory=list)
+    whole: list[tuple[Sizing, float]] = field(default_factory=list)
+    """Transmissions that are completed, with what they are compared by [kg]."""
+
+    def complete(self, gears: Geared, given: Mapping[str, Given], *, still: bool) -> None:
+        """Add the transmission of some gears, or why there is none."""
+        try:
+            sizing = completed(gears, given, still=still)
+        except DesignError as error:
+            self.refused.append(error)
+            return
+        alone = sizing.level == CONCEPT
+        self.whole.append((sizing, sizing.mass if alone else complete_mass(sizing).total))
+
+    @property
+    def passing(self) -> list[tuple[Sizing, float]]:
+        """Those that pass all their checks."""
+        return [(sizing, mass) for sizing, mass in self.whole if _nearness(sizing) >= 1.0]
+
+    def best(self) -> Sizing:
+        """Return the lightest that passes, or that which comes nearest, of equals the lightest, and of these the first."""
+        if not self.whole:
+            raise self.refused[0]
+        among = self.passing
+        if not among:
+            nearest = max(_nearness(sizing) for sizing, _ in self.whole)
+            among = [row for row in self.whole if _nearness(row[0]) >= nearest - EQUAL]
+        least = min(mass for _, mass in among)
+        return next(sizing for sizing, mass in among if mass <= least * (1.0 + EQUAL))
+
+
+def _nearness(sizing: Sizing) -> float:
+    """Return the least value over limit of all that is asked, at most 1 [-]."""
+    return min((check.ratio or 0.0 for check in sizing.checks if check.fails), default=1.0)
+
+
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
-    best = dict[bool, Sizing]()
-    masses: Mapping[bool, list[float]] = {True: [], False: []}
-    refused, known = list[DesignError](), remembered()
+    """Return of the choices of teeth and sizes that are completed the lightest that passes, or that which is nearest."""
+    looked, compared = _Looked(), is_compared(design)
+    if compared:
+        courses, nearest = _courses(design, train, given, looked)
+    else:
+        courses, nearest = _closed(design, train, given, looked), None
+    enough = max(design.teeth.sized, COMPLETED if compared else 0)
+    queue = [(course.estimate, place, course) for place, course in enumerate(courses)]
+    heapq.heapify(queue)
+    lightest = queue[0][0] if queue else 0.0
+    while queue:
+        tried = len(looked.whole)
+        if tried >= enough and (looked.passing or tried >= MOST_COMPLETED):
+            break
+        estimate, place, course = heapq.heappop(queue)
+        if compared and looked.passing and estimate > WORTH * lightest:
+            break
+        looked.complete(course.gears, given, still=still)
+        if (after := course.after()) is not None:
+            heapq.heappush(queue, (after.estimate, place, after))
+    if not looked.whole and nearest is not None:
+        looked.complete(nearest, given, still=still)
+    return _told(looked, compared=compared)
+
+
+def _told(looked: _Looked, *, compared: bool) -> Sizing:
+    """Return the best with what was looked at."""
+    best, masses = looked.best(), sorted(mass for _, mass in looked.passing or looked.whole)
+    if best.search is None or (not compared and looked.sized + len(looked.refused) == 1):
+        return best
+    search = replace(
+        best.search,
+        sized=looked.sized,
+        failing=looked.short if compared else len(looked.whole) - len(looked.passing),
+        refused=len(looked.refused),
+        next_sized_mass=math.inf if compared or len(masses) < 2 else masses[1],
+    )
+    return replace(best, search=search)
+
+
+class _Course(NamedTuple):
+    """Gears of a choice of teeth, and those of other sizes, each heavier by the estimate than the one before."""
+
+    gears: Geared
+    others: Iterator[Geared]
+
+    @property
+    def estimate(self) -> float:
+        """What the gears weigh with what carries and encloses them, to rank them [kg]."""
+        return self.gears.estimate or self.gears.mass
+
+    def after(self) -> _Course | None:
+        """Return the course with the next sizes whose gears pass; None where there are none."""
+        gears = next((gears for gears in self.others if gears.passes), None)
+        return None if gears is None else _Course(gears, self.others)
+
+
+def _closed(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked) -> list[_Course]:
+    """Return the gears of every choice of teeth that the rules of the search size in full."""
+    known, courses = remembered(), list[_Course]()
     for choice in choose_teeth(design, train):
         try:
-            sizing = completed(geared(design, train, choice, given=given, known=known), given, still=still)
+            courses.append(_Course(geared(design, train, choice, given=given, known=known), iter(())))
         except DesignError as error:
-            refused.append(error)
-            continue
-        passes = _passes(sizing)
-        masses[passes].append(sizing.mass)
-        if passes not in best or sizing.mass < best[passes].mass * (1.0 - EQUAL):
-            best[passes] = sizing
-    if not best:
-        raise refused[0]
-    taken, alike = best.get(True) or best[False], masses[True] or masses[False]
-    sized = len(masses[True]) + len(masses[False])
-    if taken.search is None or sized + len(refused) == 1:
-        return taken
-    search = replace(
-        taken.search,
-        sized=sized,
-        failing=len(masses[False]),
-        refused=len(refused),
-        next_sized_mass=sorted(alike)[1] if len(alike) > 1 else math.inf,
-    )
-    return replace(taken, search=search)
+            looked.refused.append(error)
+    looked.sized = len(courses)
+    return courses
 
 
-def _passes(sizing: Sizing) -> bool:
-    """Tell whether nothing fails."""
-    return not any(check.fails for check in sizing.checks)
-
-
-def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given]) -> Sizing:
-    """Return the transmission of the teeth whose gears come nearest to meeting everything, the lightest of equals."""
+def _courses(
+    design: Design, train: Train, given: Mapping[str, Given], looked: _Looked
+) -> tuple[list[_Course], Geared | None]:
+    """Return the gears of the choices of teeth that pass, with their other sizes, and those that are nearest to it."""
     choices = choose_teeth(considering(design), train)
     trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
-    known, refused, found = remembered(), list[DesignError](), dict[int, Geared]()
+    known, found = remembered(), dict[int, _Course]()
     while (place := trying.next()) is not None:
         try:
-            gears = geared(design, train, choices[place], given=given, known=known)
+            others = gearings(design, train, choices[place], given=given, known=known)
+            found[place] = _Course(next(others), others)
         except DesignError as error:
-            refused.append(error)
+            looked.refused.append(error)
             continue
-        found[place] = gears
+        gears = found[place].gears
         trying.note(place, gears.nearness, gears.heaviness, mass=gears.mass)
-    for tried in trying.ranked():
-        try:
-            sizing = completed(found[tried.place], given)
-        except DesignError as error:
-            refused.append(error)
-            continue
-        if sizing.search is None:
-            return sizing
-        failing = sum(one.nearness < 1.0 for one in trying.tried)
-        search = replace(sizing.search, sized=len(found), failing=failing, refused=len(refused))
-        return replace(sizing, search=search)
-    raise refused[0]
+    ranked = [found[tried.place] for tried in trying.ranked()]
+    looked.sized, looked.short = len(ranked), sum(not course.gears.passes for course in ranked)
+    return [course for course in ranked if course.gears.passes], ranked[0].gears if ranked else None
 
 
 def considering(design: Design) -> Design:
@@ -234,7 +322,8 @@ def considering(design: Design) -> Design:
     Args:
         design: As read.
     """
-    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": CONSIDERED})})
+    sized = max(design.teeth.sized, CONSIDERED)
+    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": sized})})
 
 
 def sized_with(

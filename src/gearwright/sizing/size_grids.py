@@ -32,7 +32,7 @@ from gearwright.sizing.rating import (
     widest_bevel,
 )
 from gearwright.sizing.result import PRELIMINARY
-from gearwright.spec import Epicyclic
+from gearwright.spec import Epicyclic, Pair
 from gearwright.train import Gear, Mesh
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -62,6 +62,14 @@ class StageSize(NamedTuple):
         return self._replace(face_width=count * self.face_width)
 
 
+SHELL = 30.0
+"""Housing with its flanges and ribs over the surface of a drum around the gears, an estimate to rank sizes [kg/m²]."""
+SHELLED = ("preliminary", "built")
+"""Levels whose gearboxes are weighed with their housing."""
+CARRIED = 1.9
+"""Gears of sets with the carriers of their planets over the gears alone, an estimate to rank sizes [-]."""
+
+
 class Part(NamedTuple):
     """Meshes of one face width, whose module is in a fixed ratio to that of the others."""
 
@@ -81,13 +89,30 @@ class Part(NamedTuple):
 
 
 def part_weight(context: Context, part: Part) -> float:
-    """Return what the gears of a part weigh over b m_n², with rims, webs and bores where they are made so [kg/m³].
+    """Return what the gears of a part weigh over b m_n², as they are made at their level, with their carrier [kg/m³].
 
     Args:
         context: What gear sizing reads.
         part: The part.
     """
-    return sum(_weight(context, gear) for gear in context.train.gears if gear.sized == part.name)
+    own = sum(_weight(context, gear) for gear in context.train.gears if gear.sized == part.name)
+    return own if isinstance(context.design.stages[part.stage], Pair) else CARRIED * own
+
+
+def part_width(context: Context, part: Part) -> float:
+    """Return the diameter of what is around the largest gears of a part, over its module [-]; 0 where nothing counts.
+
+    Args:
+        context: What gear sizing reads.
+        part: The part.
+    """
+    if context.design.level not in SHELLED:
+        return 0.0
+    sun, planet = context.teeth[part.meshes[0].gears[0]], context.teeth[part.meshes[0].gears[1]]
+    rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
+    pair = isinstance(context.design.stages[part.stage], Pair)
+    around = max(rings, default=max(sun, planet) if pair else sun + 2 * planet)
+    return around / math.cos(context.ratings[part.stage].helix_angle)
 
 
 def _weight(context: Context, gear: Gear) -> float:
@@ -216,15 +241,12 @@ class _Widths:
     near: Floats
     """Least value over limit of each as far as arrays tell [-]."""
     masses: Floats
-    """[kg]"""
+    """Of its gears with what carries them [kg]."""
+    shells: Floats
+    """Of the shell around them [kg]."""
     is_array: bool
     """Whether arrays tell anything."""
     at: int = 0
-
-    @property
-    def mass(self) -> float:
-        """Of the gears [kg]."""
-        return float(self.masses[self.at])
 
     @property
     def size(self) -> StageSize:
@@ -245,10 +267,10 @@ class _Widths:
 _Row = tuple[_Widths, ...]
 
 
-def chosen(
+def options(
     context: Context, parts: Sequence[Part], unit: float, demands: Mapping[str, Demand], *, is_open: bool
-) -> tuple[StageSize, ...]:
-    """Return the size of every part with which all weigh least and pass, the nearest where none passes.
+) -> Iterator[Option]:
+    """Yield the lightest sizes of all parts with every unit that pass, the lightest first; the nearest if none does.
 
     Args:
         context: What gear sizing reads.
@@ -259,14 +281,15 @@ def chosen(
     """
     rules = context.ratings[parts[0].stage].proportions
     if not is_open or rules is None:
-        return lightest(context, parts, (unit,), demands)
-    if rules.standard_modules:
-        return lightest(context, parts, unit_grid(parts, unit), demands)
-    around = (LEAST, MOST)
-    for step in STEPS:
-        found = lightest(context, parts, fine_grid(unit, around, step), demands)
-        unit, around = _unit_of(context, parts[-1], found[-1]), (1.0 - step, 1.0 + step)
-    return found
+        yield from _best(context, parts, (unit,), demands)
+    elif rules.standard_modules:
+        yield from _best(context, parts, unit_grid(parts, unit), demands)
+    else:
+        around = (LEAST, MOST)
+        for step in STEPS:
+            found = next(_best(context, parts, fine_grid(unit, around, step), demands))
+            unit, around = _unit_of(context, parts[-1], found.sizes[-1]), (1.0 - step, 1.0 + step)
+        yield found
 
 
 def _unit_of(context: Context, part: Part, size: StageSize) -> float:
@@ -279,29 +302,24 @@ def _unit_of(context: Context, part: Part, size: StageSize) -> float:
     )
 
 
-def lightest(
+def _best(
     context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
-) -> tuple[StageSize, ...]:
-    """Return the size of every part with which all weigh least and pass; the nearest where none passes.
-
-    Args:
-        context: What gear sizing reads.
-        parts: What is sized together; those that share gears of another one before it.
-        units: To try [m].
-        demands: Mesh row -> what it asks for.
-    """
+) -> Iterator[Option]:
+    """Yield the options that pass, the lightest first; where none does, the nearest of those that pass most of it."""
     for left_out in LENIENT:
         found = list[Option]()
         for option in _options(context, parts, units, demands, left_out=left_out):
-            if not left_out:
-                return option.sizes
-            if found and option.mass > NEAR * found[0].mass:
+            if left_out and found and option.mass > NEAR * found[0].mass:
                 break
             found.append(option)
+            if not left_out:
+                yield option
         if found:
-            best = max(option.nearness for option in found)
-            return next(option for option in found if option.nearness >= best - AS_NEAR).sizes
-    return _strongest(context, parts, units)
+            if left_out:
+                best = max(option.nearness for option in found)
+                yield next(option for option in found if option.nearness >= best - AS_NEAR)
+            return
+    yield _strongest(context, parts, units)
 
 
 def _options(
@@ -326,6 +344,14 @@ def _options(
             yield Option(tuple(own.size for own in row), mass, nearness)
 
 
+def _mass(row: _Row) -> float:
+    """Return what parts weigh with the shell around each stage, by the estimate [kg]."""
+    shells = dict[str, float]()
+    for own in row:
+        shells[own.part.stage] = max(shells.get(own.part.stage, 0.0), float(own.shells[own.at]))
+    return sum(float(own.masses[own.at]) for own in row) + sum(shells.values())
+
+
 def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -> None:
     """Add parts at their least widths that may pass, those that share gears before those whose gears they share."""
     for own in row:
@@ -334,7 +360,7 @@ def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -
         if not places:
             return
         own.at = places[0]
-    heapq.heappush(heap, (sum(own.mass for own in row), next(order), row))
+    heapq.heappush(heap, (_mass(row), next(order), row))
 
 
 def _widen(context: Context, own: _Widths, demands: Mapping[str, Demand], left_out: tuple[str, ...]) -> bool:
@@ -364,8 +390,10 @@ def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple
     ]
     least = np.minimum.reduce([np.full(len(widths), math.inf), *near])
     masses = part_weight(context, part) * widths * modules**2
+    around = part_width(context, part) * modules
+    shells = SHELL * math.pi * around * (0.5 * around + widths)
     ends = np.cumsum([len(own) for own, _ in grids])[:-1]
-    columns = (np.split(values, ends) for values in (widths, modules, least, masses))
+    columns = (np.split(values, ends) for values in (widths, modules, least, masses, shells))
     return [_Widths(part, *row, bool(near)) for row in zip(*columns, strict=True)]
 
 
@@ -391,10 +419,11 @@ def _near(
     return every, asked
 
 
-def _strongest(context: Context, parts: Sequence[Part], units: Sequence[float]) -> tuple[StageSize, ...]:
-    """Return the size at which the weakest part comes nearest to its strengths."""
+def _strongest(context: Context, parts: Sequence[Part], units: Sequence[float]) -> Option:
+    """Return the sizes at which the weakest part comes nearest to its strengths."""
     rows = list(zip(*(_tried(context, part, units, LENIENT[-1]) for part in parts), strict=True))
     for row in rows:
         for own in row:
             own.at = int(np.argmax(own.near)) if np.isfinite(own.near).any() else len(own.near) - 1
-    return tuple(own.size for own in max(rows, key=lambda row: min(own.near[own.at] for own in row)))
+    best = max(rows, key=lambda row: min(own.near[own.at] for own in row))
+    return Option(tuple(own.size for own in best), _mass(best), float(min(own.near[own.at] for own in best)))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import heapq
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from gearwright.catalogue import LEAST_SHARING
 from gearwright.errors import DesignError, Problem, refuse
@@ -13,7 +15,7 @@ from gearwright.parts.planetary import clocking_load_factor, path_stiffness, tol
 from gearwright.sizing.rating import Context, Demand, bevel_pair, cylindrical_mesh, load_sharing
 from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.size_grids import Part, StageSize, chosen
+from gearwright.sizing.size_grids import Option, Part, StageSize, options
 from gearwright.spec import Epicyclic, Pair, Planetary
 from gearwright.spec.design import module_owners, relative_modules, split_levels
 from gearwright.train import INTERNAL, Mesh
@@ -60,8 +62,17 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
-    """Return module and face width of every stage: the lightest that pass, together where modules are tied.
+class _Open(NamedTuple):
+    """Parts that are sized together by a standard."""
+
+    parts: tuple[Part, ...]
+    unit: float
+    """Given, or what the heaviest case asks for at the widest face [m]."""
+    is_open: bool
+
+
+def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
+    """Return module and face width of every stage and group of a compound set: the lightest that pass.
 
     Args:
         context: What gear sizing reads.
@@ -70,6 +81,66 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
     Raises:
         DesignError: If nothing loads a stage, or its standard does not cover it.
     """
+    closed, open_ = _divided(context, demands)
+    found = _lightest(context, tuple(open_), demands) if open_ else ()
+    for one, sizes in zip(open_, found, strict=True):
+        closed |= {part.name: size for part, size in zip(one.parts, sizes, strict=True)}
+    return closed
+
+
+def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tuple[dict[str, StageSize], float]]:
+    """Yield the same in combinations of sizes that pass, the lightest first, and what they weigh by an estimate [kg].
+
+    What follows in closed form is not in the estimate.
+
+    Args:
+        context: What gear sizing reads.
+        demands: Mesh row -> what it asks for.
+    """
+    closed, open_ = _divided(context, demands)
+    courses = [_Course(options(context, *one[:2], demands, is_open=one.is_open), []) for one in open_]
+    start = (0,) * len(courses)
+    heap, seen = [(0.0, start)], {start}
+    while heap:
+        _, places = heapq.heappop(heap)
+        taken = [course.at(place) for course, place in zip(courses, places, strict=True)]
+        sizes = dict(closed)
+        for one, option in zip(open_, taken, strict=True):
+            assert option is not None
+            sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
+        yield sizes, sum(option.mass for option in taken if option)
+        for k, course in enumerate(courses):
+            after = (*places[:k], places[k] + 1, *places[k + 1 :])
+            if after not in seen and course.at(after[k]) is not None:
+                seen.add(after)
+                options_after = (own.at(place) for own, place in zip(courses, after, strict=True))
+                heapq.heappush(heap, (sum(option.mass for option in options_after if option), after))
+
+
+class _Course(NamedTuple):
+    """Options as far as they are looked at."""
+
+    left: Iterator[Option]
+    found: list[Option]
+
+    def at(self, place: int) -> Option | None:
+        """Return an option; None where there are not so many."""
+        while len(self.found) <= place:
+            if (option := next(self.left, None)) is None:
+                return None
+            self.found.append(option)
+        return self.found[place]
+
+
+def _lightest(
+    context: Context, open_: tuple[_Open, ...], demands: Mapping[str, Demand]
+) -> tuple[tuple[StageSize, ...], ...]:
+    """Return the lightest size of all that is open."""
+    return tuple(next(options(context, *one[:2], demands, is_open=one.is_open)).sizes for one in open_)
+
+
+def _divided(context: Context, demands: Mapping[str, Demand]) -> tuple[dict[str, StageSize], list[_Open]]:
+    """Return the sizes that follow in closed form, and what a standard sizes, with all that is tied to it."""
     group = module_owners(context.design)
     needed: dict[str, float] = {}
     for mesh in context.train.meshes:
@@ -80,37 +151,27 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
     _align(context, needed, group)
     refuse_idle_stages(context, needed)
     tied = _tied(context, group)
-    alone = [{owner} for owner in needed if not any(owner in owners for owners in tied)]
-    sizes = dict[str, StageSize]()
-    for owners in (*alone, *tied):
-        sizes |= _sizes(context, owners, needed, demands)
-    return {stage: sizes[stage] for stage in group}
-
-
-def _sizes(
-    context: Context, owners: set[str], needed: Mapping[str, float], demands: Mapping[str, Demand]
-) -> dict[str, StageSize]:
-    """Return the sizes of stages whose modules are tied to each other, and of those that have their modules."""
-    modules = {owner: _module_given(context, owner) for owner in owners}
-    closed = [owner for owner in owners if context.ratings[owner].proportions is None]
-    if len(owners) > 1 and (closed or any(module is not None for module in modules.values())):
-        modules = {owner: needed[owner] if module is None else module for owner, module in modules.items()}
-        alone = [{owner} for owner in sorted(owners)]
-    else:
-        alone = [owners]
-    sizes = dict[str, StageSize]()
-    for some in alone:
-        first = min(some)
-        if first in closed:
-            module = needed[first] if modules[first] is None else modules[first]
-            sizes |= _closed_form(context, first, module)
-            continue
-        parts = [part for owner in sorted(some) for part in _parts(context, owner, needed[owner] / needed[first])]
-        given = modules[first]
-        unit = _unit(context, first, needed[first]) if given is None else given
-        found = chosen(context, parts, unit, demands, is_open=given is None)
-        sizes |= {part.name: size for part, size in zip(parts, found, strict=True)}
-    return sizes
+    closed, open_ = dict[str, StageSize](), list[_Open]()
+    for owners in (*({owner} for owner in needed if not any(owner in owners for owners in tied)), *tied):
+        modules = {owner: _module_given(context, owner) for owner in owners}
+        plain = [owner for owner in owners if context.ratings[owner].proportions is None]
+        apart = len(owners) > 1 and (plain or any(module is not None for module in modules.values()))
+        for some in [{owner} for owner in sorted(owners)] if apart else [owners]:
+            first = min(some)
+            given = needed[first] if apart and modules[first] is None else modules[first]
+            if first in plain:
+                closed |= _closed_form(context, first, needed[first] if given is None else given)
+                continue
+            parts = [part for owner in sorted(some) for part in _parts(context, owner, needed[owner] / needed[first])]
+            unit = _unit(context, first, needed[first]) if given is None else given
+            open_.append(_Open(tuple(parts), unit, given is None))
+    for name in context.design.epicyclics:
+        own = _set(context, name, demands)
+        if isinstance(own, _Open):
+            open_.append(own)
+        else:
+            closed |= own
+    return closed, open_
 
 
 def _unit(context: Context, owner: str, needed: float) -> float:
@@ -191,20 +252,8 @@ def _span(context: Context, stage: str) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def compound_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
-    """Return module and face width of every group of gears of every compound set, by the label of the group.
-
-    Args:
-        context: What gear sizing reads.
-        demands: Mesh row -> what it asks for.
-
-    Raises:
-        DesignError: If nothing loads a set whose modules are not given.
-    """
-    return {key: size for name in context.design.epicyclics for key, size in _set(context, name, demands).items()}
-
-
-def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
+def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str, StageSize] | _Open:
+    """Return the sizes of the groups of a compound set, or what of them is open."""
     epicyclic = context.design.epicyclics[name]
     ratios = relative_modules(epicyclic)
     rows: dict[str, list[Mesh]] = {}
@@ -225,7 +274,7 @@ def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str
     if context.ratings[name].proportions is None:
         unit, ratio = needed if unit is None else unit, context.width_ratios[name]
         modules = {group: given.get(group, unit * own) for group, own in ratios.items()}
-        widths = {group: _width_given(context, meshes, ratio * modules[group]) for group, meshes in rows.items()}
+        widths = {group: _width_given(context, meshes) or ratio * modules[group] for group, meshes in rows.items()}
         return {
             meshes[0].sized: StageSize(modules[group], widths[group], widths[group]) for group, meshes in rows.items()
         }
@@ -234,15 +283,14 @@ def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str
              _width_given(context, meshes), leads=ratios[group] == 1.0)
         for group, meshes in rows.items()
     ]  # fmt: skip
-    found = chosen(context, parts, needed if unit is None else unit, demands, is_open=unit is None)
-    return {part.name: size for part, size in zip(parts, found, strict=True)}
+    return _Open(tuple(parts), needed if unit is None else unit, unit is None)
 
 
-def _width_given(context: Context, meshes: Sequence[Mesh], otherwise: float | None = None) -> float | None:
+def _width_given(context: Context, meshes: Sequence[Mesh]) -> float | None:
     """Return the least face width that gears of some meshes are given [m]."""
     names = {gear for mesh in meshes for gear in mesh.gears}
     given = [context.given[f"{gear}.face_width"] for gear in names if f"{gear}.face_width" in context.given]
-    return min(given, default=otherwise)
+    return min(given, default=None)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

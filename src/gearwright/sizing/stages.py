@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from operator import attrgetter
 
 from gearwright.checks import Check, accepted, not_assessed
-from gearwright.errors import Problem, refuse
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, least_cutter_radius
 from gearwright.parts.gears import (
@@ -50,13 +50,15 @@ from gearwright.sizing.rating import (
     context_of,
     demands_of,
     fewest_virtual_teeth,
+    load_sharing,
     made_share,
     method_for,
     rate_row,
+    shared,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.size_grids import StageSize
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, compound_sizes, sharing_of_sizes, stage_sizes
+from gearwright.sizing.stage_sizes import ROUNDS, STILL, all_sizes, combinations, sharing_of_sizes
 from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
@@ -325,7 +327,7 @@ def gear_checks(
         context: What sizing reads.
         gears: From `size_gears`.
         meshes: From `size_meshes`.
-        sizes: From `stage_sizes`.
+        sizes: From `all_sizes`.
     """
     by_name = {gear.name: gear for gear in gears}
     for mesh in meshes:
@@ -495,6 +497,8 @@ class Geared:
     sizes: Mapping[str, StageSize]
     demands: Mapping[str, Demand]
     choice: Chosen
+    estimate: float = 0.0
+    """What they weigh with what carries and encloses them, to rank sizes [kg]; 0 where all sizes are in closed form."""
 
     @property
     def heaviness(self) -> dict[str, float]:
@@ -518,6 +522,11 @@ class Geared:
             if check.ratio is not None and not check.waiver:
                 least[check.part.name] = min(least.get(check.part.name, math.inf), check.ratio)
         return least
+
+    @property
+    def passes(self) -> bool:
+        """Whether they meet all that is asked of them."""
+        return not any(check.fails for check in accepted(self.checks, self.context.design.waivers))
 
     @property
     def mass(self) -> float:
@@ -546,6 +555,57 @@ def geared(
     Raises:
         DesignError: If torques contradict each other, machines have too little power, or teeth are not covered.
     """
+    context, sharing = _with_teeth(design, train, choice, given=given, known=known), dict[str, float]()
+    for _ in range(ROUNDS):
+        demands = demands_of(context)
+        sizes = all_sizes(context, demands)
+        found = _with_sizes(context, sizes, demands, choice)
+        before, sharing = sharing, dict(sharing_of_sizes(context, found.gears, found.meshes))
+        if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
+            break
+        context = shared(context, sharing)
+    return _held_against(found)
+
+
+def gearings(
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None
+) -> Iterator[Geared]:
+    """Yield the gears of chosen teeth in sizes that pass, those first that weigh least by an estimate.
+
+    Where loads are shared by the sizes of gears, the lightest alone.
+
+    Args:
+        design: As read.
+        train: Its graph.
+        choice: Teeth, and numbers of planets that the design leaves open.
+        given: Path -> value that the user gives instead of the computed one.
+        known: What meshes of the design have given with other teeth, and are to give.
+
+    Raises:
+        DesignError: As `geared`.
+    """
+    if any(load_sharing(design, name).by_size for name in design.stages):
+        yield geared(design, train, choice, given=given, known=known)
+        return
+    context = _with_teeth(design, train, choice, given=given, known=known)
+    demands = demands_of(context)
+    refused, came_out = list[DesignError](), False
+    for sizes, mass in combinations(context, demands):
+        try:
+            found = _held_against(_with_sizes(context, sizes, demands, choice))
+        except DesignError as error:  # bores and reliefs for which these sizes have no room
+            refused.append(error)
+            continue
+        came_out = True
+        yield replace(found, estimate=mass)
+    if not came_out:
+        raise refused[0]
+
+
+def _with_teeth(
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None
+) -> Context:
+    """Return what gear sizing reads with chosen teeth."""
     teeth = choice.teeth
     if choice.planets:
         design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})
@@ -553,19 +613,22 @@ def geared(
     flows = power_flows(design, Turning(design, train, teeth), efficiency=design.efficiencies)
     refuse_contradictions(design, flows)
     refuse_beyond(design, flows)
-    sharing: Mapping[str, float] = {}
-    for _ in range(ROUNDS):
-        context = context_of(design, train, teeth, flows, given, known=known, sharing=sharing)
-        demands = demands_of(context)
-        sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
-        gears = size_gears(context, sizes)
-        meshes = size_meshes(context, gears, demands)
-        before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
-        if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
-            break
+    return context_of(design, train, teeth, flows, given, known=known)
+
+
+def _with_sizes(
+    context: Context, sizes: Mapping[str, StageSize], demands: Mapping[str, Demand], choice: Chosen
+) -> Geared:
+    """Return gears and meshes of sizes."""
+    gears = size_gears(context, sizes)
+    return Geared(context, gears, size_meshes(context, gears, demands), (), sizes, demands, choice)
+
+
+def _held_against(found: Geared) -> Geared:
+    """Return gears with their checks."""
+    context, gears, meshes = found.context, found.gears, found.meshes
     refuse((*bores_beyond_roots(context, gears), *_reliefs(context, gears, meshes)))
-    checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
-    return Geared(context, gears, meshes, checks, sizes, demands, choice)
+    return replace(found, checks=(*gear_checks(context, gears, meshes, found.sizes), *pass_checks(context)))
 
 
 def _reliefs(context: Context, gears: Sequence[GearSizing], meshes: Sequence[MeshSizing]) -> Iterator[Problem]:

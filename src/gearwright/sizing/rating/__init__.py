@@ -16,6 +16,7 @@ from gearwright.sizing.rating.context import (
     reverse_parts,
     row_ask,
     row_reserve,
+    shared,
     sizes_near,
     worn_torque,
 )
@@ -131,6 +132,7 @@ __all__ = [
     "rim_below_roots",
     "row_ask",
     "row_reserve",
+    "shared",
     "sizes_near",
     "stage_width_ratio",
     "strong_enough",

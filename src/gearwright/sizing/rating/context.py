@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,8 +34,6 @@ _ALIKE = 0.9
 """Part of its own load from which on another mesh of a gear on the same flank counts as its equal [-]."""
 
 
-NO_SHARING: Mapping[str, float] = MappingProxyType({})
-"""Where no K_γ follows from sizes."""
 Known = dict[tuple[Any, ...], list[tuple[Rating, Any]]]
 """Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
 
@@ -173,7 +170,7 @@ def worn_torque(design: Design, loads: Mapping[str, tuple[float, float]]) -> flo
 
 def context_of(
     design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given],
-    *, known: Known | None = None, sharing: Mapping[str, float] = NO_SHARING,
+    *, known: Known | None = None,
 ) -> Context:  # fmt: skip
     """Return what gear sizing reads, with the rules of every stage resolved.
 
@@ -184,12 +181,21 @@ def context_of(
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth; left out: what is remembered.
-        sharing: Stage -> K_γ by the sizes of its gears [-].
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
-    ratings |= {name: replace(ratings[name], load_factor=factor) for name, factor in sharing.items()}
     values = {path: entry.value for path, entry in given.items()}
     return Context(design, train, teeth, flows, values, ratings, remembered() if known is None else known)
+
+
+def shared(context: Context, sharing: Mapping[str, float]) -> Context:
+    """Return what gear sizing reads where stages share their loads otherwise.
+
+    Args:
+        context: As it was.
+        sharing: Stage -> K_γ by the sizes of its gears [-].
+    """
+    ratings = {name: replace(context.ratings[name], load_factor=factor) for name, factor in sharing.items()}
+    return replace(context, ratings={**context.ratings, **ratings})
 
 
 def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Callable[[], Any]) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -107,13 +108,13 @@ def fewest_virtual_teeth(rating: Rating) -> float:
     return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
 
 
-def mean_module(teeth: tuple[int, int], outer_module: float, face_width: float, rating: Rating) -> float:
+def mean_module(teeth: tuple[int, int], outer_module: float, face_width: Any, rating: Rating) -> Any:
     """Return the mean normal module m_mn of a bevel pair [m].
 
     Args:
         teeth: z_1, z_2 [-].
         outer_module: Outer transverse module m_et [m].
-        face_width: b [m].
+        face_width: b, a number or an array [m].
         rating: Resolved rules.
 
     Source: ISO 23509:2016, m_mn = m_et cos β_m R_m/R_e.

@@ -614,7 +614,7 @@ class Iso6336:
             near.append(self._apart_of_sizes(mesh, rated))
         if static := [load for load in loads if load.static]:
             near.append(self._static_of_sizes(mesh, static))
-        return np.minimum.reduce(np.broadcast_arrays(*near))
+        return np.asarray(np.minimum.reduce(np.broadcast_arrays(*near)))
 
     def _of_sizes(self, mesh: LoadedMesh, loads: Sequence[Load], *, once: bool = False) -> PairRating:
         """Rate every size of a mesh under some loads, in arrays of shape (loads, sizes); K_A = 1 of those that come
@@ -639,7 +639,7 @@ class Iso6336:
                     near.append(permissible[0] / (asked[mode] * stress[0]))
                 else:
                     near.append(_room_of_sizes(asked[mode] * stress / endurance, cycles, life_curves(steel)[mode]))
-        return np.minimum.reduce(near)
+        return np.asarray(np.minimum.reduce(near))
 
     def _apart_of_sizes(self, mesh: LoadedMesh, rated: PairRating) -> Floats:
         """Return how far off its main resonance every size runs, over the least distance, in the nearest case [-]."""
@@ -665,7 +665,7 @@ class Iso6336:
             )
             if safety is not None
         ]
-        return np.minimum.reduce(near)
+        return np.asarray(np.minimum.reduce(near))
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
