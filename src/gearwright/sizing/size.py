@@ -46,7 +46,7 @@ from gearwright.sizing.shafts.bending import face_load_checks
 from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
 from gearwright.spec import Airscrew, Design, ElectricMachine, Machine, Turbine
-from gearwright.spec.design import CONCEPT, RATINGS, Given, Rotor, given_values
+from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values
 from gearwright.train import Train, build_train
 from gearwright.verbs import verb
 
@@ -130,10 +130,9 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = 4
-"""Gears, of one or several choices of teeth, that are completed before the lightest that passes is taken [-]."""
-MOST_COMPLETED = 8
-"""The same where none passes so far [-]."""
+COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (2, 5), BUILT: (1, 3)}
+"""Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
+at most, where none passes so far [-]."""
 WORTH = 1.25
 """Estimate of gears over that of the first ones up to which they are completed [-]."""
 
@@ -232,13 +231,14 @@ def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still
         courses, nearest = _courses(design, train, given, looked)
     else:
         courses, nearest = _closed(design, train, given, looked), None
-    enough = max(design.teeth.sized, COMPLETED if compared else 0)
+    enough, most = COMPLETED[design.level] if compared else (0, 0)
+    enough = max(enough, design.teeth.sized)
     queue = [(course.estimate, place, course) for place, course in enumerate(courses)]
     heapq.heapify(queue)
     lightest = queue[0][0] if queue else 0.0
     while queue:
         tried = len(looked.whole)
-        if tried >= enough and (looked.passing or tried >= MOST_COMPLETED):
+        if tried >= enough and (looked.passing or tried >= most):
             break
         estimate, place, course = heapq.heappop(queue)
         if compared and looked.passing and estimate > WORTH * lightest:
