@@ -27,7 +27,7 @@ from gearwright.sizing.answers import locking_checks
 from gearwright.sizing.bearing_seats import named_room
 from gearwright.sizing.bearings import planet_lives
 from gearwright.sizing.losses import dipping
-from gearwright.sizing.mass import as_made, complete_mass, refuse_dishes
+from gearwright.sizing.mass import as_made, refuse_dishes
 from gearwright.sizing.places import (
     beside_checks,
     coaxial_checks,
@@ -130,7 +130,7 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (2, 5), BUILT: (1, 3)}
+COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 5), BUILT: (1, 3)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
 WORTH = 1.25
@@ -189,34 +189,31 @@ class _Looked:
     short: int = 0
     """Those of them whose gears fall short of what is asked of them [-]."""
     refused: list[DesignError] = field(default_factory=list)
-    whole: list[tuple[Sizing, float]] = field(default_factory=list)
-    """Transmissions that are completed, with what they are compared by [kg]."""
+    whole: list[Sizing] = field(default_factory=list)
+    """Transmissions that are completed."""
 
     def complete(self, gears: Geared, given: Mapping[str, Given], *, still: bool) -> None:
         """Add the transmission of some gears, or why there is none."""
         try:
-            sizing = completed(gears, given, still=still)
+            self.whole.append(completed(gears, given, still=still))
         except DesignError as error:
             self.refused.append(error)
-            return
-        alone = sizing.level == CONCEPT
-        self.whole.append((sizing, sizing.mass if alone else complete_mass(sizing).total))
 
     @property
-    def passing(self) -> list[tuple[Sizing, float]]:
+    def passing(self) -> list[Sizing]:
         """Those that pass all their checks."""
-        return [(sizing, mass) for sizing, mass in self.whole if _nearness(sizing) >= 1.0]
+        return [sizing for sizing in self.whole if _nearness(sizing) >= 1.0]
 
     def best(self) -> Sizing:
-        """Return the lightest that passes, or that which comes nearest, of equals the lightest, and of these the first."""
+        """Return the lightest that passes, or that which comes nearest; of equals the lightest, of these the first."""
         if not self.whole:
             raise self.refused[0]
         among = self.passing
         if not among:
-            nearest = max(_nearness(sizing) for sizing, _ in self.whole)
-            among = [row for row in self.whole if _nearness(row[0]) >= nearest - EQUAL]
-        least = min(mass for _, mass in among)
-        return next(sizing for sizing, mass in among if mass <= least * (1.0 + EQUAL))
+            nearest = max(map(_nearness, self.whole))
+            among = [sizing for sizing in self.whole if _nearness(sizing) >= nearest - EQUAL]
+        least = min(sizing.mass for sizing in among)
+        return next(sizing for sizing in among if sizing.mass <= least * (1.0 + EQUAL))
 
 
 def _nearness(sizing: Sizing) -> float:
@@ -225,7 +222,7 @@ def _nearness(sizing: Sizing) -> float:
 
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return of the choices of teeth and sizes that are completed the lightest that passes, or that which is nearest."""
+    """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
     looked, compared = _Looked(), is_compared(design)
     if compared:
         courses, nearest = _courses(design, train, given, looked)
@@ -253,7 +250,7 @@ def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still
 
 def _told(looked: _Looked, *, compared: bool) -> Sizing:
     """Return the best with what was looked at."""
-    best, masses = looked.best(), sorted(mass for _, mass in looked.passing or looked.whole)
+    best, masses = looked.best(), sorted(sizing.mass for sizing in looked.passing or looked.whole)
     if best.search is None or (not compared and looked.sized + len(looked.refused) == 1):
         return best
     search = replace(

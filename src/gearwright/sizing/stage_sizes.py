@@ -70,6 +70,15 @@ class _Open(NamedTuple):
     """Given, or what the heaviest case asks for at the widest face [m]."""
     is_open: bool
 
+    def kind(self, context: Context, demands: Mapping[str, Demand]) -> object:
+        """Return what is the same of parts that do the same, such as the stages of equal engines."""
+        rows = [
+            (context.ratings[part.stage], part.ratio, part.width,
+             [(context.asks[mesh.name], demands[mesh.name]) for mesh in part.meshes])
+            for part in self.parts
+        ]  # fmt: skip
+        return repr((self.unit, self.is_open, rows))
+
 
 def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
     """Return module and face width of every stage and group of a compound set: the lightest that pass.
@@ -98,23 +107,29 @@ def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tu
         demands: Mesh row -> what it asks for.
     """
     closed, open_ = _divided(context, demands)
-    courses = [_Course(options(context, *one[:2], demands, is_open=one.is_open), []) for one in open_]
+    alike = dict[object, list[_Open]]()
+    for one in open_:
+        alike.setdefault(one.kind(context, demands), []).append(one)
+    courses = [_Course(options(context, *ones[0][:2], demands, is_open=ones[0].is_open), []) for ones in alike.values()]
     start = (0,) * len(courses)
     heap, seen = [(0.0, start)], {start}
     while heap:
         _, places = heapq.heappop(heap)
         taken = [course.at(place) for course, place in zip(courses, places, strict=True)]
-        sizes = dict(closed)
-        for one, option in zip(open_, taken, strict=True):
+        sizes, mass = dict(closed), 0.0
+        for ones, option in zip(alike.values(), taken, strict=True):
             assert option is not None
-            sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
-        yield sizes, sum(option.mass for option in taken if option)
+            mass += len(ones) * option.mass
+            for one in ones:
+                sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
+        yield sizes, mass
         for k, course in enumerate(courses):
             after = (*places[:k], places[k] + 1, *places[k + 1 :])
             if after not in seen and course.at(after[k]) is not None:
                 seen.add(after)
-                options_after = (own.at(place) for own, place in zip(courses, after, strict=True))
-                heapq.heappush(heap, (sum(option.mass for option in options_after if option), after))
+                found = zip(alike.values(), courses, after, strict=True)
+                heavier = sum(len(ones) * own.mass_at(place) for ones, own, place in found)
+                heapq.heappush(heap, (heavier, after))
 
 
 class _Course(NamedTuple):
@@ -130,6 +145,10 @@ class _Course(NamedTuple):
                 return None
             self.found.append(option)
         return self.found[place]
+
+    def mass_at(self, place: int) -> float:
+        """Return what an option weighs that there is [kg]."""
+        return self.found[place].mass
 
 
 def _lightest(

@@ -275,7 +275,7 @@ class Method(Protocol[R]):
         """Return the same of a mesh whose record nobody reads, as sizes are tried [-]."""
 
     def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> Floats | None:
-        """Return the least value over limit of an array of sizes, but for films [-]; None: they are taken one by one."""
+        """Return the least value over limit of arrays of sizes, but for films [-]; None: they are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts of both gears."""
