@@ -272,7 +272,7 @@ class _Course(NamedTuple):
     @property
     def estimate(self) -> float:
         """What the gears weigh with what carries and encloses them, to rank them [kg]."""
-        return self.gears.estimate or self.gears.mass
+        return self.gears.estimate
 
     def after(self) -> _Course | None:
         """Return the course with the next sizes whose gears pass; None where there are none."""
@@ -307,7 +307,7 @@ def _courses(
             looked.refused.append(error)
             continue
         gears = found[place].gears
-        trying.note(place, gears.nearness, gears.heaviness, mass=gears.mass)
+        trying.note(place, gears.nearness, mass=found[place].estimate)
     ranked = [found[tried.place] for tried in trying.ranked()]
     looked.sized, looked.short = len(ranked), sum(not course.gears.passes for course in ranked)
     return [course for course in ranked if course.gears.passes], ranked[0].gears if ranked else None

@@ -17,6 +17,8 @@ from gearwright.identity import Role
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.planetary import planes
 from gearwright.sizing.rating import (
+    AROUND,
+    SETS,
     STANDARD_MODULES,
     Context,
     Demand,
@@ -60,13 +62,6 @@ class StageSize(NamedTuple):
             count: Planes [-].
         """
         return self._replace(face_width=count * self.face_width)
-
-
-SETS = 0.8
-"""Gears of sets over gears of pairs of the same mass, where sizes are ranked by what their gearboxes weigh [-]."""
-AROUND = 4.5
-"""Shafts and carriers in the same ranking, over the cube of the diameter of the largest gear of a stage [kg/m³]; both
-fitted to a thousand sizes of gearboxes of 14 kinds: of the three first the lightest is within 0.2 % in the mean."""
 
 
 class Part(NamedTuple):

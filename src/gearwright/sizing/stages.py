@@ -497,22 +497,10 @@ class Geared:
     sizes: Mapping[str, StageSize]
     demands: Mapping[str, Demand]
     choice: Chosen
-    estimate: float = 0.0
-    """What they weigh with what carries and encloses them, to rank sizes [kg]; 0 where all sizes are in closed form."""
-
-    @property
-    def heaviness(self) -> dict[str, float]:
-        """Stage -> b m_n² of its gears over that of the module and width that its heaviest case asks for [-]."""
-        needed = dict[str, float]()
-        for mesh in self.context.train.meshes:
-            if mesh.sized in self.sizes:
-                needed[mesh.sized] = max(needed.get(mesh.sized, 0.0), *self.demands[mesh.name][2:])
-        ratios = self.context.width_ratios
-        return {
-            stage: self.sizes[stage].face_width * self.sizes[stage].module ** 2 / (ratios[stage] * module**3)
-            for stage, module in needed.items()
-            if stage in ratios
-        }
+    ranked: float = 0.0
+    """What those weigh with their shafts and carriers that are sized on a grid, to rank them [kg]."""
+    gridded: frozenset[str] = frozenset()
+    """Those stages."""
 
     @property
     def nearness(self) -> dict[str, float]:
@@ -529,9 +517,9 @@ class Geared:
         return not any(check.fails for check in accepted(self.checks, self.context.design.waivers))
 
     @property
-    def mass(self) -> float:
-        """What the gears weigh with rims, webs and bores by the estimate of the search [kg]."""
-        return sum(_mass(self.context, gear) for gear in self.gears)
+    def estimate(self) -> float:
+        """What the gears weigh with rims, webs and bores by the estimate of the search, to rank them [kg]."""
+        return self.ranked + sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in self.gridded)
 
 
 def _mass(context: Context, gear: GearSizing) -> float:
@@ -590,6 +578,7 @@ def gearings(
     context = _with_teeth(design, train, choice, given=given, known=known)
     demands = demands_of(context)
     refused, came_out = list[DesignError](), False
+    gridded = frozenset(stage for stage, rating in context.ratings.items() if rating.proportions is not None)
     for sizes, mass in combinations(context, demands):
         try:
             found = _held_against(_with_sizes(context, sizes, demands, choice))
@@ -597,7 +586,7 @@ def gearings(
             refused.append(error)
             continue
         came_out = True
-        yield replace(found, estimate=mass)
+        yield replace(found, ranked=mass, gridded=gridded)
     if not came_out:
         raise refused[0]
 

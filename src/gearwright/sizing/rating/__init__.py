@@ -21,6 +21,7 @@ from gearwright.sizing.rating.context import (
     worn_torque,
 )
 from gearwright.sizing.rating.geometry import (
+    AROUND,
     BACKUP,
     BEARING_GAP,
     CORRECTIONS,
@@ -28,6 +29,7 @@ from gearwright.sizing.rating.geometry import (
     LEAST_RING,
     RIM,
     RIMMED,
+    SETS,
     STANDARD_MODULES,
     THINNEST_RIM,
     TOOTH_HEIGHT,
@@ -66,12 +68,14 @@ from gearwright.sizing.rating.protocol import (
     MeshRating,
     MeshSpectrum,
     Method,
+    SizesNear,
     Unloaded,
     factor_rows,
 )
 from gearwright.sizing.rating.rules import Ask, LoadSharing, Made, Rating, load_sharing, rating_of
 
 __all__ = [
+    "AROUND",
     "BACKUP",
     "BEARING_GAP",
     "CORRECTIONS",
@@ -82,6 +86,7 @@ __all__ = [
     "METHODS",
     "RIM",
     "RIMMED",
+    "SETS",
     "STANDARD_MODULES",
     "THINNEST_RIM",
     "TOOTH_HEIGHT",
@@ -102,6 +107,7 @@ __all__ = [
     "MeshSpectrum",
     "Method",
     "Rating",
+    "SizesNear",
     "Unloaded",
     "bevel_module",
     "bevel_pair",

@@ -377,7 +377,7 @@ class Agma2001:
         """Return the same of a mesh whose record nobody reads [-]."""
         return self.reserve(self.rate(mesh))
 
-    def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
         """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:

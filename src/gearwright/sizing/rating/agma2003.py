@@ -289,7 +289,7 @@ class Agma2003:
         """Return the same of a mesh whose record nobody reads [-]."""
         return self.reserve(self.rate(mesh))
 
-    def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
         """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:

@@ -471,7 +471,8 @@ def sizes_near(
     if isinstance(loaded, Unloaded):
         return None
     waived = {name.removeprefix(f"{mesh.part} ") for name in context.design.waivers}
-    return method_for(loaded.rating).nearness(loaded, waived.union(left_out))
+    found = method_for(loaded.rating).of_sizes(loaded, waived.union(left_out))
+    return None if found is None else np.minimum(*found)
 
 
 def _loaded(

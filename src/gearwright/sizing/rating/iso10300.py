@@ -400,7 +400,7 @@ class Iso10300:
         pitting, bending = safeties([_strains(rated) for rated in every], (steel, steel))
         return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
 
-    def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
         """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:

@@ -65,6 +65,7 @@ from gearwright.sizing.rating.protocol import (
     LoadedMesh,
     Making,
     MeshSpectrum,
+    SizesNear,
     factor_rows,
     steel_rows,
 )
@@ -601,26 +602,26 @@ class Iso6336:
         pitting, bending = safeties(every, steels_of(mesh.rating, mesh.heaviest.ask.roles))
         return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
 
-    def nearness(self, mesh: LoadedMesh, left_out: Collection[str] = ()) -> Floats:
-        """Return the least value over limit of roots, flanks, resonance and static strength of every size [-]."""
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str] = ()) -> SizesNear:
+        """Return how near every size comes to what roots, flanks, resonance and static strength ask."""
         life = mesh.loads[0].life  # cases without a share count for resonance alone
         loads = (*mesh.loads, *(load._replace(life=life) for load in mesh.others))
         rules = mesh.rating.rules.iso6336
-        rated = self._of_sizes(mesh, loads)
-        near = [self._strength_of_sizes(mesh, rated)]
+        rated, rest = self._of_sizes(mesh, loads), [np.asarray(math.inf)]
         if isinstance(rated.dynamic, DynamicFactorBySpeed):
-            near.append(np.asarray(FASTEST / rated.dynamic.characteristic)[0])
+            rest.append(np.asarray(FASTEST / rated.dynamic.characteristic)[0])
         elif MODE not in left_out and rules.dynamic_method != "C":
-            near.append(self._apart_of_sizes(mesh, rated))
+            rest.append(self._apart_of_sizes(mesh, rated))
         if static := [load for load in loads if load.static]:
-            near.append(self._static_of_sizes(mesh, static))
-        return np.asarray(np.minimum.reduce(np.broadcast_arrays(*near)))
+            rest.append(self._static_of_sizes(mesh, static))
+        strength = self._strength_of_sizes(mesh, rated)
+        return SizesNear(strength, np.asarray(np.minimum.reduce(np.broadcast_arrays(strength, *rest)[1:])))
 
     def _of_sizes(self, mesh: LoadedMesh, loads: Sequence[Load], *, once: bool = False) -> PairRating:
         """Rate every size of a mesh under some loads, in arrays of shape (loads, sizes); K_A = 1 of those that come
         once."""
         torques, speeds, lives = (
-            np.array([[float(np.asarray(number))] for number in column])
+            np.stack([np.atleast_1d(np.asarray(number, dtype=float)) for number in column])
             for column in zip(*((load.torque, load.ask.speed, load.life) for load in loads), strict=True)
         )
         ask = loads[0].ask
@@ -629,21 +630,22 @@ class Iso6336:
         return self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)
 
     def _strength_of_sizes(self, mesh: LoadedMesh, rated: PairRating) -> Floats:
-        """Return about the least safety over the asked one, 1 and more where Miner's sum is met with it [-]."""
+        """Return about by what factor the loads could grow, 1 and more where Miner's sum is met [-]."""
         rules, steels = mesh.rating.rules.iso6336, steels_of(mesh.rating, mesh.heaviest.ask.roles)
         asked, count, near = (rules.pitting_safety, rules.bending_safety), len(mesh.loads), list[Floats]()
         for mode, both in enumerate(strains_of(rated)):
             for strain, steel in zip(both, steels, strict=True):
                 stress, endurance, permissible, cycles = (column[:count] for column in np.broadcast_arrays(*strain))
                 if count == 1:
-                    near.append(permissible[0] / (asked[mode] * stress[0]))
+                    room = permissible[0] / (asked[mode] * stress[0])
                 else:
-                    near.append(_room_of_sizes(asked[mode] * stress / endurance, cycles, life_curves(steel)[mode]))
+                    room = _room_of_sizes(asked[mode] * stress / endurance, cycles, life_curves(steel)[mode])
+                near.append(room if mode else room**2)  # the contact stress grows with the root of the load
         return np.asarray(np.minimum.reduce(near))
 
     def _apart_of_sizes(self, mesh: LoadedMesh, rated: PairRating) -> Floats:
         """Return how far off its main resonance every size runs, over the least distance, in the nearest case [-]."""
-        counting = [[*mesh.loads, *mesh.others].index(load) for load in self._resonating(mesh)]
+        counting = self._resonating(mesh)
         if not counting:
             return np.array(math.inf)
         specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
@@ -726,7 +728,8 @@ class Iso6336:
 
     def _resonances(self, mesh: LoadedMesh) -> tuple[MeshResonance, ...]:
         """Return N in every case with at least one per cent of the damage or of the life; without shares in all."""
-        counting = self._resonating(mesh)
+        loads = [*mesh.loads, *mesh.others]
+        counting = [loads[place] for place in self._resonating(mesh)]
         if not counting or mesh.rating.rules.iso6336.dynamic_method == "C":
             return ()
         rated = self._together(mesh, counting)
@@ -736,17 +739,19 @@ class Iso6336:
         ratios, begins = (np.broadcast_to(column, len(counting)).tolist() for column in columns)
         return tuple(map(MeshResonance, [load.case for load in counting], ratios, begins))
 
-    def _resonating(self, mesh: LoadedMesh) -> tuple[Load, ...]:
-        """Return the loads, one of each case, with one per cent of the damage or of the life; without shares all."""
+    def _resonating(self, mesh: LoadedMesh) -> list[int]:
+        """Return the places of loads, one of each case, with one per cent of the damage or the life; all without shares."""
         loads = [*mesh.loads, *mesh.others]
+        if len(loads) == 1:
+            return [] if loads[0].static else [0]
         whole = sum(load.life for load in mesh.loads)
         wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**WEAR for load in loads]
-        counting = dict[str, Load]()
-        for load, worn in zip(loads, wear, strict=True):
-            counts = load in mesh.others or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
+        counting = dict[str, int]()
+        for place, (load, worn) in enumerate(zip(loads, wear, strict=True)):
+            counts = place >= len(mesh.loads) or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
             if counts and not load.static:
-                counting.setdefault(load.case, load)
-        return tuple(counting.values())
+                counting.setdefault(load.case, place)
+        return list(counting.values())
 
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
         steels, quality = steels_of(rating, ask.roles), mesh_quality(rating, ask, module)

@@ -136,6 +136,15 @@ class LoadedMesh(NamedTuple):
     """Cases that last but of which no share is said: they count for resonance alone."""
 
 
+class SizesNear(NamedTuple):
+    """How near arrays of sizes come to what is asked of a mesh."""
+
+    strength: Floats
+    """By what factor the loads could grow, about; 1 and more where strengths are met [-]."""
+    rest: Floats
+    """Least value over limit of all else [-]."""
+
+
 class MeshSpectrum(NamedTuple):
     """What flights ask of a mesh, class by class."""
 
@@ -274,8 +283,8 @@ class Method(Protocol[R]):
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads, as sizes are tried [-]."""
 
-    def nearness(self, mesh: LoadedMesh, left_out: Collection[str]) -> Floats | None:
-        """Return the least value over limit of arrays of sizes, but for films [-]; None: they are taken one by one."""
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> SizesNear | None:
+        """Return how near arrays of sizes come to what is asked, but for films; None: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts of both gears."""

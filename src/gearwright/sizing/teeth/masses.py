@@ -5,15 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from gearwright.arrays import Floats, Ints, largest
 from gearwright.identity import Role
 from gearwright.sizing.rating import (
+    AROUND,
     BEARING_GAP,
     LEAST_TORQUE,
     RIM,
+    SETS,
+    STANDARD_MODULES,
     Ask,
     Load,
     LoadedMesh,
@@ -107,6 +111,7 @@ def _with_teeth(load: Load, teeth: tuple[int, int], ratio: float) -> Load:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+_MM = 1e-3
 _TEETH = 1 << 16
 """More than any gear has [-]."""
 
@@ -144,10 +149,14 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     elif task.row is not None:
         cube = _cubes_of_rows(ask, task, task.row, reference, planets=planets) * (task.speed / speed)
     else:
-        cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets)
+        cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets, discs=discs)
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
-    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
+    volume = width_ratio * discs
+    if rating.proportions is not None:
+        around = AROUND * (_largest(task, small, large) / math.cos(rating.helix_angle)) ** 3
+        volume = (SETS if isinstance(stage, Planetary) else 1.0) * volume + around
+    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + volume}
     counts = {task.name: np.full(len(small), planets)} if isinstance(stage, Planetary) else {}
     weighed = Front({**front.teeth, **names}, front.speeds, cubes, volumes, {**front.planets, **counts})
     return replace(weighed, tally=tallied(front.tally, weighed.mass - front.mass))
@@ -226,7 +235,9 @@ def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints, *, planets:
     return np.asarray(_cubes(_relieved(nominal, task, first), task)[place])
 
 
-def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int) -> tuple[Floats, Floats]:
+def _known_sizes(
+    ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
+) -> tuple[Floats, Floats]:
     """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     load = task.speed / speed
@@ -238,20 +249,116 @@ def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planet
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )
-        task.known.update(zip([keys[k] for k in missing], _sizes(_relieved(new, task), task), strict=True))
+        sizes = _sizes(_relieved(new, task), task, np.asarray(discs)[missing])
+        task.known.update(zip([keys[k] for k in missing], sizes, strict=True))
     cubes, widths = np.array([task.known[key] for key in keys]).reshape(-1, 2).T
     return cubes * load, widths
 
 
-def _sizes(ask: Ask, task: Task) -> Iterator[tuple[float, float]]:
-    """Yield m_n³ [m³] and λ of every choice: of bevel pairs as sizing makes them, of others before they are rounded."""
+def _sizes(ask: Ask, task: Task, discs: Floats) -> Iterator[tuple[float, float]]:
+    """Yield m_n³ [m³] and λ of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
             module, width = bevel_size(task.rating, task.rows, teeth, ratio)
             yield module * module * module, width / module
+        return
+    cubes = _cubes(ask, task)
+    found = _on_grid(ask, task, np.cbrt(cubes), discs) if task.rating.width_is_open else None
+    if found is None:
+        yield from zip(cubes.tolist(), ratios, strict=True)
     else:
-        yield from zip(_cubes(ask, task).tolist(), ratios, strict=True)
+        modules, widths = found
+        yield from zip((modules**3).tolist(), (widths / modules).tolist(), strict=True)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Standard modules and whole millimetres of width of many choices at once, by one or two ratings of each module.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_TRIED = 9
+"""Standard modules that are tried of each choice, from the one before that which it needs at the widest face [-]."""
+_ROUNDS = 2
+"""Ratings by which the face width of each is found [-]."""
+_SHORT = 10.0
+"""Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
+
+
+def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Floats, Floats] | None:
+    """Return module and face width of every choice of which its gearbox weighs least [m]; None: no arrays are rated.
+
+    Args:
+        ask: Of choices.
+        task: The stage.
+        needed: Module that each needs with its widest face [m].
+        discs: What its bodies weigh over b m_n² [kg/m³].
+    """
+    rules, rating = task.rating.proportions, task.rating
+    assert rules is not None
+    if rules.standard_modules:
+        series = [1e-3 * module for module in STANDARD_MODULES]
+        while series[-1] < 3.0 * needed.max(initial=0.0):
+            series.append(1.1 * series[-1])
+        table = np.array(series + [series[-1] * 1.1 ** (k + 1) for k in range(_TRIED)])
+        first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - 1, 0)
+        modules = table[first[:, None] + np.arange(_TRIED)]
+    else:
+        modules = needed[:, None] * 1.12 ** np.arange(-1, _TRIED - 1)
+    count = modules.shape[1]
+    lean = math.sin(rating.helix_angle)
+    narrow = modules * (rating.rules.overlap_ratio * math.pi / lean if lean else 1.0)
+    wide = modules * np.asarray(ask.width_ratio)[:, None]
+    widths = np.clip(np.asarray(ask.width_ratio)[:, None] * needed[:, None] ** 3 / modules**2, narrow, wide)
+    asks = [
+        _repeated(own, count) for own in ((ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,))
+    ]
+    short = np.ones_like(modules)
+    for _ in range(_ROUNDS):
+        near = [_near(rating, own, modules, widths) for own in asks]
+        if any(one is None for one in near):
+            return None
+        strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
+        wanted = np.ceil(widths / np.maximum(strength, 1e-3) / _MM - 1e-6) * _MM
+        widths, short = np.clip(wanted, np.minimum(narrow, wide), wide), (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
+    around = AROUND * (_largest(task, *map(np.asarray, ask.teeth)) / math.cos(rating.helix_angle)) ** 3
+    share = SETS if isinstance(task.stage, Planetary) else 1.0
+    masses = (share * discs[:, None] * widths * modules**2 + around[:, None] * modules**3) * np.where(
+        short, _SHORT, 1.0
+    )
+    best = np.argmin(masses, axis=1)[:, None]
+    return tuple(np.take_along_axis(values, best, axis=1)[:, 0] for values in (modules, widths))  # type: ignore[return-value]
+
+
+def _repeated(ask: Ask, count: int) -> Ask:
+    """Return what is asked of choices, each so many times."""
+
+    def each(value: Any) -> Any:
+        numbers = np.asarray(value)
+        return np.repeat(numbers, count) if numbers.ndim else value
+
+    return ask._replace(
+        teeth=(each(ask.teeth[0]), each(ask.teeth[1])),
+        per_tooth=each(ask.per_tooth),
+        width_ratio=each(ask.width_ratio),
+        speed=each(ask.speed),
+        relieved=each(ask.relieved),
+        fastest=each(ask.fastest),
+    )
+
+
+def _near(rating: Rating, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
+    """Return how near sizes come to what the heaviest case asks over the whole life; None: no arrays are rated."""
+    torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0])
+    load = Load("", torque, ask, rating.service.life)  # type: ignore[arg-type]
+    mesh = LoadedMesh(rating, modules.ravel(), widths.ravel(), load, (load,), (0.0, 0.0))
+    return method_for(rating).of_sizes(mesh, ())
+
+
+def _largest(task: Task, small: Ints, large: Ints) -> Floats:
+    """Return the teeth of the largest gear of a stage, of a set of its ring [-]."""
+    rings = isinstance(task.stage, Planetary)
+    return np.asarray(ring_teeth(task, small, large) if rings else np.maximum(small, large), dtype=np.float64)
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:

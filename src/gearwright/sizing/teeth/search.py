@@ -519,19 +519,20 @@ def carried_over(design: Design, front: Front) -> Front:
 # ----------------------------------------------------------------------------------------------------------------------
 # Which of the lightest combinations of teeth a preliminary sizing looks at, one after the other, and which it takes.
 #
-# The search weighs gears before their modules are rounded. What rounding does, by standard modules and by speeds near
-# a resonance of the mesh, shows when gears are sized and rated. So they are, of one combination after the other: none
-# with teeth of a stage that failed or grew heavy before, and no more once one that passes is about as light as the
-# next.
+# The search weighs gears by the heaviest case alone. What all cases, films and static strength ask shows when gears are
+# sized and rated. So they are, of one combination after the other: none with teeth of a stage that failed before, and
+# no more once a few pass, or the next is heavier.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 CONSIDERED = 60
 """Combinations of the lightest gears among which a preliminary sizing looks [-]."""
 LOOKED_AT = 12
-"""How many of them it sizes at most [-]."""
-PROMISING = 1.05
-"""Gears that pass over the estimate for the next combination, below which that one is not looked at [-]."""
+"""How many of them it sizes at most, where none passes [-]."""
+ENOUGH = 3
+"""How many it sizes that pass [-]."""
+PROMISING = 1.03
+"""Estimate of the next combination over the lightest that passes, above which that one is not looked at [-]."""
 
 StageTeeth = tuple[str, tuple[int, ...]]
 """Stage, and its teeth with its number of planets where that is open."""
@@ -571,7 +572,7 @@ class Trying:
     """What the gears of every combination weigh by the estimate of the search [kg]."""
     tried: list[Tried] = field(default_factory=list)
     poor: set[StageTeeth] = field(default_factory=set)
-    """Teeth of stages whose gears failed, or became heavier than the search took them for."""
+    """Teeth of stages whose gears failed."""
     at: int = 0
     """Combinations that are looked at or passed over [-]."""
     looked: int = 0
@@ -591,20 +592,19 @@ class Trying:
 
     def _is_light_enough(self, place: int) -> bool:
         best = self.ranked()[0]
-        return best.nearness >= 1.0 - EQUAL and best.mass <= PROMISING * self.masses[place]
+        passing = sum(one.nearness >= 1.0 - EQUAL for one in self.tried)
+        return passing >= ENOUGH or (passing > 0 and self.masses[place] >= PROMISING * best.mass)
 
-    def note(self, place: int, nearness: Mapping[str, float], heaviness: Mapping[str, float], *, mass: float) -> None:
+    def note(self, place: int, nearness: Mapping[str, float], *, mass: float) -> None:
         """Note what came of a combination.
 
         Args:
             place: Of it.
             nearness: Stage -> least value over limit of its checks [-].
-            heaviness: Stage -> volume of its gears over that by which they were found [-].
-            mass: What its gears weigh [kg].
+            mass: What its gears weigh, as the search has it [kg].
         """
         met = {stage: min(ratio / (1.0 - ROUNDING), 1.0) for stage, ratio in nearness.items()}
         poor = {stage for stage, ratio in met.items() if ratio < 1.0}
-        poor |= {stage for stage, ratio in heaviness.items() if ratio > PROMISING}
         self.poor |= {teeth for teeth in self.stages(place) if teeth[0] in poor}
         self.tried.append(Tried(place, min(met.values(), default=1.0), mass))
 
