@@ -155,6 +155,12 @@ def _safety(strains: list[Strain], curve: LifeCurve) -> float:
     return spectrum_damage(bins, 1.0, curve).safety
 
 
+_BESIDE = 1.01
+"""Stresses over those of a size by which it is told how steeply Miner's sum grows with them [-]."""
+_FLAT = 3.0
+"""Least power of the stress with which it is taken to grow [-]."""
+
+
 def _room_of_sizes(factor: Floats, cycles: Floats, curve: LifeCurve) -> Floats:
     """Return about by how much stresses could grow, 1 and more where Miner's sum of a size is at most 1 [-].
 
@@ -163,8 +169,11 @@ def _room_of_sizes(factor: Floats, cycles: Floats, curve: LifeCurve) -> Floats:
         cycles: Of the same shape [-].
         curve: S-N curve.
     """
-    total = np.sum(cycles / endured_cycles(curve, factor), axis=0)
-    return np.asarray(np.clip(total, 1e-30, 1e30) ** (-1.0 / curve.slope))
+    total, beside = (
+        np.clip(np.sum(cycles / endured_cycles(curve, part * factor), axis=0), 1e-30, 1e30) for part in (1.0, _BESIDE)
+    )
+    slope = np.maximum(np.log(beside / total) / math.log(_BESIDE), _FLAT)
+    return np.asarray(total ** (-1.0 / slope))
 
 
 def _parts(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> list[float]:
@@ -740,12 +749,12 @@ class Iso6336:
         return tuple(map(MeshResonance, [load.case for load in counting], ratios, begins))
 
     def _resonating(self, mesh: LoadedMesh) -> list[int]:
-        """Return the places of loads, one of each case, with one per cent of the damage or the life; all without shares."""
+        """Return the places of loads, one of each case, with one per cent of damage or life; all without shares."""
         loads = [*mesh.loads, *mesh.others]
         if len(loads) == 1:
             return [] if loads[0].static else [0]
         whole = sum(load.life for load in mesh.loads)
-        wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**WEAR for load in loads]
+        wear = [load.life * float(np.mean(load.ask.speed)) * float(np.mean(load.torque)) ** WEAR for load in loads]
         counting = dict[str, int]()
         for place, (load, worn) in enumerate(zip(loads, wear, strict=True)):
             counts = place >= len(mesh.loads) or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)

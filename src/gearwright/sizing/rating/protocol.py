@@ -108,7 +108,7 @@ class Load(NamedTuple):
     """One load case as a mesh feels it."""
 
     case: str
-    torque: float
+    torque: Any
     """On the first gear, of one mesh, load factor included [N m]."""
     ask: Ask
     life: float

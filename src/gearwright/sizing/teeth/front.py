@@ -64,6 +64,19 @@ class Front:
         return Front(*({name: made([part[name] for part in same]) for name in same[0]} for same in parts))
 
 
+class Part(NamedTuple):
+    """A part of the life of a stage, or a limit load, beside its largest load."""
+
+    case: str
+    torque: float
+    """Over the largest [-]."""
+    speed: float
+    """Rolling speed over that of the largest load [-]."""
+    life: float
+    """How long it lasts [s]; 0 of a case that counts for resonance alone."""
+    static: bool = False
+
+
 class Ban(NamedTuple):
     """A forbidden band of frequencies as one stage is held against it."""
 
@@ -106,6 +119,8 @@ class Task:
     """Load for which tips are relieved over the largest one [-]."""
     fastest: float = 1.0
     """Greatest rolling speed over the one at the largest load [-]."""
+    parts: tuple[Part, ...] = ()
+    """Its life, where a standard sizes it on a grid."""
     known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
     [-] at nominal load, as far as found."""

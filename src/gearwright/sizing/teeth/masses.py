@@ -277,10 +277,14 @@ def _sizes(ask: Ask, task: Task, discs: Floats) -> Iterator[tuple[float, float]]
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_TRIED = 9
-"""Standard modules that are tried of each choice, from the one before that which it needs at the widest face [-]."""
-_ROUNDS = 2
+_TRIED = 11
+"""Standard modules that are tried of each choice [-]."""
+_BELOW = 3
+"""How many of them are smaller than what it needs at the widest face in its heaviest case [-]."""
+_ROUNDS = 3
 """Ratings by which the face width of each is found [-]."""
+_SLOPES = (0.5, 8.0)
+"""Powers of the width with which the load may grow that a size bears [-]."""
 _SHORT = 10.0
 """Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
 
@@ -301,10 +305,10 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Float
         while series[-1] < 3.0 * needed.max(initial=0.0):
             series.append(1.1 * series[-1])
         table = np.array(series + [series[-1] * 1.1 ** (k + 1) for k in range(_TRIED)])
-        first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - 1, 0)
+        first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - _BELOW, 0)
         modules = table[first[:, None] + np.arange(_TRIED)]
     else:
-        modules = needed[:, None] * 1.12 ** np.arange(-1, _TRIED - 1)
+        modules = needed[:, None] * 1.12 ** np.arange(-_BELOW, _TRIED - _BELOW)
     count = modules.shape[1]
     lean = math.sin(rating.helix_angle)
     narrow = modules * (rating.rules.overlap_ratio * math.pi / lean if lean else 1.0)
@@ -313,14 +317,19 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Float
     asks = [
         _repeated(own, count) for own in ((ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,))
     ]
-    short = np.ones_like(modules)
+    before, slope = None, 1.0
     for _ in range(_ROUNDS):
-        near = [_near(rating, own, modules, widths) for own in asks]
+        near = [_near(task, own, modules, widths) for own in asks]
         if any(one is None for one in near):
             return None
         strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
-        wanted = np.ceil(widths / np.maximum(strength, 1e-3) / _MM - 1e-6) * _MM
-        widths, short = np.clip(wanted, np.minimum(narrow, wide), wide), (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
+        now = np.log(widths), np.log(np.maximum(strength, 1e-6))
+        if before is not None:
+            moved = np.where(now[0] == before[0], 1.0, now[0] - before[0])
+            slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
+        wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
+        widths, before = np.clip(wanted, np.minimum(narrow, wide), wide), now
+    short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
     around = AROUND * (_largest(task, *map(np.asarray, ask.teeth)) / math.cos(rating.helix_angle)) ** 3
     share = SETS if isinstance(task.stage, Planetary) else 1.0
     masses = (share * discs[:, None] * widths * modules**2 + around[:, None] * modules**3) * np.where(
@@ -347,12 +356,18 @@ def _repeated(ask: Ask, count: int) -> Ask:
     )
 
 
-def _near(rating: Rating, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
-    """Return how near sizes come to what the heaviest case asks over the whole life; None: no arrays are rated."""
-    torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0])
-    load = Load("", torque, ask, rating.service.life)  # type: ignore[arg-type]
-    mesh = LoadedMesh(rating, modules.ravel(), widths.ravel(), load, (load,), (0.0, 0.0))
-    return method_for(rating).of_sizes(mesh, ())
+def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
+    """Return how near sizes come to what all cases ask of a mesh; None: no arrays are rated."""
+    torque, speed = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0]), np.asarray(ask.speed)
+    loads = [
+        Load(part.case, part.torque * torque, ask._replace(speed=part.speed * speed), part.life, part.static)
+        for part in task.parts
+    ]
+    alone = Load("", torque, ask, task.rating.service.life)
+    lasting = tuple(load for load in loads if load.life > 0.0) or (alone,)
+    others = tuple(load for load in loads if load.life <= 0.0)
+    mesh = LoadedMesh(task.rating, modules.ravel(), widths.ravel(), alone, lasting, (0.0, 0.0), others)
+    return method_for(task.rating).of_sizes(mesh, ())
 
 
 def _largest(task: Task, small: Ints, large: Ints) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -28,12 +28,13 @@ from gearwright.sizing.teeth.candidates import (
     ring_variants,
 )
 from gearwright.sizing.teeth.forbidden import banned, clear_places
-from gearwright.sizing.teeth.front import EQUAL, Front, Task, needs_of, ranks_of, with_twins
+from gearwright.sizing.teeth.front import EQUAL, Front, Part, Task, needs_of, ranks_of, with_twins
 from gearwright.sizing.teeth.masses import aligned, bevel_rows, weigh
 from gearwright.sizing.teeth.stage import extend, refusal, tooth_ratio
-from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
+from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, levels_of, shares_of
 from gearwright.spec.design import RATINGS, SUN_LIMITS, module_owners
 from gearwright.train import (
+    Mesh,
     PowerFlow,
     Targets,
     Train,
@@ -445,13 +446,17 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
     fatigue, loads = RATINGS[rating.method].fatigue, list[tuple[float, float]]()
     lasting = dict[str, tuple[float, float]]()
+
+    def load_of(mesh: Mesh, flow: PowerFlow) -> tuple[float, float]:
+        alike = 1 if isinstance(stage, Planetary) else mesh.count
+        load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / alike * rating.load_factor
+        return load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+
     for case, flow in flows.items():
         if fatigue and case_named(design, case).static:
             continue
         for mesh in own_rows:
-            meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
-            load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
-            loads.append((load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])))
+            loads.append(load_of(mesh, flow))
             lasting[case] = (
                 loads[-1] if case not in lasting else largest([lasting[case], loads[-1]], lambda row: row[0])
             )
@@ -467,7 +472,36 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
         return replace(task, factors=factors)
     steady = worn_torque(design, lasting) / torque if torque else 1.0
     fastest = max(speed for _, speed in lasting.values()) / rolling if rolling else 1.0
-    return replace(task, factors=factors, steady=steady, fastest=fastest)
+    every = {
+        case: max((load_of(mesh, flow) for mesh in own_rows), key=lambda row: row[0]) for case, flow in flows.items()
+    }
+    parts = tuple(parts_of(design, every, (torque, rolling))) if torque and rolling else ()
+    return replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts)
+
+
+def parts_of(
+    design: Design, loads: Mapping[str, tuple[float, float]], largest_load: tuple[float, float]
+) -> Iterator[Part]:
+    """Yield what makes up the life of a stage, limit loads, and the cases that count for resonance alone.
+
+    Args:
+        design: With shares of cases and their levels.
+        loads: Case -> torque [N m] and rolling speed [rad/s].
+        largest_load: The largest of those that last.
+    """
+    torque, rolling = largest_load
+    shares, life = shares_of(design), design.service.life
+    for case, share in shares.items():
+        for level, part in levels_of(design, case):
+            if share * part > 0.0 and loads[case][0] > 0.0:
+                yield Part(case, level * loads[case][0] / torque, loads[case][1] / rolling, share * part * life)
+    for case, (load, speed) in loads.items():
+        if case_named(design, case).static:
+            turning = max(speed, 1e-3)
+            yield Part(case, load / torque, turning / rolling, 2.0 * math.pi / turning, static=True)
+        elif not shares:
+            heaviest_one = load >= torque * (1.0 - ROUNDING)
+            yield Part(case, load / torque, speed / rolling, life if heaviest_one else 0.0)
 
 
 def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
