@@ -211,6 +211,8 @@ MANY = 5_000
 """Choices of a front beyond which those that cannot win are looked for [-]."""
 MOST = 50_000
 """Choices of a front that are held; the lightest of more, and then nothing is proven [-]."""
+HELD = 1_000
+"""The same where more than the lightest are asked for [-]."""
 BEAM = 300
 """Choices with which a first good train is looked for [-]."""
 
@@ -333,10 +335,12 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
         grown = extend(found.front, task, design, search.nominal, needs=needs, may_win=rule)
         left_out = found.left_out + grown.left_out
         found = _Found(carried_over(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
-        if later and beam is None and len(found.front) > MANY and not search.whole:
+        most = MOST if design.teeth.sized == 1 else max(HELD, design.teeth.sized)
+        alone = beam is None and design.teeth.sized == 1
+        if later and alone and len(found.front) > MANY and not search.whole:
             limit = min(limit, _known(search, found.front, later))
             found = _only(found, _MayWin(search, tuple(later), limit)(found.front))
-        found = _narrowed(search, found, later, beam or MOST)
+        found = _narrowed(search, found, later, beam or most)
     return found
 
 
@@ -496,6 +500,8 @@ def parts_of(
             if share * part > 0.0 and loads[case][0] > 0.0:
                 yield Part(case, level * loads[case][0] / torque, loads[case][1] / rolling, share * part * life)
     for case, (load, speed) in loads.items():
+        if load <= 0.0:
+            continue
         if case_named(design, case).static:
             turning = max(speed, 1e-3)
             yield Part(case, load / torque, turning / rolling, 2.0 * math.pi / turning, static=True)
