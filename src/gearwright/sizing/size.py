@@ -45,8 +45,9 @@ from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
 from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
-from gearwright.spec import Airscrew, Design, ElectricMachine, Machine, Turbine
-from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values
+from gearwright.sizing.teeth.candidates import is_given, planet_counts
+from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
+from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
 from gearwright.train import Train, build_train
 from gearwright.verbs import verb
 
@@ -178,6 +179,24 @@ def is_compared(design: Design) -> bool:
         design: As read.
     """
     return design.level == PRELIMINARY or any(RATINGS[design.rating(name)].table for name in design.stages)
+
+
+def is_settled(design: Design) -> bool:
+    """Tell whether a design gives all teeth, and the modules of all gears that a standard rates.
+
+    Args:
+        design: As read.
+    """
+    given = given_values(design).values
+    if not all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
+        return False
+    for name, owner in {**{name: name for name in design.epicyclics}, **module_owners(design)}.items():
+        stage = design.stages[name]
+        keys = stage.toothed if isinstance(stage, Epicyclic) else ()
+        paths = [f"{owner}.module", f"{owner}.outer_module", *(f"{name}.{gear}.module" for gear in keys)]
+        if RATINGS[design.rating(name)].table and not any(path in given for path in paths):
+            return False
+    return True
 
 
 @dataclass

@@ -111,8 +111,6 @@ class Task:
     """z_r − (z_s + 2 z_p) of a ring that is chosen [-]."""
     bans: tuple[Ban, ...] = ()
     """Bands of frequencies at which nothing of it passes."""
-    row: Ints | None = None
-    """Of many designs, that which every choice belongs to; torque, speed and rolling are then those of every choice."""
     factors: Mapping[int, float] = field(default_factory=dict)
     """Number of planets that is looked at -> its K_γ [-]; empty of pairs."""
     steady: float = 1.0

@@ -112,8 +112,6 @@ def _with_teeth(load: Load, teeth: tuple[int, int], ratio: float) -> Load:
 
 
 _MM = 1e-3
-_TEETH = 1 << 16
-"""More than any gear has [-]."""
 
 
 def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -> Front:
@@ -146,8 +144,6 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     ask = _relieved(ask, task)
     if rating.proportions is None:
         cube = _cubes(ask, task)
-    elif task.row is not None:
-        cube = _cubes_of_rows(ask, task, task.row, reference, planets=planets) * (task.speed / speed)
     else:
         cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets, discs=discs)
     group = task.group
@@ -177,11 +173,9 @@ def _torque(task: Task, planets: int) -> float:
     return task.torque * task.factors.get(planets, task.rating.load_factor) / task.rating.load_factor
 
 
-def _relieved(ask: Ask, task: Task, among: Ints | None = None) -> Ask:
-    """Return what is asked with the load for which tips are relieved and the greatest speed, of all choices or some."""
-    steady, fastest = (values if among is None or not np.ndim(values) else values[among]
-                       for values in (np.asarray(task.steady), np.asarray(task.fastest)))  # fmt: skip
-    return ask._replace(relieved=steady * np.asarray(ask.per_tooth), fastest=fastest * np.asarray(ask.speed))
+def _relieved(ask: Ask, task: Task) -> Ask:
+    """Return what is asked with the load for which tips are relieved and the greatest speed."""
+    return ask._replace(relieved=task.steady * np.asarray(ask.per_tooth), fastest=task.fastest * np.asarray(ask.speed))
 
 
 def _cubes(ask: Ask, task: Task) -> Floats:
@@ -219,20 +213,6 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
     if isinstance(stage, Planetary):
         return stage.sun_bore, stage.planet_bore
     return stage.pinion_bore, stage.wheel_bore
-
-
-def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints, *, planets: int) -> Floats:
-    """Return the same at nominal load where a standard rates many designs: of each pair of teeth of a design once."""
-    small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    keys = (row * _TEETH + small) * _TEETH + large
-    _, first, place = np.unique(keys, return_index=True, return_inverse=True)
-    nominal = ask._replace(
-        per_tooth=np.asarray(_torque(task, planets))[first] / reference[first] / planets,
-        speed=np.asarray(task.rolling)[first],
-        teeth=(small[first], large[first]),
-        width_ratio=np.asarray(ask.width_ratio)[first],
-    )
-    return np.asarray(_cubes(_relieved(nominal, task, first), task)[place])
 
 
 def _known_sizes(
