@@ -384,8 +384,11 @@ def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple
     masses = share * part_weight(context, part) * widths * modules**2
     drums = AROUND * (part_width(context, part) * modules) ** 3
     ends = np.cumsum([len(own) for own, _ in grids])[:-1]
-    columns = (np.split(values, ends) for values in (widths, modules, least, masses, drums))
-    return [_Widths(part, *row, bool(near)) for row in zip(*columns, strict=True)]
+    columns = [np.split(values, ends) for values in (widths, modules, least, masses, drums)]
+    return [
+        _Widths(part, own, size, rated, mass, drum, bool(near))
+        for own, size, rated, mass, drum in zip(*columns, strict=True)
+    ]
 
 
 def _near(

@@ -56,7 +56,7 @@ from gearwright.sizing.rating.geometry import (
     working_radii,
 )
 from gearwright.sizing.rating.lewis_hertz import width_ratio
-from gearwright.sizing.rating.methods import ELEMENTWISE, METHODS, method_for, modules, stage_width_ratio
+from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
     ClassDamage,
@@ -79,7 +79,6 @@ __all__ = [
     "BACKUP",
     "BEARING_GAP",
     "CORRECTIONS",
-    "ELEMENTWISE",
     "JUST",
     "LEAST_RING",
     "LEAST_TORQUE",
