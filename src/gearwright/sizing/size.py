@@ -6,6 +6,7 @@ import heapq
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -44,7 +45,7 @@ from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
 from gearwright.sizing.stages import Geared, geared, gearings
-from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
+from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
 from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
@@ -134,8 +135,8 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 5), BUILT: (1, 3)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
-WORTH = 1.25
-"""Estimate of gears over that of the first ones up to which they are completed [-]."""
+SIZED = 12
+"""Choices of teeth that are sized at most [-]."""
 
 
 @verb
@@ -205,8 +206,8 @@ class _Looked:
 
     sized: int = 0
     """Choices of teeth whose gears came out [-]."""
-    short: int = 0
-    """Those of them whose gears fall short of what is asked of them [-]."""
+    short: list[Geared] = field(default_factory=list)
+    """Gears of those that fall short of what is asked of them."""
     refused: list[DesignError] = field(default_factory=list)
     whole: list[Sizing] = field(default_factory=list)
     """Transmissions that are completed."""
@@ -222,6 +223,24 @@ class _Looked:
     def passing(self) -> list[Sizing]:
         """Those that pass all their checks."""
         return [sizing for sizing in self.whole if _nearness(sizing) >= 1.0]
+
+    def is_enough(self, completed: int) -> bool:
+        """Tell whether no more choices of teeth are sized: one more passes than is completed, or many fall short.
+
+        Args:
+            completed: Transmissions that are completed [-].
+        """
+        return self.sized - len(self.short) > completed or self.sized >= SIZED
+
+    @property
+    def nearest(self) -> Geared | None:
+        """Of the gears that fall short those that come nearest to what is asked, of equals the lightest; None: none."""
+        best: Geared | None = None
+        for gears in self.short:
+            ahead = 0.0 if best is None else gears.nearness - best.nearness
+            if best is None or ahead > EQUAL or (ahead >= -EQUAL and gears.estimate < best.estimate * (1.0 - EQUAL)):
+                best = gears
+        return best
 
     def best(self) -> Sizing:
         """Return the lightest that passes, or that which comes nearest; of equals the lightest, of these the first."""
@@ -242,94 +261,89 @@ def _nearness(sizing: Sizing) -> float:
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
-    looked, compared = _Looked(), is_compared(design)
-    if compared:
-        courses, nearest = _courses(design, train, given, looked)
-    else:
-        courses, nearest = _closed(design, train, given, looked), None
-    enough, most = COMPLETED[design.level] if compared else (0, 0)
-    enough = max(enough, design.teeth.sized)
-    queue = [(course.estimate, place, course) for place, course in enumerate(courses)]
-    heapq.heapify(queue)
-    lightest = queue[0][0] if queue else 0.0
-    while queue:
-        tried = len(looked.whole)
-        if tried >= enough and (looked.passing or tried >= most):
-            break
-        estimate, place, course = heapq.heappop(queue)
-        if compared and looked.passing and estimate > WORTH * lightest:
-            break
-        looked.complete(course.gears, given, still=still)
-        if (after := course.after()) is not None:
-            heapq.heappush(queue, (after.estimate, place, after))
-    if not looked.whole and nearest is not None:
-        looked.complete(nearest, given, still=still)
-    return _told(looked, compared=compared)
+    looked, known = _Looked(), remembered()
+    if is_compared(design):
+        _compare(design, train, given, looked, still=still)
+        return _told(looked, failing=len(looked.short))
+    for choice in choose_teeth(design, train):
+        try:
+            gears = geared(design, train, choice, given=given, known=known)
+        except DesignError as error:
+            looked.refused.append(error)
+            continue
+        looked.complete(gears, given, still=still)
+    looked.sized = len(looked.whole)
+    masses = sorted(sizing.mass for sizing in looked.passing or looked.whole)
+    failing = len(looked.whole) - len(looked.passing)
+    return _told(looked, failing=failing, following=masses[1] if len(masses) > 1 else math.inf)
 
 
-def _told(looked: _Looked, *, compared: bool) -> Sizing:
+def _told(looked: _Looked, *, failing: int, following: float = math.inf) -> Sizing:
     """Return the best with what was looked at."""
-    best, masses = looked.best(), sorted(sizing.mass for sizing in looked.passing or looked.whole)
-    if best.search is None or (not compared and looked.sized + len(looked.refused) == 1):
+    best = looked.best()
+    if best.search is None or looked.sized + len(looked.refused) == 1:
         return best
     search = replace(
         best.search,
         sized=looked.sized,
-        failing=looked.short if compared else len(looked.whole) - len(looked.passing),
+        failing=failing,
         refused=len(looked.refused),
-        next_sized_mass=math.inf if compared or len(masses) < 2 else masses[1],
+        next_sized_mass=following,
     )
     return replace(best, search=search)
 
 
 class _Course(NamedTuple):
-    """Gears of a choice of teeth, and those of other sizes, each heavier by the estimate than the one before."""
+    """A choice of teeth, or gears with them and, after them, those of other sizes."""
 
-    gears: Geared
-    others: Iterator[Geared]
-
-    @property
-    def estimate(self) -> float:
-        """What the gears weigh with what carries and encloses them, to rank them [kg]."""
-        return self.gears.estimate
-
-    def after(self) -> _Course | None:
-        """Return the course with the next sizes whose gears pass; None where there are none."""
-        gears = next((gears for gears in self.others if gears.passes), None)
-        return None if gears is None else _Course(gears, self.others)
+    place: int
+    """Of the choice of teeth [-]."""
+    gears: Geared | None = None
+    """None where they are not sized yet."""
+    others: Iterator[Geared] = iter(())
 
 
-def _closed(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked) -> list[_Course]:
-    """Return the gears of every choice of teeth that the rules of the search size in full."""
-    known, courses = remembered(), list[_Course]()
-    for choice in choose_teeth(design, train):
-        try:
-            courses.append(_Course(geared(design, train, choice, given=given, known=known), iter(())))
-        except DesignError as error:
-            looked.refused.append(error)
-    looked.sized = len(courses)
-    return courses
+def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
+    """Size choices of teeth and complete gears with them, always what weighs least by the estimate, until it is enough.
 
-
-def _courses(
-    design: Design, train: Train, given: Mapping[str, Given], looked: _Looked
-) -> tuple[list[_Course], Geared | None]:
-    """Return the gears of the choices of teeth that pass, with their other sizes, and those that are nearest to it."""
-    choices = choose_teeth(considering(design), train)
-    trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
-    known, found = remembered(), dict[int, _Course]()
-    while (place := trying.next()) is not None:
-        try:
-            others = gearings(design, train, choices[place], given=given, known=known)
-            found[place] = _Course(next(others), others)
-        except DesignError as error:
-            looked.refused.append(error)
+    None with teeth of a stage that fell short before.
+    """
+    choices, known, poor = choose_teeth(considering(design), train), remembered(), set[StageTeeth]()
+    queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
+    order, waiting = count(len(queue)), list[_Course]()
+    enough, most = COMPLETED[design.level]
+    heapq.heapify(queue)
+    while queue or waiting:
+        tried, passes = len(looked.whole), bool(looked.passing)
+        if tried >= (max(enough, design.teeth.sized) if passes else most):
+            break
+        while waiting:
+            course = waiting.pop()
+            if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
+                heapq.heappush(queue, (gears.estimate, next(order), course._replace(gears=gears)))
+        if not queue:
+            break
+        _, _, course = heapq.heappop(queue)
+        if course.gears is not None:
+            looked.complete(course.gears, given, still=still)
+            waiting.append(course)
+        elif looked.is_enough(max(enough, design.teeth.sized)):
             continue
-        gears = found[place].gears
-        trying.note(place, gears.nearness, mass=found[place].estimate)
-    ranked = [found[tried.place] for tried in trying.ranked()]
-    looked.sized, looked.short = len(ranked), sum(not course.gears.passes for course in ranked)
-    return [course for course in ranked if course.gears.passes], ranked[0].gears if ranked else None
+        elif not (teeth := stage_teeth(train, choices[course.place])) & poor:
+            try:
+                others = gearings(design, train, choices[course.place], given=given, known=known)
+                gears = next(others)
+            except DesignError as error:
+                looked.refused.append(error)
+                continue
+            looked.sized += 1
+            if gears.passes:
+                heapq.heappush(queue, (gears.estimate, next(order), _Course(course.place, gears, others)))
+            else:
+                looked.short.append(gears)
+                poor |= {own for own in teeth if own[0] in gears.failing}
+    if not looked.whole and (nearest := looked.nearest) is not None:
+        looked.complete(nearest, given, still=still)
 
 
 def considering(design: Design) -> Design:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from operator import attrgetter
 
 from gearwright.checks import Check, accepted, not_assessed
@@ -502,19 +503,24 @@ class Geared:
     gridded: frozenset[str] = frozenset()
     """Those stages."""
 
-    @property
-    def nearness(self) -> dict[str, float]:
-        """Stage -> least value over limit of all that is asked of its gears, but for what is waived [-]."""
+    @cached_property
+    def failing(self) -> Mapping[str, float]:
+        """Stage whose gears fall short of what is asked -> their least value over limit, but for what is waived [-]."""
         least = dict[str, float]()
         for check in accepted(self.checks, self.context.design.waivers):
-            if check.ratio is not None and not check.waiver:
-                least[check.part.name] = min(least.get(check.part.name, math.inf), check.ratio)
+            if check.fails:
+                least[check.part.name] = min(least.get(check.part.name, math.inf), check.ratio or 0.0)
         return least
+
+    @property
+    def nearness(self) -> float:
+        """Least value over limit of all that is asked of them, at most 1 [-]."""
+        return min(self.failing.values(), default=1.0)
 
     @property
     def passes(self) -> bool:
         """Whether they meet all that is asked of them."""
-        return not any(check.fails for check in accepted(self.checks, self.context.design.waivers))
+        return not self.failing
 
     @property
     def estimate(self) -> float:

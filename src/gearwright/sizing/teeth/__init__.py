@@ -4,7 +4,7 @@ How large the teeth become is for `stages`.
 """
 
 from gearwright.sizing.teeth.front import EQUAL
-from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, Trying, choose_teeth, stage_teeth
+from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.stage import refuse_contradictions
 
 __all__ = [
@@ -12,7 +12,6 @@ __all__ = [
     "EQUAL",
     "Chosen",
     "StageTeeth",
-    "Trying",
     "choose_teeth",
     "refuse_contradictions",
     "stage_teeth",

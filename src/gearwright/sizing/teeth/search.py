@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -557,22 +557,12 @@ def carried_over(design: Design, front: Front) -> Front:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Which of the lightest combinations of teeth a preliminary sizing looks at, one after the other, and which it takes.
-#
-# The search weighs gears by the heaviest case alone. What all cases, films and static strength ask shows when gears are
-# sized and rated. So they are, of one combination after the other: none with teeth of a stage that failed before, and
-# no more once a few pass, or the next is heavier.
+# The lightest combinations of teeth among which the sizing looks, one after the other.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 CONSIDERED = 60
-"""Combinations of the lightest gears among which a preliminary sizing looks [-]."""
-LOOKED_AT = 12
-"""How many of them it sizes at most, where none passes [-]."""
-ENOUGH = 3
-"""How many it sizes that pass [-]."""
-PROMISING = 1.03
-"""Estimate of the next combination over the lightest that passes, above which that one is not looked at [-]."""
+"""Combinations of the lightest gears among which a sizing by a standard, or a preliminary one, looks [-]."""
 
 StageTeeth = tuple[str, tuple[int, ...]]
 """Stage, and its teeth with its number of planets where that is open."""
@@ -589,75 +579,3 @@ def stage_teeth(train: Train, choice: Chosen) -> frozenset[StageTeeth]:
     for gear in train.gears:
         own[gear.stage] = (*own.get(gear.stage, ()), choice.teeth[gear.name])
     return frozenset((stage, (*teeth, choice.planets.get(stage, 0))) for stage, teeth in own.items())
-
-
-class Tried(NamedTuple):
-    """A combination whose gears are sized."""
-
-    place: int
-    """Among those that are considered [-]."""
-    nearness: float
-    """How near its gears come to all that is asked of them [-]: 1 where they meet it."""
-    mass: float
-    """What they weigh [kg]."""
-
-
-@dataclass
-class Trying:
-    """The course of looking at combinations."""
-
-    stages: Callable[[int], frozenset[StageTeeth]]
-    """Place of a combination, those of the lightest gears first -> its teeth."""
-    masses: Sequence[float]
-    """What the gears of every combination weigh by the estimate of the search [kg]."""
-    tried: list[Tried] = field(default_factory=list)
-    poor: set[StageTeeth] = field(default_factory=set)
-    """Teeth of stages whose gears failed."""
-    at: int = 0
-    """Combinations that are looked at or passed over [-]."""
-    looked: int = 0
-    """Combinations that are looked at [-]."""
-
-    def next(self) -> int | None:
-        """Return the combination to look at; None where enough are known."""
-        while self.looked < LOOKED_AT and self.at < len(self.masses):
-            place = self.at
-            if self.tried and self._is_light_enough(place):
-                return None
-            self.at += 1
-            if not self.stages(place) & self.poor:
-                self.looked += 1
-                return place
-        return None
-
-    def _is_light_enough(self, place: int) -> bool:
-        best = self.ranked()[0]
-        passing = sum(one.nearness >= 1.0 - EQUAL for one in self.tried)
-        return passing >= ENOUGH or (passing > 0 and self.masses[place] >= PROMISING * best.mass)
-
-    def note(self, place: int, nearness: Mapping[str, float], *, mass: float) -> None:
-        """Note what came of a combination.
-
-        Args:
-            place: Of it.
-            nearness: Stage -> least value over limit of its checks [-].
-            mass: What its gears weigh, as the search has it [kg].
-        """
-        met = {stage: min(ratio / (1.0 - ROUNDING), 1.0) for stage, ratio in nearness.items()}
-        poor = {stage for stage, ratio in met.items() if ratio < 1.0}
-        self.poor |= {teeth for teeth in self.stages(place) if teeth[0] in poor}
-        self.tried.append(Tried(place, min(met.values(), default=1.0), mass))
-
-    def ranked(self) -> list[Tried]:
-        """Return what was tried, the nearest first, of equals the lightest, of these the first."""
-        left, order = list(self.tried), list[Tried]()
-        while left:
-            best = left[0]
-            for one in left[1:]:
-                as_near = one.nearness >= best.nearness - EQUAL
-                lighter = one.mass < best.mass * (1.0 - EQUAL)
-                if one.nearness > best.nearness + EQUAL or (as_near and lighter):
-                    best = one
-            left.remove(best)
-            order.append(best)
-        return order
