@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Bools
+from gearwright.arrays import Bools, Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import GearPair, half_angle_at, involute
 
@@ -859,3 +859,33 @@ def plate_shear_stress(torque: float, hub_diameter: float, thickness: float) -> 
         2023, §2.4 leaves out.
     """
     return 2.0 * torque / (math.pi * hub_diameter**2 * thickness)
+
+
+def first_carrier_mass(
+    loads: Sequence[tuple[float, float]], radius: Floats, face_width: Floats, *, planet: Floats, planets: int,
+    allowable: float, density: float, plate_ratio: float, fill: float,
+) -> Floats:  # fmt: skip
+    """Return about what the carriers of arrays of simple sets weigh, to rank them: pins and one plate [kg].
+
+    The shaft in the plate, the ring around it and the bearings on the pins are left out.
+
+    Args:
+        loads: Torque [N m], K_γ included, and speed [rad/s] of the carrier in every case.
+        radius: Of the circle of pins [m].
+        face_width: Of the planets [m].
+        planet: Mass of one planet [kg].
+        planets: Their number [-].
+        allowable: Stress of pins and plate [Pa].
+        density: Of the carrier [kg/m³].
+        plate_ratio: Thickness of the plate over the face width, at least [-].
+        fill: Share of the plate that is not cut out [-].
+
+    Source: as `pin_diameter`, `hole_pressure`, `eye_wall` and `plate_mass`.
+    """
+    forces = [np.hypot(torque / (planets * radius), planet * radius * speed**2) for torque, speed in loads]
+    force = np.maximum.reduce(forces)
+    pin = np.cbrt(16.0 * force * face_width / (math.pi * allowable))
+    thickness = np.maximum(plate_ratio * face_width, force / (pin * allowable))
+    wall = np.maximum(force / (thickness * allowable), LEAST_EYE * pin)
+    plate = math.pi * (radius + pin / 2.0 + wall) ** 2 * thickness * fill
+    return np.asarray(density * (planets * math.pi / 4.0 * pin**2 * face_width + plate))

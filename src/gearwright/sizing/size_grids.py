@@ -15,10 +15,9 @@ from gearwright.arrays import Floats
 from gearwright.checks import ROUNDING
 from gearwright.identity import Role
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
-from gearwright.parts.planetary import planes
+from gearwright.parts.planetary import first_carrier_mass, planes
 from gearwright.sizing.rating import (
     AROUND,
-    SETS,
     STANDARD_MODULES,
     Context,
     Demand,
@@ -78,8 +77,6 @@ class Part(NamedTuple):
     """b where it is given [m]."""
     within: str = ""
     """Part whose gears it shares, so that it is no wider; empty: of gears of its own."""
-    leads: bool = True
-    """Whether its module is one that may be a standard one."""
 
 
 def part_weight(context: Context, part: Part) -> float:
@@ -92,18 +89,29 @@ def part_weight(context: Context, part: Part) -> float:
     return sum(_weight(context, gear) for gear in context.train.gears if gear.sized == part.name)
 
 
-def part_width(context: Context, part: Part) -> float:
-    """Return the diameter of the largest gear of a part, of planets the circle around them, over its module [-].
-
-    Args:
-        context: What gear sizing reads.
-        part: The part.
-    """
-    sun, planet = context.teeth[part.meshes[0].gears[0]], context.teeth[part.meshes[0].gears[1]]
-    rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
-    pair = isinstance(context.design.stages[part.stage], Pair)
-    around = max(rings, default=max(sun, planet) if pair else sun + 2 * planet)
-    return around / math.cos(context.ratings[part.stage].helix_angle)
+def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> Floats:
+    """Return about what carries the gears of a part with sizes [kg]; nothing of a pair, whose shafts change little."""
+    stage = context.design.stages[part.stage]
+    if isinstance(stage, Pair):
+        return np.zeros(len(modules))
+    first, second = (context.teeth[gear] for gear in part.meshes[0].gears)
+    if isinstance(stage, Epicyclic):
+        rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
+        return np.asarray(AROUND * (max(rings, default=first + 2 * second) * modules) ** 3)
+    rows, rules, steel = [mesh.name for mesh in part.meshes], context.design.carriers, context.design.shaft_material
+    factor, planet = context.ratings[part.stage].load_factor, context.train.gear(part.meshes[0].gears[1])
+    return first_carrier_mass(
+        [(factor * abs(sum(flow.meshes[row].torques[2] for row in rows)), abs(flow.speeds[stage.carrier]))
+         for flow in context.flows.values()],
+        0.5 * (first + second) * modules,
+        widths,
+        planet=_weight(context, planet) / planet.bodies * widths * modules**2,
+        planets=stage.planets,
+        allowable=(steel.yield_strength or math.inf) / rules.safety,
+        density=steel.density,
+        plate_ratio=rules.plate_ratio,
+        fill=rules.fill,
+    )  # fmt: skip
 
 
 def _weight(context: Context, gear: Gear) -> float:
@@ -120,7 +128,8 @@ def _weight(context: Context, gear: Gear) -> float:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# The grid: modules of ISO 54, or fine steps where they need not be standard, and whole millimetres of face width.
+# The grid: modules of ISO 54, or fine steps where they need not be standard or share a centre distance, and whole
+# millimetres of face width.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -135,21 +144,13 @@ BEYOND = 1.1
 """Step of modules beyond those of ISO 54 [-]."""
 
 
-def unit_grid(parts: Sequence[Part], needed: float) -> list[float]:
-    """Return the units at which one of the parts, not sharing gears of another, has a standard module [m].
+def standard_grid(needed: float) -> list[float]:
+    """Return the standard modules around one, one at least; beyond the last of them in steps [m].
 
     Args:
-        parts: What is sized together.
-        needed: Unit that the heaviest case asks for at the widest face [m].
+        needed: That the heaviest case asks for at the widest face [m].
     """
     low, high = LEAST * needed, MOST * needed
-    leads = {part.ratio for part in parts if part.leads and not part.within}
-    tables = (_standard(low * ratio, high * ratio) for ratio in leads)
-    return sorted({module / ratio for ratio, table in zip(leads, tables, strict=True) for module in table})
-
-
-def _standard(low: float, high: float) -> list[float]:
-    """Return the standard modules in a range, one at least; beyond the last of them in steps [m]."""
     series = [module * _MM for module in STANDARD_MODULES]
     while series[-1] < high:
         series.append(series[-1] * BEYOND)
@@ -232,9 +233,9 @@ class _Widths:
     near: Floats
     """Least value over limit of each as far as arrays tell [-]."""
     masses: Floats
-    """Of its gears, as they are ranked [kg]."""
-    drums: Floats
-    """Of what is around them, as it is ranked [kg]."""
+    """Of its gears [kg]."""
+    around: Floats
+    """Of what carries them, by an estimate [kg]."""
     is_array: bool
     """Whether arrays tell anything."""
     at: int = 0
@@ -273,8 +274,8 @@ def options(
     rules = context.ratings[parts[0].stage].proportions
     if not is_open or rules is None:
         yield from _best(context, parts, (unit,), demands)
-    elif rules.standard_modules:
-        yield from _best(context, parts, unit_grid(parts, unit), demands)
+    elif rules.standard_modules and len({part.stage for part in parts if not part.within}) == 1:
+        yield from _best(context, parts, standard_grid(unit), demands)
     else:
         around = (LEAST, MOST)
         for step in STEPS:
@@ -336,11 +337,11 @@ def _options(
 
 
 def _mass(row: _Row) -> float:
-    """Return what parts weigh with what is around each stage, to rank them [kg]."""
-    drums = dict[str, float]()
+    """Return what parts weigh with what carries the gears of each stage, to rank them [kg]."""
+    around = dict[str, float]()
     for own in row:
-        drums[own.part.stage] = max(drums.get(own.part.stage, 0.0), float(own.drums[own.at]))
-    return sum(float(own.masses[own.at]) for own in row) + sum(drums.values())
+        around[own.part.stage] = max(around.get(own.part.stage, 0.0), float(own.around[own.at]))
+    return sum(float(own.masses[own.at]) for own in row) + sum(around.values())
 
 
 def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -> None:
@@ -380,14 +381,13 @@ def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple
         values for mesh in part.meshes if (values := sizes_near(context, mesh, modules, widths, left_out)) is not None
     ]
     least = np.minimum.reduce([np.full(len(widths), math.inf), *near])
-    share = 1.0 if isinstance(context.design.stages[part.stage], Pair) else SETS
-    masses = share * part_weight(context, part) * widths * modules**2
-    drums = AROUND * (part_width(context, part) * modules) ** 3
+    weight = part_weight(context, part)
+    masses, around = weight * widths * modules**2, _around(context, part, modules, widths)
     ends = np.cumsum([len(own) for own, _ in grids])[:-1]
-    columns = [np.split(values, ends) for values in (widths, modules, least, masses, drums)]
+    columns = [np.split(values, ends) for values in (widths, modules, least, masses, around)]
     return [
-        _Widths(part, own, size, rated, mass, drum, bool(near))
-        for own, size, rated, mass, drum in zip(*columns, strict=True)
+        _Widths(part, own, size, rated, mass, carried, bool(near))
+        for own, size, rated, mass, carried in zip(*columns, strict=True)
     ]
 
 

@@ -299,7 +299,7 @@ def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str
         }
     parts = [
         Part(meshes[0].sized, name, tuple(meshes), given[group] / unit if unit and group in given else ratios[group],
-             _width_given(context, meshes), leads=ratios[group] == 1.0)
+             _width_given(context, meshes))
         for group, meshes in rows.items()
     ]  # fmt: skip
     return _Open(tuple(parts), needed if unit is None else unit, unit is None)

@@ -314,11 +314,9 @@ def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
 RIM = 1.25 + 1.2 * 2.25
 """Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
 of 1.2 tooth heights (AGMA 2001-D04)."""
-SETS = 0.8
-"""Gears of sets over gears of pairs of the same mass, where sizes are ranked by what their gearboxes weigh [-]."""
-AROUND = 4.5
-"""Shafts and carriers in the same ranking, over the cube of the diameter of the largest gear of a stage [kg/m³]; both
-fitted to a thousand sizes of gearboxes of 14 kinds: of the three first the lightest is within 0.2 % in the mean."""
+AROUND = 1.8
+"""Shafts and carriers of compound sets over the cube of the diameter of the largest gear [kg/m³], to rank their sizes;
+fitted to sizes of sets at random."""
 BEARING_GAP = 0.5
 """Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
 

@@ -119,9 +119,17 @@ class Task:
     """Greatest rolling speed over the one at the largest load [-]."""
     parts: tuple[Part, ...] = ()
     """Its life, where a standard sizes it on a grid."""
-    known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
-    """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
-    [-] at nominal load, as far as found."""
+    carried: tuple[tuple[float, float], ...] = ()
+    """Torque over the largest on the reference gear and speed [rad/s] of the carrier of a set in every case."""
+    strength: float = math.inf
+    """Allowable stress of carriers [Pa]."""
+    carrier_density: float = 0.0
+    """Of carriers [kg/m³]."""
+    plate: tuple[float, float] = (0.0, 0.0)
+    """Least thickness of a carrier's plate over the face width, and the share of it that is not cut out [-]."""
+    known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
+    and what the carrier weighs over m_n³ [kg/m³] at nominal load, as far as found."""
     closed: dict[tuple[int, int, int], StageShifts | None] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of sun, planet and ring -> shifts that close them, as far as looked for; None where none do."""
 

@@ -11,12 +11,11 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints, largest
 from gearwright.identity import Role
+from gearwright.parts.planetary import first_carrier_mass
 from gearwright.sizing.rating import (
-    AROUND,
     BEARING_GAP,
     LEAST_TORQUE,
     RIM,
-    SETS,
     STANDARD_MODULES,
     Ask,
     Load,
@@ -145,13 +144,11 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     if rating.proportions is None:
         cube = _cubes(ask, task)
     else:
-        cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets, discs=discs)
+        cube, width_ratio, around = _known_sizes(ask, task, reference, speed, planets=planets, discs=discs)
+        discs = discs + around / width_ratio
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
     volume = width_ratio * discs
-    if rating.proportions is not None:
-        around = AROUND * (_largest(task, small, large) / math.cos(rating.helix_angle)) ** 3
-        volume = (SETS if isinstance(stage, Planetary) else 1.0) * volume + around
     volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + volume}
     counts = {task.name: np.full(len(small), planets)} if isinstance(stage, Planetary) else {}
     weighed = Front({**front.teeth, **names}, front.speeds, cubes, volumes, {**front.planets, **counts})
@@ -217,8 +214,11 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
 
 def _known_sizes(
     ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
-) -> tuple[Floats, Floats]:
-    """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
+) -> tuple[Floats, Floats, Floats]:
+    """Return m_n³, λ and the carrier over m_n³ where a standard rates the stage: of each pair of tooth numbers once.
+
+    Scaled by m³ ∝ T.
+    """
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     load = task.speed / speed
     pairs = zip(small.tolist(), large.tolist(), strict=True)
@@ -229,27 +229,25 @@ def _known_sizes(
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )
-        sizes = _sizes(_relieved(new, task), task, np.asarray(discs)[missing])
+        sizes = _sizes(_relieved(new, task), task, np.asarray(discs)[missing], planets=planets)
         task.known.update(zip([keys[k] for k in missing], sizes, strict=True))
-    cubes, widths = np.array([task.known[key] for key in keys]).reshape(-1, 2).T
-    return cubes * load, widths
+    cubes, widths, around = np.array([task.known[key] for key in keys]).reshape(-1, 3).T
+    return cubes * load, widths, around
 
 
-def _sizes(ask: Ask, task: Task, discs: Floats) -> Iterator[tuple[float, float]]:
-    """Yield m_n³ [m³] and λ of every choice, about as sizing makes them."""
+def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
+    """Yield m_n³ [m³], λ and the carrier over m_n³ [kg/m³] of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
             module, width = bevel_size(task.rating, task.rows, teeth, ratio)
-            yield module * module * module, width / module
+            yield module * module * module, width / module, 0.0
         return
-    cubes = _cubes(ask, task)
-    found = _on_grid(ask, task, np.cbrt(cubes), discs) if task.rating.width_is_open else None
-    if found is None:
-        yield from zip(cubes.tolist(), ratios, strict=True)
-    else:
-        modules, widths = found
-        yield from zip((modules**3).tolist(), (widths / modules).tolist(), strict=True)
+    needed = np.cbrt(_cubes(ask, task))
+    found = _on_grid(ask, task, needed, discs, planets=planets) if task.rating.width_is_open else None
+    modules, widths = (needed, np.asarray(ask.width_ratio) * needed) if found is None else found
+    around = _around(ask, task, discs, modules, widths, planets=planets)
+    yield from zip(*(column.tolist() for column in (modules**3, widths / modules, around / modules**3)), strict=True)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -263,13 +261,15 @@ _BELOW = 3
 """How many of them are smaller than what it needs at the widest face in its heaviest case [-]."""
 _ROUNDS = 3
 """Ratings by which the face width of each is found [-]."""
+_KEPT = 4
+"""Modules of each choice that are rated more than once [-]."""
 _SLOPES = (0.5, 8.0)
 """Powers of the width with which the load may grow that a size bears [-]."""
 _SHORT = 10.0
 """Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
 
 
-def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Floats, Floats] | None:
+def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int) -> tuple[Floats, Floats] | None:
     """Return module and face width of every choice of which its gearbox weighs least [m]; None: no arrays are rated.
 
     Args:
@@ -277,29 +277,16 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Float
         task: The stage.
         needed: Module that each needs with its widest face [m].
         discs: What its bodies weigh over b m_n² [kg/m³].
+        planets: Of a planetary set [-].
     """
-    rules, rating = task.rating.proportions, task.rating
-    assert rules is not None
-    if rules.standard_modules:
-        series = [1e-3 * module for module in STANDARD_MODULES]
-        while series[-1] < 3.0 * needed.max(initial=0.0):
-            series.append(1.1 * series[-1])
-        table = np.array(series + [series[-1] * 1.1 ** (k + 1) for k in range(_TRIED)])
-        first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - _BELOW, 0)
-        modules = table[first[:, None] + np.arange(_TRIED)]
-    else:
-        modules = needed[:, None] * 1.12 ** np.arange(-_BELOW, _TRIED - _BELOW)
-    count = modules.shape[1]
-    lean = math.sin(rating.helix_angle)
-    narrow = modules * (rating.rules.overlap_ratio * math.pi / lean if lean else 1.0)
-    wide = modules * np.asarray(ask.width_ratio)[:, None]
-    widths = np.clip(np.asarray(ask.width_ratio)[:, None] * needed[:, None] ** 3 / modules**2, narrow, wide)
-    asks = [
-        _repeated(own, count) for own in ((ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,))
-    ]
-    before, slope = None, 1.0
-    for _ in range(_ROUNDS):
-        near = [_near(task, own, modules, widths) for own in asks]
+    modules = _modules(task, needed)
+    asks = (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
+    ratio = np.asarray(ask.width_ratio)[:, None]
+    widths = np.clip(ratio * needed[:, None] ** 3 / modules**2, _narrow(task, modules), ratio * modules)
+    before, slope = None, np.ones_like(modules)
+    for round_ in range(_ROUNDS):
+        count, wide = modules.shape[1], ratio * modules
+        near = [_near(task, _repeated(own, count), modules, widths) for own in asks]
         if any(one is None for one in near):
             return None
         strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
@@ -308,15 +295,36 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats) -> tuple[Float
             moved = np.where(now[0] == before[0], 1.0, now[0] - before[0])
             slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
         wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
-        widths, before = np.clip(wanted, np.minimum(narrow, wide), wide), now
-    short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
-    around = AROUND * (_largest(task, *map(np.asarray, ask.teeth)) / math.cos(rating.helix_angle)) ** 3
-    share = SETS if isinstance(task.stage, Planetary) else 1.0
-    masses = (share * discs[:, None] * widths * modules**2 + around[:, None] * modules**3) * np.where(
-        short, _SHORT, 1.0
-    )
-    best = np.argmin(masses, axis=1)[:, None]
-    return tuple(np.take_along_axis(values, best, axis=1)[:, 0] for values in (modules, widths))  # type: ignore[return-value]
+        widths = np.clip(wanted, np.minimum(_narrow(task, modules), wide), wide)
+        short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
+        each = _repeated(ask, count), task, np.repeat(discs, count)
+        around = _around(*each, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
+        masses = np.where(short, _SHORT, 1.0) * (discs[:, None] * widths * modules**2 + around)
+        kept = np.argsort(masses, axis=1, kind="stable")[:, : _KEPT if round_ < _ROUNDS - 1 else 1]
+        modules, widths, slope, *before = (
+            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, slope, *now)
+        )
+    return modules[:, 0], widths[:, 0]
+
+
+def _modules(task: Task, needed: Floats) -> Floats:
+    """Return the modules that are tried of every choice, shape (choices, modules) [m]."""
+    rules = task.rating.proportions
+    assert rules is not None
+    if not rules.standard_modules:
+        return needed[:, None] * np.asarray(1.12 ** np.arange(-_BELOW, _TRIED - _BELOW))
+    series = [_MM * module for module in STANDARD_MODULES]
+    while series[-1] < needed.max(initial=0.0):
+        series.append(1.1 * series[-1])
+    table = np.array(series + [series[-1] * 1.1 ** (k + 1) for k in range(_TRIED)])
+    first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - _BELOW, 0)
+    return np.asarray(table[first[:, None] + np.arange(_TRIED)])
+
+
+def _narrow(task: Task, modules: Floats) -> Floats:
+    """Return the narrowest faces that are tried [m]."""
+    lean = math.sin(task.rating.helix_angle)
+    return np.asarray(modules * (task.rating.rules.overlap_ratio * math.pi / lean if lean else 1.0))
 
 
 def _repeated(ask: Ask, count: int) -> Ask:
@@ -350,10 +358,23 @@ def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats
     return method_for(task.rating).of_sizes(mesh, ())
 
 
-def _largest(task: Task, small: Ints, large: Ints) -> Floats:
-    """Return the teeth of the largest gear of a stage, of a set of its ring [-]."""
-    rings = isinstance(task.stage, Planetary)
-    return np.asarray(ring_teeth(task, small, large) if rings else np.maximum(small, large), dtype=np.float64)
+def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats, *, planets: int) -> Floats:
+    """Return about what the carrier of a set weighs with sizes [kg]; nothing of a pair, whose shafts change little."""
+    if not isinstance(task.stage, Planetary) or not task.carried:
+        return np.zeros(len(modules))
+    small, large = (np.asarray(teeth) for teeth in ask.teeth)
+    planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
+    return first_carrier_mass(
+        [(ratio * _torque(task, planets), speed) for ratio, speed in task.carried],
+        0.5 * (small + large) * modules,
+        widths,
+        planet=task.rating.material.density * math.pi / 4.0 * planet * widths * modules**2,
+        planets=planets,
+        allowable=task.strength,
+        density=task.carrier_density,
+        plate_ratio=task.plate[0],
+        fill=task.plate[1],
+    )
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:

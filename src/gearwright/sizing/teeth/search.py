@@ -480,7 +480,23 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
         case: max((load_of(mesh, flow) for mesh in own_rows), key=lambda row: row[0]) for case, flow in flows.items()
     }
     parts = tuple(parts_of(design, every, (torque, rolling))) if torque and rolling else ()
-    return replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts)
+    carried = list[tuple[float, float]]()
+    if isinstance(stage, Planetary) and torque:
+        for flow in flows.values():
+            own = sum(flow.meshes[mesh.name].torques[2] for mesh in meshes)
+            carried.append((abs(own) * rating.load_factor / torque, abs(flow.speeds.get(stage.carrier, 0.0))))
+    steel, rules = design.shaft_material, design.carriers
+    return replace(
+        task,
+        factors=factors,
+        steady=steady,
+        fastest=fastest,
+        parts=parts,
+        carried=tuple(carried),
+        strength=(steel.yield_strength or math.inf) / rules.safety,
+        carrier_density=steel.density,
+        plate=(rules.plate_ratio, rules.fill),
+    )
 
 
 def parts_of(
