@@ -15,7 +15,7 @@ from gearwright.arrays import Floats
 from gearwright.checks import ROUNDING
 from gearwright.identity import Role
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
-from gearwright.parts.planetary import first_carrier_mass, planes
+from gearwright.parts.planetary import Plate, first_carrier_mass, planes
 from gearwright.sizing.rating import (
     AROUND,
     STANDARD_MODULES,
@@ -33,7 +33,7 @@ from gearwright.sizing.rating import (
     widest_bevel,
 )
 from gearwright.sizing.result import PRELIMINARY
-from gearwright.spec import Epicyclic, Pair
+from gearwright.spec import GROUND, Epicyclic, Pair
 from gearwright.train import Gear, Mesh
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -107,10 +107,8 @@ def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> Fl
         widths,
         planet=_weight(context, planet) / planet.bodies * widths * modules**2,
         planets=stage.planets,
-        allowable=(steel.yield_strength or math.inf) / rules.safety,
-        density=steel.density,
-        plate_ratio=rules.plate_ratio,
-        fill=rules.fill,
+        plate=Plate((steel.yield_strength or math.inf) / rules.safety, steel.density, rules.plate_ratio, rules.fill,
+                    turns=stage.carrier != GROUND),
     )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.identity import SIDES
+from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import ForbiddenBand, StageShifts, module_owners
@@ -121,12 +122,8 @@ class Task:
     """Its life, where a standard sizes it on a grid."""
     carried: tuple[tuple[float, float], ...] = ()
     """Torque over the largest on the reference gear and speed [rad/s] of the carrier of a set in every case."""
-    strength: float = math.inf
-    """Allowable stress of carriers [Pa]."""
-    carrier_density: float = 0.0
-    """Of carriers [kg/m³]."""
-    plate: tuple[float, float] = (0.0, 0.0)
-    """Least thickness of a carrier's plate over the face width, and the share of it that is not cut out [-]."""
+    plate: Plate | None = None
+    """Of that carrier; None of pairs, and where nothing loads a set."""
     known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
     and what the carrier weighs over m_n³ [kg/m³] at nominal load, as far as found."""

@@ -360,7 +360,7 @@ def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats
 
 def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats, *, planets: int) -> Floats:
     """Return about what the carrier of a set weighs with sizes [kg]; nothing of a pair, whose shafts change little."""
-    if not isinstance(task.stage, Planetary) or not task.carried:
+    if not isinstance(task.stage, Planetary) or task.plate is None:
         return np.zeros(len(modules))
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
@@ -370,10 +370,7 @@ def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats
         widths,
         planet=task.rating.material.density * math.pi / 4.0 * planet * widths * modules**2,
         planets=planets,
-        allowable=task.strength,
-        density=task.carrier_density,
-        plate_ratio=task.plate[0],
-        fill=task.plate[1],
+        plate=task.plate,
     )
 
 

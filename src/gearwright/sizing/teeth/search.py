@@ -14,6 +14,7 @@ from gearwright.arrays import Bools, Floats, largest
 from gearwright.checks import ROUNDING
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
+from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import PRELIMINARY, TeethSearch
 from gearwright.sizing.teeth.candidates import (
@@ -480,23 +481,18 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
         case: max((load_of(mesh, flow) for mesh in own_rows), key=lambda row: row[0]) for case, flow in flows.items()
     }
     parts = tuple(parts_of(design, every, (torque, rolling))) if torque and rolling else ()
-    carried = list[tuple[float, float]]()
-    if isinstance(stage, Planetary) and torque:
-        for flow in flows.values():
-            own = sum(flow.meshes[mesh.name].torques[2] for mesh in meshes)
-            carried.append((abs(own) * rating.load_factor / torque, abs(flow.speeds.get(stage.carrier, 0.0))))
-    steel, rules = design.shaft_material, design.carriers
-    return replace(
-        task,
-        factors=factors,
-        steady=steady,
-        fastest=fastest,
-        parts=parts,
-        carried=tuple(carried),
-        strength=(steel.yield_strength or math.inf) / rules.safety,
-        carrier_density=steel.density,
-        plate=(rules.plate_ratio, rules.fill),
-    )
+    task = replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts)
+    if not isinstance(stage, Planetary) or not torque:
+        return task
+    steel, carriers = design.shaft_material, design.carriers
+    carried = tuple(
+        (abs(sum(flow.meshes[mesh.name].torques[2] for mesh in meshes)) * rating.load_factor / torque,
+         abs(flow.speeds.get(stage.carrier, 0.0)))
+        for flow in flows.values()
+    )  # fmt: skip
+    allowable = (steel.yield_strength or math.inf) / carriers.safety
+    plate = Plate(allowable, steel.density, carriers.plate_ratio, carriers.fill, turns=stage.carrier != GROUND)
+    return replace(task, carried=carried, plate=plate)
 
 
 def parts_of(
