@@ -206,6 +206,8 @@ LENIENT: Sequence[tuple[str, ...]] = ((), ("main resonance",), ("main resonance"
 """What is left out of what is asked, where nothing that is tried meets all of it."""
 NEAR = 1.25
 """Gears that fall short over the lightest of their kind, up to which the nearest of them is taken [-]."""
+STEEP = 0.3
+"""Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
 AS_NEAR = 0.01
 """Difference of two values over their limits that counts as none, so that the lighter is taken [-]."""
 
@@ -326,7 +328,7 @@ def _options(
         for own in row:
             all_of_it, asked = _near(context, own, demands, left_out)
             if asked < 1.0 - ROUNDING:
-                if _widen(context, own, demands, left_out):
+                if _widen(context, own, demands, left_out, ratio=asked):
                     _put(heap, order, row)
                 break
             nearness = min(nearness, all_of_it)
@@ -353,14 +355,31 @@ def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -
     heapq.heappush(heap, (_mass(row), next(order), row))
 
 
-def _widen(context: Context, own: _Widths, demands: Mapping[str, Demand], left_out: tuple[str, ...]) -> bool:
-    """Go on to a wider face that passes in full and next to which a narrower one fails; tell whether there is one."""
+def _widen(
+    context: Context, own: _Widths, demands: Mapping[str, Demand], left_out: tuple[str, ...], *, ratio: float
+) -> bool:
+    """Go on to a wider face that passes in full; tell whether there is one.
+
+    Where arrays tell the strengths, films ask for it: in steps that are too short, as their safeties rise slowly and
+    not evenly with the width, by the micrometres of tip relief. Else by halves, as strengths rise with it.
+    """
 
     def passes(place: int) -> bool:
+        nonlocal ratio
         own.at = place
-        return _near(context, own, demands, left_out)[1] >= 1.0 - ROUNDING
+        ratio = _near(context, own, demands, left_out)[1]
+        return ratio >= 1.0 - ROUNDING
 
     places = own.passing()[1:]
+    if own.is_array:
+        while places:
+            wanted = own.widths[own.at] * max(ratio, 1e-3) ** (-1.0 / STEEP)
+            place = next((place for place in places if own.widths[place] >= wanted), places[-1])
+            if passes(place):
+                own.at = next((between for between in places if between == place or passes(between)), place)
+                return True
+            places = [later for later in places if later > place]
+        return False
     if not places or not passes(places[-1]):
         return False
     low, high = 0, len(places) - 1
