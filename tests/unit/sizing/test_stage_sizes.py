@@ -192,12 +192,8 @@ def distance_of(sizing, stage):
 
 
 def test_a_stage_that_would_scuff_has_the_module_and_width_with_which_it_does_not():
-    """Mixed with a worse oil: with a millimetre less of face its first pair scuffs."""
+    """Mixed with a worse oil: its gears weigh more than if less were asked against scuffing."""
     design = edited(at_level(read(shipped_design("mixed")), "preliminary"), {"gears.iso6336.scuffing_stage": 8})
-    sizing = size(design)
+    sizing, easier = size(design), size(edited(design, {"gears.iso6336.scuffing_safety": 1.0}))
     assert [check.name for check in sizing.checks if check.fails] == []
-    module, width = next((gear.module, gear.face_width) for gear in sizing.gears if gear.stage == "first")
-    teeth = {f"pairs.first.{role}_teeth": sizing.teeth[f"first.{role}"] for role in ("pinion", "wheel")}
-    given = {**teeth, "pairs.first.module_mm": 1e3 * module, "pairs.first.face_width_mm": 1e3 * width - 1.0}
-    modes = {check.mode for check in size(edited(design, given)).checks if check.fails and check.part.name == "first"}
-    assert modes & {"scuffing", "pitting"}
+    assert easier.mass < 0.98 * sizing.mass
