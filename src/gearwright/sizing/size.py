@@ -132,7 +132,7 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 5), BUILT: (1, 3)}
+COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 7), BUILT: (1, 3)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
 SIZED = 12
@@ -314,7 +314,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
     enough, most = COMPLETED[design.level]
     heapq.heapify(queue)
     while queue or waiting:
-        tried, passes = len(looked.whole), bool(looked.passing)
+        tried, passes = len(looked.whole) + len(looked.refused) // 2, bool(looked.passing)
         if tried >= (max(enough, design.teeth.sized) if passes else most):
             break
         while waiting:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from typing import NamedTuple
 
@@ -33,7 +33,7 @@ from gearwright.sizing.rating import (
     widest_bevel,
 )
 from gearwright.sizing.result import PRELIMINARY
-from gearwright.spec import GROUND, Epicyclic, Pair
+from gearwright.spec import GROUND, Epicyclic, Pair, Planetary
 from gearwright.train import Gear, Mesh
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -206,6 +206,8 @@ LENIENT: Sequence[tuple[str, ...]] = ((), ("main resonance",), ("main resonance"
 """What is left out of what is asked, where nothing that is tried meets all of it."""
 NEAR = 1.25
 """Gears that fall short over the lightest of their kind, up to which the nearest of them is taken [-]."""
+WIDER = 1.15
+"""Face of sets over the one before that is tried for the bearings of planets [-]."""
 STEEP = 0.3
 """Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
 AS_NEAR = 0.01
@@ -334,6 +336,8 @@ def _options(
             nearness = min(nearness, all_of_it)
         else:
             yield Option(tuple(own.size for own in row), mass, nearness)
+            if any(isinstance(context.design.stages[own.part.stage], Planetary) for own in row):
+                _put(heap, order, tuple(_wider(own) for own in row))
 
 
 def _mass(row: _Row) -> float:
@@ -353,6 +357,11 @@ def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -
             return
         own.at = places[0]
     heapq.heappush(heap, (_mass(row), next(order), row))
+
+
+def _wider(own: _Widths) -> _Widths:
+    """Return a part at a wider face, for what turns in its planets, which no strength of teeth asks for."""
+    return replace(own, at=int(np.searchsorted(own.widths, WIDER * own.widths[own.at])))
 
 
 def _widen(
