@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from choice import choice_figure
+
 import gearwright as gw
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import fly
@@ -45,6 +47,7 @@ FIGURES: Mapping[str, Callable[[], Any]] = {
     "differential-hybrid-power": lambda: power_flow_figure(_sized("differential-hybrid"), "rated"),
     "in-line-h2-margins": lambda: margin_figure(_sized("in-line-h2")),
     "in-line-h2-mass": lambda: mass_figure(particulars(_sized("in-line-h2"))),
+    "choice": choice_figure,
     "motor-speed": lambda: _study("motor-speed"),
     "architectures": lambda: _study("architectures"),
     "in-line-h2-campbell": lambda: campbell_figure(_sized("in-line-h2"), critical_speeds(_sized("in-line-h2"))[0]),
