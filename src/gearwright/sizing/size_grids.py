@@ -23,10 +23,10 @@ from gearwright.sizing.rating import (
     Demand,
     Unloaded,
     cone_ratio,
+    least_width,
     made_share,
     mean_module,
     method_for,
-    overlap_width,
     rate_row,
     row_reserve,
     sizes_near,
@@ -186,7 +186,7 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
         widths = np.array([widest])
     else:
         mean = mean_module(teeth, module, widest, rating) if bevel else module
-        least = min(overlap_width(rating, mean), widest)
+        least = min(least_width(rating, mean), widest)
         low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
         widths = np.arange(min(low, high), high + 1) * _MM
     return widths, np.asarray(mean_module(teeth, module, widths, rating)) if bevel else np.full(len(widths), module)

@@ -427,15 +427,16 @@ def _least(weak: float, strong: float, gap: Callable[[float], float]) -> float:
     return strong
 
 
-def overlap_width(rating: Rating, module: float) -> float:
-    """Return the face width that gives the asked overlap ratio [m]; one module for straight teeth.
+def least_width(rating: Rating, module: float) -> float:
+    """Return the least face width that is chosen [m]: no less than usual, of helical teeth with the asked overlap.
 
     Args:
         rating: Resolved rules.
         module: m_n [m].
     """
-    lean = math.sin(rating.helix_angle)
-    return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
+    lean, rules = math.sin(rating.helix_angle), rating.proportions
+    usual = module if rules is None else rules.narrowest_modules * module
+    return max(rating.rules.overlap_ratio * math.pi * module / lean, usual) if lean else usual
 
 
 def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> float:
@@ -500,7 +501,7 @@ def bevel_width(teeth: tuple[int, int], outer: float, ratio: float, rating: Rati
     width = widest_bevel(teeth, outer, ratio, rating)
     if not rating.width_is_open:
         return width
-    least = overlap_width(rating, mean_module(teeth, outer, width, rating))
+    least = least_width(rating, mean_module(teeth, outer, width, rating))
     return narrowest(least, width, lambda tried: gap(mean_module(teeth, outer, tried, rating), tried))
 
 
