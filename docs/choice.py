@@ -76,8 +76,8 @@ CASES = (
         speed=6000, slow=6000 / 4.4),
     _of("planetary set, 1.5 MW", SET.format("ground", "b", 4, 40, 38, 116), "planetaries.stage.module_mm", power=1500,
         speed=6000, slow=6000 / 3.9),
-    _of("star, 800 kW", SET.format("b", "ground", 5, 38, 36, 112), "planetaries.stage.module_mm", power=800,
-        speed=9000, slow=9000 * 38 / 112),
+    _of("star, 800 kW", SET.format("b", "ground", 5, 40, 35, 110), "planetaries.stage.module_mm", power=800,
+        speed=9000, slow=9000 * 40 / 110),
     _of("stepped set, 1.9 MW", STEPPED, "epicyclics.stage.suns.sun.module_mm", power=1874, speed=12112,
         slow=12112 / (1 + 70 * 136 / (34 * 32))),
 )  # fmt: skip

@@ -44,6 +44,7 @@ from gearwright.sizing.rating import MESHES, Context, Known
 from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
+from gearwright.sizing.size_grids import StageSize
 from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
@@ -132,9 +133,11 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 7), BUILT: (1, 3)}
+COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 12), BUILT: (1, 3)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
+BEARINGS = ("life", "static safety")
+"""Modes of checks of the bearings of planets, to which a wider face helps."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 
@@ -145,7 +148,7 @@ def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
     Of several choices of teeth, modules and widths that are completed the lightest is taken that passes its checks, or
-    that which comes nearest where none does.
+    where none does, of which the fewest fail.
 
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
@@ -219,10 +222,22 @@ class _Looked:
         except DesignError as error:
             self.refused.append(error)
 
+    def is_too_narrow(self, gears: Geared) -> bool:
+        """Tell whether planets of a set are no larger and no wider than some that have no bearing which lasts.
+
+        Args:
+            gears: Of a transmission that is not completed yet.
+        """
+        return any(
+            check.fails and check.mode in BEARINGS and check.part.name in gears.sizes
+            and _is_within(gears.sizes[check.part.name], sizing, check.part.name)
+            for sizing in self.whole for check in sizing.checks
+        )  # fmt: skip
+
     @property
     def passing(self) -> list[Sizing]:
         """Those that pass all their checks."""
-        return [sizing for sizing in self.whole if _nearness(sizing) >= 1.0]
+        return [sizing for sizing in self.whole if not _failing(sizing)]
 
     def is_enough(self, completed: int) -> bool:
         """Tell whether no more choices of teeth are sized: one more passes than is completed, or many fall short.
@@ -243,20 +258,24 @@ class _Looked:
         return best
 
     def best(self) -> Sizing:
-        """Return the lightest that passes, or that which comes nearest; of equals the lightest, of these the first."""
+        """Return the lightest that passes, or of which the fewest checks fail; of equals the first."""
         if not self.whole:
             raise self.refused[0]
-        among = self.passing
-        if not among:
-            nearest = max(map(_nearness, self.whole))
-            among = [sizing for sizing in self.whole if _nearness(sizing) >= nearest - EQUAL]
+        fewest = min(map(_failing, self.whole))
+        among = [sizing for sizing in self.whole if _failing(sizing) == fewest]
         least = min(sizing.mass for sizing in among)
         return next(sizing for sizing in among if sizing.mass <= least * (1.0 + EQUAL))
 
 
-def _nearness(sizing: Sizing) -> float:
-    """Return the least value over limit of all that is asked, at most 1 [-]."""
-    return min((check.ratio or 0.0 for check in sizing.checks if check.fails), default=1.0)
+def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
+    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission."""
+    gear = next(gear for gear in sizing.gears if gear.stage == stage)
+    return size.module <= gear.module and size.face_width <= gear.face_width
+
+
+def _failing(sizing: Sizing) -> int:
+    """Return how many checks fail [-]."""
+    return sum(check.fails for check in sizing.checks)
 
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
@@ -325,7 +344,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             break
         _, _, course = heapq.heappop(queue)
         if course.gears is not None:
-            looked.complete(course.gears, given, still=still)
+            if not looked.is_too_narrow(course.gears):
+                looked.complete(course.gears, given, still=still)
             waiting.append(course)
         elif looked.is_enough(max(enough, design.teeth.sized)):
             continue

@@ -340,6 +340,8 @@ def endured_cycles(curve: LifeCurve, factor: Floats) -> Floats:
     Args:
         curve: S-N curve.
         factor: Life factors that stresses ask for [-].
+
+    Source: ISO 6336-6:2019, clause 5.
     """
     left, cycles = factor <= curve.factors[0], np.where(factor > curve.factors[0], 0.0, np.inf)
     for start, greatest, least, longer, weaker in curve.lines:

@@ -392,6 +392,8 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+AT_WAIVERS = ("main resonance",)
+"""Modes of checks of meshes that no size is held against where the design waives them."""
 _CREEP = 1e-3
 """Speed of gears that a limit load finds at rest [rad/s]."""
 _NONE_ASKED = (0.0, 0.0)
@@ -453,8 +455,8 @@ def sizes_near(
     loaded = _loaded(context, mesh, modules, face_widths)
     if isinstance(loaded, Unloaded):
         return None
-    waived = {name.removeprefix(f"{mesh.part} ") for name in context.design.waivers}
-    found = method_for(loaded.rating).of_sizes(loaded, waived.union(left_out))
+    waived = [mode for mode in AT_WAIVERS if f"{mesh.part} {mode}" in context.design.waivers]
+    found = method_for(loaded.rating).of_sizes(loaded, (*waived, *left_out))
     return None if found is None else np.minimum(*found)
 
 
