@@ -1,6 +1,6 @@
 """How far the gearbox that `size` chooses is from the lightest that passes: answers of a search, and today's choices.
 
-    python tests/oracle/oracle_answers.py answer                # answers what answers.jsonl lacks; an hour
+    python tests/oracle/oracle_answers.py answer                # answers what answers.jsonl lacks; 13 minutes
     python tests/oracle/oracle_answers.py compare               # sizes every design anew beside the kept answers
     python tests/oracle/oracle_answers.py compare --keep        # and keeps today's choices in answers.jsonl
     python tests/oracle/oracle_answers.py table                 # what is kept, as docs/theory/choice.md has it

@@ -41,7 +41,7 @@ def test_every_design_has_its_answer_once():
     keys = [(one["kind"], one["k"]) for one in kept()]
     assert len(keys) == len(set(keys))
     assert set(keys) == set(all_designs())
-    assert sum(kind.count for kind in KINDS.values()) == 300
+    assert sum(kind.designs for kind in KINDS.values()) == 300
 
 
 def test_the_page_shows_the_gaps_that_are_kept():
