@@ -26,11 +26,11 @@ from gearwright.closure.moves import (
     TEETH_OF_PAIRS,
     TEETH_OF_SETS,
     borne,
-    judged,
     lightened,
     mended,
     separated,
 )
+from gearwright.closure.options import judged
 from gearwright.closure.proportion import Proportioned, searched, teeth_of, written_out
 from gearwright.closure.requirements import (
     FREEDOMS,

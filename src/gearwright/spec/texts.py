@@ -99,6 +99,9 @@ def _written(value: Any, was: object, given: object, meant: Key | None) -> Any:
 def number(value: float) -> float | int:
     """Return a number as people write it: without digits that rounding made, whole ones without a point.
 
+    Args:
+        value: In its unit.
+
     >>> number(12.700000000000001), number(5000.0)
     (12.7, 5000)
     """

@@ -99,7 +99,7 @@ def known_by(journal: Path, asked: str) -> dict[str, tuple[float, ...]]:
     try:
         kept = load(journal)
     except DesignError as error:
-        why = "; ".join(problem.message.partition(";")[0] for problem in error.problems)
+        why = "; ".join(problem.message for problem in error.problems)
         raise DesignError([Problem("journal", f"{journal} cannot be gone on with: {why}; {fix}")]) from None
     if not isinstance(kept, KeptClosure):
         refuse([Problem("journal", f"{journal} is no journal of a closure; {fix}")])

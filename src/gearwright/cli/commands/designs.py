@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
@@ -48,7 +49,7 @@ from gearwright.signals import answered
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from gearwright.closure import Course, Source, Wishes
+    from gearwright.closure import Closed, Contradiction, Course, Source, Variants, Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.particulars import Particulars
@@ -577,6 +578,18 @@ def _reviewed(design: str, mission: str | None) -> Review:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+WhyOption = Annotated[
+    bool,
+    typer.Option(
+        "--why", help="Tell what stands against what is not met, or against thinner rims and webs that are free"
+    ),
+]
+ClosureJournalOption = Annotated[
+    Path | None,
+    typer.Option(help="Keep what is found in this file, and go on with it; left out: a file here, if interrupted"),
+]
+
+
 def close(
     design: DesignArgument,
     life_h: Annotated[
@@ -602,12 +615,7 @@ def close(
     variants: Annotated[
         bool, typer.Option("--variants", help="Where it does not close: look for the nearest variant that does")
     ] = False,
-    why: Annotated[
-        bool,
-        typer.Option(
-            "--why", help="Tell what stands against what is not met, or against thinner rims and webs that are free"
-        ),
-    ] = False,
+    why: WhyOption = False,
     out: Annotated[
         Path | None, typer.Option(help="Write the closed design to this file, and a variant beside it")
     ] = None,
@@ -617,21 +625,14 @@ def close(
             help="Design that was closed before: its teeth and modules are a second start", autocompletion=designs
         ),
     ] = None,
-    journal: Annotated[
-        Path | None,
-        typer.Option(help="Keep what is found in this file, and go on with it; left out: a file here, if interrupted"),
-    ] = None,
+    journal: ClosureJournalOption = None,
     json: JsonOption = False,
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
     from gearwright.cli.commands.flights import mission_of
-    from gearwright.closure import OnMission, Outcome, Source, contradictions, nearest_variant
+    from gearwright.closure import OnMission, Outcome, contradictions, nearest_variant
     from gearwright.closure import close as closed_by
-    from gearwright.files import write_text
     from gearwright.render.answers.review import close_answer
-    from gearwright.render.words.review import against_text, closure_text, variants_text
-    from gearwright.shipped import find_design
-    from gearwright.spec import file_text
     from gearwright.spec.texts import design_text_like
     from gearwright.study.closing import digest_of
 
@@ -641,7 +642,7 @@ def close(
     with placed_in(design):
         own, before = design_of(design), None if start is None else design_of(start)
         flights = None if mission is None else OnMission(*mission_of(mission))
-        source = Source(file_text(find_design(design)), find_design(design).parent)
+        source = _source_of(design)
     kept = _Kept(own, source, out or named_after(design, "closed.toml"), digest_of(own, wishes, flights, before))
     course = kept.course(journal, named_after(design, "close.journal"), say)
     with placed_in(design), kept.leaving(course):
@@ -652,20 +653,45 @@ def close(
     if json:
         show_answer("close", close_answer(closed, found, against), design=closed.design.name)
     else:
-        show(closure_text(closed, all_rounds=rounds))
-        if why and (is_open or against):
-            show(against_text(against))
-        if found is not None:
-            show(variants_text(found))
-    written = {} if out is None else {out: closed.text}
-    if out is not None and found is not None and found.nearest is not None:
-        nearest = found.nearest.closed.design
-        written[out.with_stem(f"{out.stem}-variant")] = design_text_like(nearest, source.text, own)
+        _show_closed(closed, found, against if why and (is_open or against) else None, all_rounds=rounds)
+    if out is not None:
+        _write_closed(out, closed, found, partial(design_text_like, text=source.text, before=own), say)
+    if closed.outcome is Outcome.OPEN:
+        raise typer.Exit(1)
+
+
+def _source_of(design: str) -> Source:
+    """Return the file of a design, as whose text it is written."""
+    from gearwright.closure import Source
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text
+
+    return Source(file_text(find_design(design)), find_design(design).parent)
+
+
+def _show_closed(
+    closed: Closed, found: Variants | None, against: Sequence[Contradiction] | None, *, all_rounds: bool
+) -> None:
+    """Show a closed design, what stands against it, and its variants, as far as they were looked for."""
+    from gearwright.render.words.review import against_text, closure_text, variants_text
+
+    show(closure_text(closed, all_rounds=all_rounds))
+    if against is not None:
+        show(against_text(against))
+    if found is not None:
+        show(variants_text(found))
+
+
+def _write_closed(
+    out: Path, closed: Closed, found: Variants | None, text_of: Callable[[Design], str], say: Callable[[str], None]
+) -> None:
+    """Write a closed design, and its nearest variant beside it."""
+    written = {out: closed.text}
+    if found is not None and found.nearest is not None:
+        written[out.with_stem(f"{out.stem}-variant")] = text_of(found.nearest.closed.design)
     for path, result in written.items():
         write_text(path, result)
         say(f"wrote {path}")
-    if closed.outcome is Outcome.OPEN:
-        raise typer.Exit(1)
 
 
 @dataclass(frozen=True)
