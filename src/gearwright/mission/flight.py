@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Annotated, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -20,9 +20,6 @@ from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What is recorded of a flight: a field per quantity with its unit and, where a law makes it, its source.
-#
-# One declaration serves the interval that is being flown, whose fields are numbers, and the flight, whose fields are
-# arrays with one value per interval.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -154,17 +151,6 @@ class Series(NamedTuple):
     """One per interval, in SI."""
     marks: Marks
     """Dimension and origin."""
-
-
-def stacked(history: Sequence[History[float]]) -> History[Floats]:
-    """Return the histories of intervals as arrays.
-
-    Args:
-        history: Of each interval, in their order.
-    """
-    columns = {field.name: [getattr(interval, field.name) for interval in history] for field in fields(History)}
-    arrays: dict[str, Any] = {name: None if None in values else np.array(values) for name, values in columns.items()}
-    return History(**arrays)
 
 
 def marked_series(history: History[Floats]) -> Iterator[Series]:
