@@ -17,7 +17,6 @@ from gearwright.dynamics.vibration import SpeedCase, motion_checks
 from gearwright.errors import refuse
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
-from gearwright.showing import Shown
 from gearwright.sizing import MeshSizing, Named, Sizing, size, total_results
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.bearing_seats import planet_bodies
@@ -29,7 +28,7 @@ from gearwright.sizing.shafts import unsealed_exits
 from gearwright.sizing.summaries import tips_in_fillets
 from gearwright.spec import Design, Mission
 from gearwright.spec.design import RATINGS
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What nobody assesses of a design, and why: a verdict reaches as far as what was looked at.

@@ -29,10 +29,9 @@ from gearwright.errors import DesignError, Problem, by_name
 from gearwright.files import begins_with, refuse_irregular, text_of, write_bytes, write_text
 from gearwright.former_names import present_name
 from gearwright.identity import Kind, PartId, Role, Row
-from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.spec import Design, cases_of
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
-"""Public verbs: who gives one something else than it asks for is told by a sentence which call makes the right thing.
+"""Public verbs and the values that they return.
 
-``verb`` holds what is given against the verb's own annotations, before the verb runs.
+``verb`` holds what is given against the verb's own annotations, before the verb runs: who gives something else than it
+asks for is told by a sentence which call makes the right thing. ``Shown`` values show themselves at a prompt and in a
+notebook; only `render` words and draws, and it is found by name when it is asked, so that no layer depends on it.
 """
 
 from __future__ import annotations
@@ -11,11 +13,19 @@ import sys
 import types
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from importlib import import_module
 from numbers import Integral, Number, Real
 from pathlib import Path
 from typing import Annotated, Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 
-from gearwright.errors import Problem, near, refuse
+from gearwright.errors import DesignError, Problem, install, near, refuse
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Public verbs: who gives one something else than it asks for is told by a sentence which call makes the right thing.
+#
+# ``verb`` holds what is given against the verb's own annotations, before the verb runs.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -209,3 +219,55 @@ def _container(origin: Any, inside: tuple[Any, ...]) -> str:
         kinds = {"Callable": "a function", "tuple": "a tuple", "ndarray": "an array of numbers"}
         return kinds.get(getattr(origin, "__name__", ""), f"a {origin}")
     return f"a sequence, each member {_words(inside[0])}"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Values show themselves: a few lines at a prompt, tables and a figure in a notebook.
+#
+# Only `render` words and draws, and it stands above the values: what asks for it here finds it by name when it is
+# asked, so that no layer depends on it and none loads it before.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Shown:
+    """A value that people look at."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(import_module("gearwright.render.pages.notebook").short(self))
+
+    def _repr_html_(self) -> str:
+        return str(import_module("gearwright.render.pages.notebook").html(self))
+
+
+def extra(package: str) -> Any:
+    """Return a package that only an extra of the same name brings.
+
+    Args:
+        package: ``pandas`` or ``xarray``.
+
+    Raises:
+        DesignError: If it is not installed; with how to get it.
+    """
+    try:
+        return import_module(package)
+    except ModuleNotFoundError:
+        message = f"this needs {package}, which is not here; {install(package)}"
+        raise DesignError([Problem("", message)]) from None
+
+
+def frame(columns: Mapping[str, tuple[Iterable[Any], str]], index: str) -> Any:
+    """Return columns as a pandas ``DataFrame`` whose ``attrs["units"]`` says the unit of each.
+
+    Args:
+        columns: Name -> values and unit.
+        index: Column that names the rows; empty: they are counted.
+
+    Raises:
+        DesignError: If pandas is not installed.
+    """
+    made = extra("pandas").DataFrame({name: values for name, (values, _) in columns.items()})
+    made = made.set_index(index) if index else made
+    made.attrs["units"] = {name: unit for name, (_, unit) in columns.items()}
+    return made

@@ -18,10 +18,10 @@ from gearwright.particulars import particulars
 from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.review import review_answer
 from gearwright.render.answers.schema import plain
-from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
+from gearwright.render.pages.motion import sharing_page
 from gearwright.render.pages.report import report, review_page
-from gearwright.render.pages.sharing import sharing_page
+from gearwright.render.pages.studies import comparison
 from gearwright.replays.colibri.pages import colibri_page
 from gearwright.replays.pulvirenti.pages import thesis_page
 from gearwright.reviews import review_of

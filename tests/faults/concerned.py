@@ -22,7 +22,7 @@ TARGETS = (
     "gearwright.sizing",
     "gearwright.dynamics.assembly",
     "gearwright.dynamics.model",
-    "gearwright.dynamics.sharing.errors",
+    "gearwright.dynamics.sharing.solutions",
 )
 """Packages, whose modules all get faults, and modules."""
 

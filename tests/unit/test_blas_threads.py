@@ -7,7 +7,7 @@ import pytest
 import scipy.linalg
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import one_blas_thread
 from gearwright.dynamics import Model, modes
 from gearwright.optimum.generations import conditioned
 

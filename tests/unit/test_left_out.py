@@ -15,7 +15,7 @@ from gearwright.parts import agma908 as agma_geometry
 from gearwright.parts import agma2001 as agma_factors
 from gearwright.parts import agma2001 as agma_mesh
 from gearwright.parts import agma2001 as agma_rating
-from gearwright.parts import bevel_geometry, din743
+from gearwright.parts import bevel_geometry, shaft_fatigue
 from gearwright.parts import iso10300 as bevel_bending
 from gearwright.parts import iso10300 as bevel_pitting
 from gearwright.parts import iso10300 as bevel_rating
@@ -29,9 +29,9 @@ from gearwright.parts import stiffness as energy
 from gearwright.parts import stiffness as kuang_yang
 from gearwright.parts import stiffness as mesh_stiffness
 from gearwright.parts import stiffness as passing_pairs
-from gearwright.parts.bearings import distribution, rolling_bearing
 from gearwright.parts.bearings import life as bearing_life
 from gearwright.parts.bearings import life as bearing_load
+from gearwright.parts.bearings import rolling_bearing
 from gearwright.parts.gears import cylindrical_gear
 from gearwright.parts.gears import lewis_hertz as hertz
 from gearwright.parts.gears import lewis_hertz as lewis
@@ -71,7 +71,7 @@ ONES = [
     (face.deflection_misalignment, "paths"),
     (key.key_pressure, "keys"),
     (key.key_length, "keys"),
-    (din743.ShaftSection, "hardening"),
+    (shaft_fatigue.ShaftSection, "hardening"),
     (mesh_stiffness.GearBlank, "web_ratio"),
     (rolling_bearing.BearingGeometry, "rows"),
     (record.LewisHertzRating, "peaks"),
@@ -89,7 +89,7 @@ ZEROS = [
     (planetary_set.Member, "torsion run_out"), (planetary_set.PlanetError, "radial tangential tooth_thickness"),
     (planetary_set.PlanetarySet, "sun_teeth damping backlash"),
     (agma_geometry.HobbedPair, "helix_angle profile_shifts"), (agma_rating.agma_strength, "hardness"),
-    (distribution.RingLoad, "x y axial moment_x moment_y"), (bearing_load.LoadFactors, "axial_low"),
+    (rolling_bearing.RingLoad, "x y axial moment_x moment_y"), (bearing_load.LoadFactors, "axial_low"),
     (rolling_bearing.BearingGeometry, "contact_angle roller_length"),
     (bevel_geometry.BevelTooth, "profile_shift thickness_shifts"), (bevel_geometry.BevelPair, "spiral_angle"),
     (cylindrical_gear.CylindricalGear, "helix_angle profile_shift tip_alteration"),
@@ -100,7 +100,7 @@ ZEROS = [
     (loads.MeshQuality, "tip_relief"), (root.LoadedTooth, "thickness_shift"),
     (root.shaped_fillet_radius, "cutter_shift"), (press_fit.FitPart, "roughness"),
     (mesh_loss.tooth_contact, "helix_angle"), (oil.churning_power, "helix_angle"),
-    (ScuffingMesh, "reliefs"), (din743.ShaftSection, "bore"),
+    (ScuffingMesh, "reliefs"), (shaft_fatigue.ShaftSection, "bore"),
     (fatigue.SectionLoad, "bending_amplitude bending_mean torque_amplitude torque_mean"),
     (fatigue.section_stress, "bore"), (shaft.shaft_stress, "bore"), (shaft.shaft_diameter, "bore_ratio"),
     (shaft.shaft_mass, "bore"), (shaft.shaft_inertia, "bore"), (shaft.torsional_stiffness, "bore"),
@@ -151,7 +151,7 @@ USUAL = [
     (ScuffingMesh, {"stiffness": (14e9, 20e9), "grade": 6, "elastic_modulus": 206e9,
                                       "poisson_ratio": 0.3}),
     (lumped_shaft, {"pieces": 40}),
-    (din743.ShaftSection, {"roughness": 10e-6}),
+    (shaft_fatigue.ShaftSection, {"roughness": 10e-6}),
     (fatigue.endurance_limit, {"reliability": 0.5}),
     (mesh_stiffness.GearBlank, {"rim_ratio": 5.0}),
     (passing_pairs.rectangular_curve, {"step": 0.75, "harmonics": 8}),

@@ -4,8 +4,7 @@ import pytest
 
 from gearwright.catalogue import bearings
 from gearwright.parts.bearings import BearingKind, basic_life, life_time
-from gearwright.replays.colibri.replay import replay
-from gearwright.replays.colibri.verdicts import colibri_facts, flank_pressure
+from gearwright.replays.colibri.replay import colibri_facts, flank_pressure, replay
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import edited, read

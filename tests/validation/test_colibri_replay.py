@@ -10,9 +10,8 @@ import pytest
 
 from gearwright.replays.colibri import report as chain
 from gearwright.replays.colibri import report as steps
-from gearwright.replays.colibri.replay import Outcome, replay
+from gearwright.replays.colibri.replay import Outcome, Sense, colibri_facts, findings, replay
 from gearwright.replays.colibri.report import colibri_errata, executed, printed_numbers
-from gearwright.replays.colibri.verdicts import Sense, colibri_facts, findings
 
 NUMBERS = {one.printed.key: one for one in replay().numbers}
 COARSE = {"shaft-1.axial-limit": 6e-3}

@@ -6,21 +6,26 @@ import numpy as np
 import pytest
 
 from gearwright.catalogue import key_for_shaft, standard_keys
-from gearwright.parts.din743 import ShaftSection, ShaftSteel, SteelGroup, section_factor, surface_factors, yield_limits
 from gearwright.parts.joints import MODULES, KeySection, key_length, key_pressure, spline, spline_length
 from gearwright.parts.shaft_fatigue import (
     Concentration,
     FatigueStrength,
     SectionLoad,
+    ShaftSection,
+    ShaftSteel,
     Shoulder,
+    SteelGroup,
     asme_safety,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
     goodman_safety,
     notch_sensitivity,
+    section_factor,
     section_stress,
     stress_concentration,
+    surface_factors,
+    yield_limits,
     yield_safety,
 )
 from gearwright.parts.shafts import Sections, critical_speed, influence

@@ -6,7 +6,7 @@ import pytest
 from split_torque import shipped
 
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
-from gearwright.render.pages.sharing import sharing_page
+from gearwright.render.pages.motion import sharing_page
 from gearwright.replays import paper_on
 from gearwright.replays.replay import Verdict
 from gearwright.replays.wang.claims import split_torque, split_torque_claims

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from gearwright.app.asked import Answer, Progress, Question, Tell, as_json, case_of, packed, sized
+from gearwright.app.questions import Answer, Progress, Question, Tell, as_json, case_of, packed, sized
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from secrets import token_urlsafe
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from gearwright.app.asked import BESIDE, LIMITS, LONG, QUICK, Question
 from gearwright.app.guard import policy
+from gearwright.app.questions import BESIDE, LIMITS, LONG, QUICK, Question
 from gearwright.app.serving import Changed, design_files, journals, kept, save, tag_of
 from gearwright.app.workers import Busy, Job, Jobs, Lane, Stopped, Superseded, Worker, stop_all
 from gearwright.errors import DesignError, GearwrightError

@@ -10,8 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from gearwright.app.asked import Answer, Progress, Question, Tell, as_json, sized
 from gearwright.app.form import form, with_entry
+from gearwright.app.questions import Answer, Progress, Question, Tell, as_json, sized
 from gearwright.errors import DesignError, Problem
 
 if TYPE_CHECKING:

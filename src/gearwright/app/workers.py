@@ -16,8 +16,7 @@ from secrets import token_urlsafe
 from threading import Lock
 from typing import Any
 
-from gearwright.app.asked import Answer, Progress, Question, Tell
-from gearwright.app.verbs import answered
+from gearwright.app.questions import Answer, Progress, Question, Tell, answered
 from gearwright.notices import noticed
 from gearwright.processes import dismiss, hire
 

@@ -1,6 +1,6 @@
 """The 121 engines of Pulvirenti (2023), tables 1.3-1.15, as they are printed, and what is known to be wrong with them.
 
-The gearbox masses of these tables are estimates by a formula and not weights; `weights.engine_check`
+The gearbox masses of these tables are estimates by a formula and not weights; `weights.methods`
 recomputes them. The engine speed is not printed: each series has a rule that reproduces its printed masses.
 """
 

@@ -19,9 +19,8 @@ from gearwright.errors import DesignError, Problem, SolveError, near, refuse
 from gearwright.files import numbers_of, text_of
 from gearwright.machines import SMALL_THRUST, Blades, Charts, MachMap, PropellerMap, compressibility, performance
 from gearwright.machines.propellers import BladeShape, Feathered, continued, element_map, feathered, generic_blade
-from gearwright.showing import Shown
 from gearwright.units import Angle, Origin, Quantity, Ratio
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Propeller maps as CSV files: read, checked, written.

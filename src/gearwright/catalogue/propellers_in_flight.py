@@ -19,9 +19,8 @@ from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.machines import Blades, performance
 from gearwright.machines.propellers import BladeShape, generic_blade, inclined, loads
 from gearwright.machines.rotors import Airframe, Disc, Lift, Stream, antitorque, lift
-from gearwright.showing import Shown
 from gearwright.units import Angle, Area, Force, Length, Mass, Origin, Power, Quantity, Ratio, Speed, Torque, Velocity
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A propeller of given blades at one point of flight, with what its incidence does to its shaft.

@@ -28,10 +28,11 @@ from gearwright.machines.gas_generator import (
     spool,
     started,
 )
-from gearwright.machines.gas_turbine import DeckLine, EngineDeck
 from gearwright.machines.turboshaft import (
     STANDARD_PRESSURE,
     STANDARD_TEMPERATURE,
+    DeckLine,
+    EngineDeck,
     EngineState,
     Inlet,
     Rated,
@@ -41,9 +42,8 @@ from gearwright.machines.turboshaft import (
     state_for,
     steady_state,
 )
-from gearwright.showing import Shown
 from gearwright.units import CELSIUS, Energy, Inertia, Origin, Power, Quantity, Ratio, Speed, Time, Torque
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Engine decks as CSV files: read, checked, written.

@@ -19,16 +19,7 @@ import typer
 from typer.main import get_command_name
 from typer.models import CommandInfo
 
-from gearwright.cli.commands.designs import app as app_
-from gearwright.cli.commands.designs import check, close, modes, new, report, review, run, schema, simulate, size
-from gearwright.cli.commands.dynamics import campbell, response, runup, sharing, validate, window
-from gearwright.cli.commands.engines import engines, mass, turboshaft
-from gearwright.cli.commands.exchange import draw, export, import_
-from gearwright.cli.commands.flights import duty, fly, mix, propeller, rotor
-from gearwright.cli.commands.replay import colibri, replay, thesis
-from gearwright.cli.commands.search import architectures, optimise
-from gearwright.cli.commands.studies import cluster, compare, merge, resume, status, study
-from gearwright.cli.ends import (
+from gearwright.cli.answers import (
     BROKEN_PIPE,
     CTRL_C,
     FAILED,
@@ -38,6 +29,15 @@ from gearwright.cli.ends import (
     is_interrupted,
     listening,
 )
+from gearwright.cli.commands.designs import app as app_
+from gearwright.cli.commands.designs import check, close, modes, new, report, review, run, schema, simulate, size
+from gearwright.cli.commands.dynamics import campbell, response, runup, sharing, validate, window
+from gearwright.cli.commands.engines import engines, mass, turboshaft
+from gearwright.cli.commands.exchange import draw, export, import_
+from gearwright.cli.commands.flights import duty, fly, mix, propeller, rotor
+from gearwright.cli.commands.replay import colibri, replay, thesis
+from gearwright.cli.commands.search import architectures, optimise
+from gearwright.cli.commands.studies import cluster, compare, merge, resume, status, study
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, show, tell
 from gearwright.notices import noticed

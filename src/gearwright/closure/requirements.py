@@ -16,7 +16,6 @@ from gearwright.checks import Check, worst
 from gearwright.closure.course import Effort
 from gearwright.errors import Problem, near, refuse
 from gearwright.identity import Kind
-from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.sizing.insight import trial_of
 from gearwright.sizing.mass import CompleteMass, complete_mass
@@ -24,6 +23,7 @@ from gearwright.spec import Design, edited
 from gearwright.spec.design import RATINGS
 from gearwright.spec.edit import Value
 from gearwright.units import Life, Mass, Origin, Quantity, Ratio
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a closure may change beside modules, widths and bearings, where it is asked to look for something lighter.

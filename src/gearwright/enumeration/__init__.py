@@ -3,9 +3,8 @@
 How one given design is sized, closed or judged is for the layers below; pages and commands are above.
 """
 
-from gearwright.enumeration.building import Requirement, requirement_of
-from gearwright.enumeration.kinds import KINDS, Architecture, Kind, Place, Seat, trains
 from gearwright.enumeration.ranking import CLOSED, STAGES, Candidate, Ranking, architectures, lighter
+from gearwright.enumeration.trains import KINDS, Architecture, Kind, Place, Requirement, Seat, requirement_of, trains
 
 __all__ = [
     "CLOSED",

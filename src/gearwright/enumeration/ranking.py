@@ -15,12 +15,19 @@ from typing import TypeVar
 from gearwright.arrays import smallest, smallest_first
 from gearwright.checks import Check
 from gearwright.closure import Wishes
-from gearwright.enumeration.building import Built, Requirement, borne, built, freedoms, requirement_of
-from gearwright.enumeration.kinds import Architecture, trains
+from gearwright.enumeration.trains import (
+    Architecture,
+    Built,
+    Requirement,
+    borne,
+    built,
+    freedoms,
+    requirement_of,
+    trains,
+)
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
 from gearwright.identity import Role, gear_part
 from gearwright.processes import computed
-from gearwright.showing import Shown
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
@@ -28,7 +35,7 @@ from gearwright.spec import Design, at_level, edited, parse
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
 from gearwright.units import Ratio
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -23,9 +23,8 @@ from gearwright.shape import COLOURS, Node, Scene, scene
 from gearwright.shape.chambers import Chamber, rim_of
 from gearwright.shape.solids import Fastener, Layer, Section, Solid
 from gearwright.shape.surfaces import Bores
-from gearwright.showing import Shown
 from gearwright.sizing import Sizing
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

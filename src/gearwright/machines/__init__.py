@@ -21,18 +21,6 @@ from gearwright.machines.electric import (
     short_circuit_torque,
     stored_energy,
 )
-from gearwright.machines.gas_turbine import (
-    HEATING_VALUE,
-    Day,
-    DeckLine,
-    Engine,
-    EngineDeck,
-    PowerLimits,
-    deck_fuel,
-    deck_limit,
-    fuel_flow,
-    power_limits,
-)
 from gearwright.machines.hamilton_standard import (
     SMALL_THRUST,
     Blades,
@@ -62,6 +50,18 @@ from gearwright.machines.propeller_map import (
     marched,
 )
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
+from gearwright.machines.turboshaft import (
+    HEATING_VALUE,
+    Day,
+    DeckLine,
+    Engine,
+    EngineDeck,
+    PowerLimits,
+    deck_fuel,
+    deck_limit,
+    fuel_flow,
+    power_limits,
+)
 
 __all__ = [
     "EMPTY",

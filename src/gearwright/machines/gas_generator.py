@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.machines.gas_turbine import HEATING_VALUE
 from gearwright.machines.turboshaft import (
     AIR,
+    HEATING_VALUE,
     HOTTEST,
     STANDARD_PRESSURE,
     STANDARD_TEMPERATURE,

@@ -28,10 +28,9 @@ from gearwright.mission.profile import (
     speed_by_law,
 )
 from gearwright.mission.thrust import Attitude, lowest_speed, performed, resistance, thrust_at, wanted_of
-from gearwright.showing import Shown
 from gearwright.spec import Aircraft, Mission, Phase
 from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time, apart
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Phases whose path is stated: rate or angle of climb, speed, time or distance; the thrust follows from them.

@@ -3,9 +3,8 @@
 How designs are evaluated, and the journal that keeps them, is in `study`.
 """
 
-from gearwright.optimum.asking import Search, search
-from gearwright.optimum.freedoms import DESIGN, is_continuous
-from gearwright.optimum.optimise import optimise
+from gearwright.optimum.generations import DESIGN, is_continuous
+from gearwright.optimum.optimise import Search, optimise, search
 from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Influence, Optimum, Price, Regret, hypervolume
 
 __all__ = [

@@ -12,17 +12,19 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.errors import GearwrightError, Problem, refuse
-from gearwright.optimum.freedoms import (
+from gearwright.optimum.generations import (
     Fixed,
+    Guided,
     Judged,
+    Parents,
     freedoms_of,
     is_continuous,
     judged,
     judged_columns,
     judged_rows,
+    parents_of,
     place_of,
 )
-from gearwright.optimum.generations import Guided, Parents, parents_of
 from gearwright.optimum.optimum import Fit, hypervolume
 from gearwright.processes import computed
 from gearwright.signals import heard_after

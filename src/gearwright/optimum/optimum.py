@@ -9,11 +9,11 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.showing import Shown
 from gearwright.spec import Study
 from gearwright.spec.studies import Value
 from gearwright.study.tables import Row, non_dominated
 from gearwright.units import Ratio
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The answer of a search: its front, what binds every design of it, what limits cost, and how sure the choice is.

@@ -12,7 +12,7 @@ from gearwright.arrays import Bools, Floats, largest_first, smallest_first
 from gearwright.checks import Check
 from gearwright.errors import GearwrightError, Problem
 from gearwright.optimum.course import Archive, Bench, Compass, rounds
-from gearwright.optimum.freedoms import (
+from gearwright.optimum.generations import (
     Fixed,
     is_continuous,
     judged_rows,

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gearwright.render.pages.sharing import Paper
+    from gearwright.render.pages.motion import Paper
     from gearwright.sizing import Sizing
 
 

@@ -3,8 +3,8 @@
 Envelopes and places are `sizing`'s; pages and drawings that show solids are `render`'s.
 """
 
+from gearwright.shape.bodies import CHAMBER, COLLAR, WEB
 from gearwright.shape.casings import FLANGES, MOUNT, RIB, SCREW, screw_places
-from gearwright.shape.housing import CHAMBER, COLLAR, WEB
 from gearwright.shape.scene import COLOURS, DETAILS, SolidMass, casing_masses, glb, scene, short_of, solid_masses
 from gearwright.shape.stands import (
     Contact,

@@ -19,6 +19,7 @@ from gearwright.errors import Problem, near, refuse
 from gearwright.identity import HOUSING, Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
 from gearwright.shape.bodies import (
+    CHAMBER,
     Leaning,
     bearing_bodies,
     bearing_solid,
@@ -28,6 +29,7 @@ from gearwright.shape.bodies import (
     gear_solid,
     held_at,
     holder_solid,
+    housing_nodes,
     leanings,
     pin_solid,
     planet_bearing,
@@ -38,7 +40,6 @@ from gearwright.shape.bodies import (
 )
 from gearwright.shape.casings import FLANGES, MOUNT, RIB, SCREW
 from gearwright.shape.chambers import Chamber
-from gearwright.shape.housing import CHAMBER, housing_nodes
 from gearwright.shape.solids import Fastener, Fineness, Solid
 from gearwright.shape.stands import (
     Axes,

@@ -18,7 +18,6 @@ from gearwright.parts.gears import CylindricalGear
 from gearwright.shape.chambers import Chamber, chamber_surface
 from gearwright.shape.solids import Fastener, Solid, fastener_surface, surface_of
 from gearwright.shape.surfaces import Surface
-from gearwright.showing import Shown
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, pins_of, planet_positions
 from gearwright.sizing import gear_geometry as tooth_shape
 from gearwright.sizing.arrangement import helix_hand
@@ -28,6 +27,7 @@ from gearwright.sizing.rating import Making, method_for
 from gearwright.sizing.result import Body, Frame
 from gearwright.spec import GROUND, Pair
 from gearwright.train import INTERNAL, Mesh
+from gearwright.verbs import Shown
 
 __all__ = ["bevel_pair"]
 

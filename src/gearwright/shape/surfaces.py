@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Complexes, Floats, Ints, following
-from gearwright.showing import Shown
 from gearwright.units import Volume
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Closed surfaces of triangles: what a body is made of, and what it encloses.

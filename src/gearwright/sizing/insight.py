@@ -12,7 +12,6 @@ from typing import Annotated, NamedTuple
 
 from gearwright.checks import Check
 from gearwright.errors import DesignError, GearwrightError, SolveError
-from gearwright.showing import Shown
 from gearwright.sizing.rating import (
     METHODS,
     Context,
@@ -39,7 +38,7 @@ from gearwright.spec.design import RATINGS, given_values
 from gearwright.spec.edit import Value
 from gearwright.train import INTERNAL, Mesh
 from gearwright.units import Origin, Quantity
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The factors that methods share under other names, and why their values differ: data for the comparison.

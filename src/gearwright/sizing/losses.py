@@ -57,7 +57,6 @@ from gearwright.parts.losses import (
     windage_power_dawson,
 )
 from gearwright.parts.micropitting import BASES
-from gearwright.showing import Shown
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
 from gearwright.sizing.bearings import Fitted, fitted_in
@@ -68,7 +67,7 @@ from gearwright.spec import GROUND, case_named
 from gearwright.spec.design import LOCATES, RATINGS, BearingSeat
 from gearwright.train import PowerFlow
 from gearwright.units import CELSIUS, RPM, Number, Origin, Power, Quantity, Ratio
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The oil and the formulas by which a gearbox loses power.

@@ -14,7 +14,6 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.showing import Shown
 from gearwright.sizing.rating import MeshRating
 from gearwright.sizing.shaft_results import (
     BearingSizing,
@@ -41,6 +40,7 @@ from gearwright.units import (
     Torque,
     marks_of,
 )
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How the teeth of a sizing were chosen: how many combinations there were, and how far the next one is.

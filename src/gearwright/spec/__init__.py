@@ -1,6 +1,5 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
-from gearwright.spec.bounds import LONGEST_NAME, NAME_RULE, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import (
     GROUND,
     RATED,
@@ -40,7 +39,6 @@ from gearwright.spec.edit import (
     path_problems,
     standing_at,
 )
-from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.missions import (
     NO_MAP,
     Aircraft,
@@ -62,8 +60,33 @@ from gearwright.spec.missions import (
     WindowRules,
     engine_out,
 )
-from gearwright.spec.read import file_text, key_lines, line_of, parse, placed, read
-from gearwright.spec.record import Record, brief, build, keys_of
+from gearwright.spec.read import (
+    MOST_INTERVALS,
+    file_text,
+    is_map_file,
+    key_lines,
+    line_of,
+    mission_problems,
+    parse,
+    parse_mission,
+    placed,
+    read,
+    read_mission,
+)
+from gearwright.spec.record import (
+    LONGEST_NAME,
+    NAME_RULE,
+    OneOf,
+    Range,
+    Record,
+    brief,
+    build,
+    is_name,
+    keys_of,
+    quantity_of,
+    range_of,
+    reciprocals_of,
+)
 from gearwright.spec.schema import records, schema
 from gearwright.spec.studies import (
     MISSION_PATH,

@@ -15,8 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Floats, one_blas_thread
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.files import beside, refuse_irregular, text_of
 from gearwright.verbs import verb

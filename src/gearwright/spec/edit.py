@@ -12,12 +12,24 @@ from typing import Any, NamedTuple, TypeVar, Union, get_args, get_origin
 from pydantic import ValidationError
 
 from gearwright.errors import DesignError, Problem, near, refuse
-from gearwright.spec.bounds import Range, allowed_in, is_path, quantity_of
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
-from gearwright.spec.flying import mission_problems
 from gearwright.spec.missions import Mission
-from gearwright.spec.record import Key, Location, Record, Written, brief, keys_of, longer_keys, message_of
+from gearwright.spec.read import mission_problems
+from gearwright.spec.record import (
+    Key,
+    Location,
+    Range,
+    Record,
+    Written,
+    allowed_in,
+    brief,
+    is_path,
+    keys_of,
+    longer_keys,
+    message_of,
+    quantity_of,
+)
 from gearwright.units import shown, suffix_unit
 from gearwright.verbs import verb
 

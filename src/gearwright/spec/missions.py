@@ -12,7 +12,6 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.errors import Problem, near
-from gearwright.showing import Shown
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
 from gearwright.spec.record import Record
 from gearwright.units import (
@@ -30,6 +29,7 @@ from gearwright.units import (
     Torque,
     Velocity,
 )
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The aircraft of a mission: a point mass with a drag polar, flaps, wheels and fuel.

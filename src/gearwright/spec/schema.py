@@ -12,10 +12,9 @@ from types import MappingProxyType
 from typing import Any
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.spec.missions import Mission
-from gearwright.spec.record import Key, Record, keys_of
+from gearwright.spec.record import Key, Range, Record, keys_of, quantity_of, range_of
 from gearwright.spec.studies import MixFile, Study
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb

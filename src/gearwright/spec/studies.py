@@ -18,14 +18,12 @@ from pydantic import Field, ValidationInfo, field_validator
 from gearwright.errors import DesignError, Problem, excerpt, refuse
 from gearwright.files import beside
 from gearwright.shipped import find_mission, find_mix, find_study, shipped_missions, shipped_mixes
-from gearwright.showing import Shown
 from gearwright.spec.edit import edited_mission
-from gearwright.spec.flying import is_map_file, mission_problems, read_mission
 from gearwright.spec.missions import BearingLifeRules, Mission
-from gearwright.spec.read import file_text, placed, toml_tables
+from gearwright.spec.read import file_text, is_map_file, mission_problems, placed, read_mission, toml_tables
 from gearwright.spec.record import Record, build, today
 from gearwright.units import Ratio, Time
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # One axis of a study: a list of values, equal steps, a range, or a distribution.

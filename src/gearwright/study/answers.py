@@ -15,7 +15,6 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints, largest_first
 from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.showing import Shown
 from gearwright.sizing import Named
 from gearwright.spec import Study, value_at
 from gearwright.study.tables import (
@@ -31,6 +30,7 @@ from gearwright.study.tables import (
     wanted,
 )
 from gearwright.units import shown, unit
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Which design wins over all objectives, by how much, and how sure that is.

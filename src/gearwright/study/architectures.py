@@ -13,14 +13,13 @@ from gearwright.closure.requirements import LONGEST
 from gearwright.errors import DesignError, Problem
 from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, Verdict, review
-from gearwright.showing import Shown
 from gearwright.sizing import size
 from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running import comparison_of
 from gearwright.units import Life, Mass, Ratio, margin_text
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 
 @dataclass(frozen=True, repr=False)

@@ -1,9 +1,19 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
-from gearwright.train.algebra import remembered
-from gearwright.train.balance import STANDSTILL, Turn, Turning, asked_speeds, holding
-from gearwright.train.efficiency import Efficiency, efficiencies
-from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
+from gearwright.train.efficiency import STANDSTILL, Efficiency, Turn, Turning, asked_speeds, efficiencies, holding
+from gearwright.train.graph import (
+    EXTERNAL,
+    INTERNAL,
+    Damper,
+    Gear,
+    Joint,
+    Mesh,
+    Train,
+    build_train,
+    gear_of,
+    gears_of,
+    remembered,
+)
 from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
 from gearwright.train.load_case import (
     Loads,

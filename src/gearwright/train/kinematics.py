@@ -13,8 +13,16 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Kind, Role
 from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
-from gearwright.train.algebra import RANK_TOLERANCE, null_space, remembered
-from gearwright.train.graph import Joint, Train, epicyclic_gears, epicyclic_meshes, shafts_of
+from gearwright.train.graph import (
+    RANK_TOLERANCE,
+    Joint,
+    Train,
+    epicyclic_gears,
+    epicyclic_meshes,
+    null_space,
+    remembered,
+    shafts_of,
+)
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Speeds of every node from the teeth and the machines: A ω = 0 with as many given speeds as the train has freedoms.

@@ -12,8 +12,18 @@ from gearwright.arrays import Bools, Floats
 from gearwright.elementwise import Values
 from gearwright.errors import Problem, refuse
 from gearwright.spec import GROUND, RATED, Design, Drive, case_named, cases_of, drives_of
-from gearwright.train.balance import STANDSTILL, Balanced, Turn, Turning, asked_speeds, balanced, dragged, holding
-from gearwright.train.efficiency import efficiencies, jammed
+from gearwright.train.efficiency import (
+    STANDSTILL,
+    Balanced,
+    Turn,
+    Turning,
+    asked_speeds,
+    balanced,
+    dragged,
+    efficiencies,
+    holding,
+    jammed,
+)
 from gearwright.train.graph import Joint, Mesh, Train
 from gearwright.train.kinematics import Yielded
 from gearwright.train.power_flow import (

@@ -16,8 +16,8 @@ from gearwright.parts.planetary import most_planet_teeth
 from gearwright.spec import GROUND, Clutch, Design, Epicyclic, Machine, Pair, Planetary, case_named, cases_of
 from gearwright.spec.design import MACHINES, SUN_LIMITS
 from gearwright.spec.record import Record
-from gearwright.train.algebra import null_space, remembered
-from gearwright.train.balance import asked_speeds
+from gearwright.train.efficiency import asked_speeds
+from gearwright.train.graph import null_space, remembered
 from gearwright.train.kinematics import (
     Edge,
     asked_tooth_ratio,

@@ -10,8 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.spec import GROUND, Design, Pair
-from gearwright.train.algebra import null_space, remembered, row_and_null_space
-from gearwright.train.graph import Train
+from gearwright.train.graph import Train, null_space, remembered, row_and_null_space
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How parallel paths share what equilibrium leaves open, as equations that complete it.

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gearwright.errors import SolveError
-from gearwright.showing import Shown
+from gearwright.verbs import Shown
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,16 @@ from gearwright.parts.bearings import (
     load_distribution,
     roller_dynamic_factor,
 )
-from gearwright.parts.din743 import Overload, ShaftSection, ShaftSteel, SteelGroup, blank_factor, din743_safety
-from gearwright.parts.shaft_fatigue import SectionLoad, keyway_factor
+from gearwright.parts.shaft_fatigue import (
+    Overload,
+    SectionLoad,
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    blank_factor,
+    din743_safety,
+    keyway_factor,
+)
 from gearwright.parts.shafts import PointLoads, diagram, supported
 from gearwright.units import INCH, POUND_FORCE, RPM
 from gearwright.validate.case import Case

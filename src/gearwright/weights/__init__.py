@@ -3,27 +3,6 @@
 The mass that follows from a design's own parts is `sizing`'s.
 """
 
-from gearwright.weights.comparison import (
-    Comparison,
-    Score,
-    StatedMass,
-    compare,
-    corners,
-    engines,
-    left_out_scatter,
-    mass,
-    middle,
-    scores,
-)
-from gearwright.weights.engine_check import (
-    COLUMNS,
-    Check,
-    CheckedEngine,
-    Verdict,
-    check_engine,
-    checked_engines,
-    gearbox_mass,
-)
 from gearwright.weights.laws import (
     EXISTING_GEARBOXES,
     Coverage,
@@ -42,7 +21,31 @@ from gearwright.weights.laws import (
     mass_tm215680,
     mass_wate2,
 )
-from gearwright.weights.methods import LogLine, bands, log_line, mass_refit, methods, refit
+from gearwright.weights.methods import (
+    COLUMNS,
+    Check,
+    CheckedEngine,
+    Comparison,
+    LogLine,
+    Score,
+    StatedMass,
+    Verdict,
+    bands,
+    check_engine,
+    checked_engines,
+    compare,
+    corners,
+    engines,
+    gearbox_mass,
+    left_out_scatter,
+    log_line,
+    mass,
+    mass_refit,
+    methods,
+    middle,
+    refit,
+    scores,
+)
 
 __all__ = [
     "COLUMNS",

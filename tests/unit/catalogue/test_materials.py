@@ -6,9 +6,9 @@ import pytest
 
 from gearwright.catalogue import is_cast_iron, material_of, materials, rated_steel
 from gearwright.parts import LifeLine
-from gearwright.parts.din743 import SteelGroup
 from gearwright.parts.iso6336 import Treatment, contact_life_curve, endurable_cycles, knee_curve, life_curves
 from gearwright.parts.material import BRINELL_PER_VICKERS, vickers_of_rockwell
+from gearwright.parts.shaft_fatigue import SteelGroup
 
 GEARS = {name: steel for name, steel in materials().items() if steel.steel is not None}
 BANDS = {

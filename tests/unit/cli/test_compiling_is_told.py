@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from designs import PAIR
-from gearwright.app.asked import Question
+from gearwright.app.questions import Question
 from gearwright.app.workers import _safely
 from gearwright.cli import main
 from gearwright.dynamics.code_cache import CodeCache

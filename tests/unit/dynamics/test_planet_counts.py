@@ -7,8 +7,8 @@ import functools
 import pytest
 
 from gearwright.dynamics.sharing import influences, planet_counts, sharing_problem, sharing_study
-from gearwright.render.figures.sharing import planets_figure, planets_text
-from gearwright.render.pages.sharing import sharing_page
+from gearwright.render.figures.dynamics import planets_figure, planets_text
+from gearwright.render.pages.motion import sharing_page
 from gearwright.render.style import to_svg
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

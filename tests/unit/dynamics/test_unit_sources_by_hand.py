@@ -7,7 +7,7 @@ import pytest
 
 from gearwright.dynamics.model import Contact
 from gearwright.dynamics.model.elements import Carried
-from gearwright.dynamics.sharing.errors import unit_source
+from gearwright.dynamics.sharing.solutions import unit_source
 
 SIDES = (
     Carried("pinion", "fast", 0.05, {"pinion": 1.0}, {"fast": 1.0}, {}),

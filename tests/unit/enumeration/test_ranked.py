@@ -8,8 +8,8 @@ import pytest
 import gearwright as gw
 from gearwright.enumeration import Architecture, Place, Seat, lighter, requirement_of
 from gearwright.enumeration import ranking as module
-from gearwright.enumeration.building import built
 from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
+from gearwright.enumeration.trains import built
 from gearwright.errors import DesignError
 
 LIFE = 20000.0 * 3600.0

@@ -7,8 +7,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.enumeration import Architecture, Place, Seat, requirement_of, trains
-from gearwright.enumeration.building import built, freedoms
-from gearwright.enumeration.kinds import stepped_teeth
+from gearwright.enumeration.trains import built, freedoms, stepped_teeth
 from gearwright.errors import DesignError
 from gearwright.spec import GROUND
 

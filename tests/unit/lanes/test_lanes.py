@@ -150,7 +150,7 @@ def test_arrays_take_lanes_where_they_are_written():
 
 
 def test_a_twin_computes_the_same_formula_for_a_number_and_for_lanes():
-    single = twin("gearwright.parts.gears.involute")
+    single = twin("gearwright.parts.gears.cylindrical_gear")
     from gearwright.parts.gears import involute, transverse_pressure_angle
 
     angles = [0.1 + 0.001 * k for k in range(300)]

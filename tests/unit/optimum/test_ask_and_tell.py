@@ -5,7 +5,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.optimum.freedoms import place_of
+from gearwright.optimum.generations import place_of
 from gearwright.spec import Study, value_at
 from gearwright.spec.studies import Axis
 

@@ -10,7 +10,7 @@ from gearwright.cli.options import axis_of, bound_of
 from gearwright.errors import DesignError
 from gearwright.optimum import Optimum, hypervolume
 from gearwright.optimum.course import Archive, _places, parts_of, screened
-from gearwright.optimum.freedoms import judged_rows
+from gearwright.optimum.generations import judged_rows
 from gearwright.optimum.optimise import nearest, study_for
 from gearwright.spec import Study
 

@@ -7,7 +7,7 @@ import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.optimum.generations import conditioned, fitted
 from gearwright.render.answers.studies import optimise_answer
-from gearwright.render.pages.comparison import optimum_page
+from gearwright.render.pages.studies import optimum_page
 from gearwright.render.tables.study import fit_table
 from gearwright.spec import Study
 from gearwright.spec.studies import study_problems

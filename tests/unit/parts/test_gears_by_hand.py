@@ -31,6 +31,7 @@ from gearwright.parts.gears.cylindrical_gear import (
     disc_inertia,
     disc_mass,
     feed_grade,
+    involute_angle,
     least_backlash,
     pressure_angle_at,
     ring_inertia,
@@ -42,7 +43,6 @@ from gearwright.parts.gears.cylindrical_gear import (
     tip_thickness,
 )
 from gearwright.parts.gears.gear_pair import assembly_room, interference, involute_clearance, tip_clearance_angle
-from gearwright.parts.gears.involute import involute_angle
 from gearwright.parts.gears.lewis_hertz import (
     HERTZ_COEFFICIENT,
     bending_stress_lewis,

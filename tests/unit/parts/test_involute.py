@@ -15,7 +15,7 @@ from gearwright.parts.gears import (
     shift_sum,
     working_pressure_angle,
 )
-from gearwright.parts.gears.involute import virtual_teeth
+from gearwright.parts.gears.cylindrical_gear import virtual_teeth
 
 TWENTY = math.radians(20.0)
 

@@ -8,7 +8,6 @@ from gearwright.errors import DesignError
 from gearwright.parts.agma908 import HobbedPair, helical_overlap_factor
 from gearwright.parts.bearings.life import Cleanliness, cleanliness_factor
 from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
-from gearwright.parts.din743 import SteelGroup, blank_factor
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.gear_pair import assembly_room
 from gearwright.parts.iso6336 import Treatment
@@ -16,6 +15,7 @@ from gearwright.parts.iso6336.pitting import contact_size_factor
 from gearwright.parts.iso6336.steels import knee_curve
 from gearwright.parts.iso10300 import VirtualPair, tip_loaded_section
 from gearwright.parts.planetary import CompoundSet, touching
+from gearwright.parts.shaft_fatigue import SteelGroup, blank_factor
 from gearwright.parts.shafts import shaft_diameter, shaft_stress
 
 

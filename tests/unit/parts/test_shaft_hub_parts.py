@@ -9,16 +9,6 @@ from hypothesis import strategies as st
 
 from gearwright.catalogue import key_for_shaft
 from gearwright.errors import DesignError
-from gearwright.parts.din743 import (
-    AxialLoad,
-    Overload,
-    ShaftSection,
-    ShaftSteel,
-    SteelGroup,
-    blank_factor,
-    din743_safety,
-    yield_limits,
-)
 from gearwright.parts.joints import (
     FitPart,
     KeySection,
@@ -35,15 +25,23 @@ from gearwright.parts.joints import (
     spline_pressure,
 )
 from gearwright.parts.shaft_fatigue import (
+    AxialLoad,
     Concentration,
     FatigueStrength,
+    Overload,
     SectionLoad,
+    ShaftSection,
+    ShaftSteel,
     Shoulder,
+    SteelGroup,
     asme_safety,
+    blank_factor,
+    din743_safety,
     endurance_limit,
     goodman_safety,
     section_stress,
     stress_concentration,
+    yield_limits,
     yield_safety,
 )
 from gearwright.parts.shafts import (

@@ -7,23 +7,18 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.din743 import (
-    ShaftSection,
-    ShaftSteel,
-    SteelGroup,
-    blank_factor,
-    din743_safety,
-    section_factor,
-    surface_factors,
-    yield_limits,
-)
 from gearwright.parts.shaft_fatigue import (
     Concentration,
     FatigueStrength,
     SectionLoad,
     SectionStress,
+    ShaftSection,
+    ShaftSteel,
     Shoulder,
+    SteelGroup,
     asme_safety,
+    blank_factor,
+    din743_safety,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
@@ -32,9 +27,12 @@ from gearwright.parts.shaft_fatigue import (
     keyway_factor,
     notch_sensitivity,
     press_fit_factor,
+    section_factor,
     section_stress,
     spline_factor,
     stress_concentration,
+    surface_factors,
+    yield_limits,
     yield_safety,
 )
 from gearwright.parts.shafts import (

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import gearwright as gw
+from gearwright.render.drawings.assembly_sheets import casing_content
 from gearwright.render.drawings.casing_section import casing_section, joints_of
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.entities import Arc, Distance, Hatch, Layer, Path, Words, extent
-from gearwright.render.drawings.housing_sheet import casing_content
 from gearwright.render.drawings.plane_section import (
     casing_of,
     closed_towards,

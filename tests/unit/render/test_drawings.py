@@ -17,7 +17,7 @@ from gearwright.errors import DesignError
 from gearwright.particulars import particulars
 from gearwright.parts.bevel_geometry import face_and_root
 from gearwright.parts.gears import span_measurement, spanned_teeth
-from gearwright.render.drawings.arrangement_sheet import arrangement_content
+from gearwright.render.drawings.assembly_sheets import arrangement_content, housing_content, true_to
 from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.entities import (
     Arc,
@@ -37,7 +37,6 @@ from gearwright.render.drawings.entities import (
     words_corners,
 )
 from gearwright.render.drawings.gear_view import hub_of
-from gearwright.render.drawings.housing_sheet import housing_content, true_to
 from gearwright.render.drawings.paper import SCALES, crossings, inside, segments, texts
 from gearwright.render.drawings.positions import positions
 from gearwright.render.drawings.shaft_sheet import hob_room

@@ -13,10 +13,9 @@ from gearwright.checks import Check, Status, not_assessed
 from gearwright.identity import Kind, PartId
 from gearwright.particulars import particulars
 from gearwright.render.figures.masses import margin_figure
-from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
 from gearwright.render.pages.report import report, warnings
-from gearwright.render.pages.study import study_page
+from gearwright.render.pages.studies import comparison, study_page
 from gearwright.render.words.flights import flight_text
 from gearwright.render.words.review import review_text
 from gearwright.render.words.sizing import energy_text, headline, said_of, sizing_headline

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics.sharing import LoadSharing
+from gearwright.render.figures.dynamics import around_figure
 from gearwright.render.figures.flights import _spectrum
 from gearwright.render.figures.masses import aged_bearings, bearing_life_figure
-from gearwright.render.figures.sharing import around_figure
 from gearwright.render.vector.figure import Axes, Box, Curve, Shape
 from shipped_work import sized
 

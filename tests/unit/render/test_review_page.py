@@ -5,8 +5,7 @@ import re
 import pytest
 
 from gearwright.closure import REQUIREMENTS, requirement_of
-from gearwright.render.pages.report import review_page
-from gearwright.render.tables.requirements import failed_table, met_table, open_table, order_table, waived_table
+from gearwright.render.pages.report import failed_table, met_table, open_table, order_table, review_page, waived_table
 from gearwright.reviews import review
 from gearwright.shipped import shipped_design
 from gearwright.spec import edited, read

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwright.render.drawings.arrangement_sheet import arrangement_content, set_notes
+from gearwright.render.drawings.assembly_sheets import arrangement_content, set_notes
 from gearwright.sizing.mass import complete_mass
 from shipped_work import sized
 

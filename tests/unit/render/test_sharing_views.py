@@ -18,7 +18,7 @@ from gearwright.dynamics.sharing import (
 from gearwright.errors import DesignError
 from gearwright.render.answers.motion import sharing_answer
 from gearwright.render.answers.schema import plain
-from gearwright.render.figures.sharing import (
+from gearwright.render.figures.dynamics import (
     allocation_figure,
     displacement_figure,
     distribution_figure,
@@ -28,7 +28,7 @@ from gearwright.render.figures.sharing import (
     support_figure,
     tornado_figure,
 )
-from gearwright.render.pages.sharing import sharing_page, summary
+from gearwright.render.pages.motion import sharing_page, summary
 from gearwright.render.style import to_svg
 from gearwright.replays import paper_on
 from gearwright.replays.wang.claims import split_torque

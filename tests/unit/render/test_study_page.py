@@ -10,7 +10,7 @@ import pytest
 
 from gearwright.render import style as theme
 from gearwright.render.figures.study import contour_figure, draw_ranges, figure_of, parallel_figure, study_figure
-from gearwright.render.pages.study import study_page
+from gearwright.render.pages.studies import study_page
 from gearwright.render.tables.variants import reasons, spread
 from gearwright.render.vector.figure import Curve
 from gearwright.render.words.study import answer

@@ -16,7 +16,7 @@ from gearwright.reviews import Review, Verdict, review_of
 from gearwright.shipped import shipped_design, shipped_designs, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse, read, read_mission
-from gearwright.spec.bounds import is_path
+from gearwright.spec.record import is_path
 from shipped_work import flown, flown_review, ground_review, sized
 
 DESIGN, MISSION = read(shipped_design("in-line-h2")), read_mission(shipped_mission("thesis"))

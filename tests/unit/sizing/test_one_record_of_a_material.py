@@ -7,7 +7,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.mesh_lines import pin_stiffness
+from gearwright.dynamics.assembly.assemble import pin_stiffness
 from gearwright.shape import scene, solid_masses
 from gearwright.sizing import size
 from gearwright.spec import parse

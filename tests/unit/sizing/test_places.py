@@ -149,7 +149,7 @@ def test_bevel_shafts_meet_in_their_apex(ec120b):
 
 def test_the_input_of_ec120b_stands_off_the_plane_of_its_mast_and_is_drawn_as_turned_into_it(ec120b):
     """Sized at 90° to it: the intermediate shaft lies beside the input, the mast above the intermediate one."""
-    from gearwright.render.drawings.arrangement_sheet import arrangement_content
+    from gearwright.render.drawings.assembly_sheets import arrangement_content
 
     frames = ec120b.arrangement.frames
     assert vector(frames["mast"].along) == pytest.approx([0.0, 0.0, -1.0], abs=1e-12)

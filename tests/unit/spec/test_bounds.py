@@ -19,8 +19,7 @@ from gearwright.spec import (
     read,
     value_at,
 )
-from gearwright.spec.bounds import allowed_in
-from gearwright.spec.record import Record
+from gearwright.spec.record import Record, allowed_in
 
 STUDY = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'
 THESIS = shipped_mission("thesis").read_text(encoding="utf-8")

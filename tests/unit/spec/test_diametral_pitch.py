@@ -8,9 +8,8 @@ from designs import HYBRID, PAIR, changed, problem
 from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.spec import edited, keys_of, parse, schema
-from gearwright.spec.bounds import Range
 from gearwright.spec.design import CentralGear, Pair, Planetary, PlanetGear
-from gearwright.spec.record import Key
+from gearwright.spec.record import Key, Range
 
 SPUR = f"{PAIR}pinion_teeth = 20\nwheel_teeth = 60\n"
 

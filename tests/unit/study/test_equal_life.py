@@ -7,7 +7,7 @@ from designs import PAIR
 from gearwright.checks import Check
 from gearwright.closure import Wishes
 from gearwright.identity import Kind, PartId, Role
-from gearwright.render.pages.comparison import equal_life_page
+from gearwright.render.pages.studies import equal_life_page
 from gearwright.render.tables.study import equal_life_csv, equal_life_table
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse

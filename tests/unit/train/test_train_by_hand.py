@@ -11,7 +11,7 @@ from designs import HYBRID, PAIR, changed
 from gearwright.sizing import named_results, size
 from gearwright.spec import parse
 from gearwright.train import Turning, branches, build_train, handed_on, power_flow, recirculation, targets
-from gearwright.train.algebra import null_space, row_and_null_space
+from gearwright.train.graph import null_space, row_and_null_space
 from gearwright.train.kinematics import willis_ratio, willis_speed
 from gearwright.train.torques import Sharing, balance, solve_torques
 from gearwright.units import RPM

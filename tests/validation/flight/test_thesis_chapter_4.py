@@ -8,9 +8,17 @@ import pytest
 
 from gearwright.mission import fly
 from gearwright.mission.windows import fly_window
+from gearwright.replays.pulvirenti.claims import sized
 from gearwright.replays.pulvirenti.flight import (
+    CLAIMS,
+    CONSTANT,
+    DESIGN,
+    MISSION,
     PRINTED,
     UNITLESS,
+    VARYING,
+    JudgedClaim,
+    Judgement,
     as_printed,
     in_phase,
     mean_off_ideal,
@@ -20,20 +28,10 @@ from gearwright.replays.pulvirenti.flight import (
     output_swing,
     reflown,
     spaced,
-    steady,
 )
-from gearwright.replays.pulvirenti.flight_claims import (
-    CLAIMS,
-    CONSTANT,
-    DESIGN,
-    MISSION,
-    VARYING,
-    JudgedClaim,
-    Judgement,
-)
+from gearwright.replays.pulvirenti.flight import steady_level as steady
 from gearwright.replays.pulvirenti.pages import FIGURES, PANELS, STIFFNESS, TITLES, Side, chapter_figure, number_text
 from gearwright.replays.pulvirenti.pages import covered_figure_text as covered_text
-from gearwright.replays.pulvirenti.runs import sized
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission
 

@@ -9,7 +9,7 @@ from test_integration import chain, oscillator
 
 from gearwright.dynamics import Accuracy, Outputs, Periodic, replay, simulate
 from gearwright.dynamics.equations import kernel
-from gearwright.dynamics.motion import tsit5
+from gearwright.dynamics.motion import integrators
 from gearwright.errors import DesignError, SolveError
 
 
@@ -33,14 +33,16 @@ def fine_forces(step: float):
 def turned(length: float, steps: int) -> tuple[float, float]:
     """Return the error of an undamped oscillation (100 rad/s) after fixed steps, and halfway through the last one."""
     arrays = oscillator().arrays._replace(damping=np.zeros(1))
-    right = tsit5.Right(0, np.zeros(1), np.zeros(2), kernel.empty_instant(arrays))
+    right = integrators.Right(0, np.zeros(1), np.zeros(2), kernel.empty_instant(arrays))
     state, ahead, slopes, row = np.zeros(8), np.zeros(8), np.zeros((7, 8)), np.zeros(8)
     state[0], slopes[0, 1] = 1.0, -1e4
     for step in range(steps):
         if step:
             state[:], slopes[0] = ahead, slopes[6]
-        tsit5.attempt(arrays, right, tsit5.Step(step * length, length), state, slopes, ahead)
-    tsit5.read_row(arrays, right, tsit5.Step((steps - 1) * length, length), 0.5 * length, state, slopes, row)
+        integrators.attempt(arrays, right, integrators.Step(step * length, length), state, slopes, ahead)
+    integrators.read_row(
+        arrays, right, integrators.Step((steps - 1) * length, length), 0.5 * length, state, slopes, row
+    )
     end, middle = steps * length, (steps - 0.5) * length
     return _off(ahead, end), _off(row, middle)
 
@@ -60,14 +62,16 @@ def test_the_pair_is_of_fifth_order_and_its_interpolant_of_fourth_or_more():
 
 def test_its_weights_are_those_of_the_order_conditions():
     """Σ b = 1, Σ b c^k = 1/(k + 1) to fourth power, rows of the tableau add up to their nodes; to print rounding."""
-    weights = tsit5.STAGES[6]
+    weights = integrators.STAGES[6]
     for power in range(5):
-        assert weights @ tsit5.NODES**power == pytest.approx(1.0 / (power + 1), abs=1e-14)
-    assert np.sum(tsit5.STAGES, axis=1) == pytest.approx(tsit5.NODES, abs=1e-14)
+        assert weights @ integrators.NODES**power == pytest.approx(1.0 / (power + 1), abs=1e-14)
+    assert np.sum(integrators.STAGES, axis=1) == pytest.approx(integrators.NODES, abs=1e-14)
     # The embedded result is of fourth order: its difference meets the conditions up to the third power.
-    assert [tsit5.EMBEDDED @ tsit5.NODES**power for power in range(4)] == pytest.approx([0.0] * 4, abs=1e-13)
+    assert [integrators.EMBEDDED @ integrators.NODES**power for power in range(4)] == pytest.approx(
+        [0.0] * 4, abs=1e-13
+    )
     # At θ = 1 the interpolant is the step itself.
-    assert np.sum(tsit5.INTERPOLANT, axis=1) == pytest.approx(weights, abs=1e-13)
+    assert np.sum(integrators.INTERPOLANT, axis=1) == pytest.approx(weights, abs=1e-13)
 
 
 @pytest.mark.parametrize("method", ["tsit5", "tsit5 generic"])

@@ -9,7 +9,7 @@ from scipy.integrate import quad
 
 from gearwright.catalogue import materials
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.assembly.mesh_lines import pin_stiffness
+from gearwright.dynamics.assembly.assemble import pin_stiffness
 from gearwright.dynamics.equations import line_state
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size

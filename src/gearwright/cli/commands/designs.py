@@ -13,17 +13,21 @@ from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 import typer
 
-from gearwright.cli.answers import ANSWERS, answer_schema, answer_text, show_answer, show_rows
-from gearwright.cli.commands.studies import refuse_files
-from gearwright.cli.ends import (
+from gearwright.cli.answers import (
+    ANSWERS,
     CTRL_C,
+    answer_schema,
+    answer_text,
     end_interrupted,
     interrupted,
     interrupted_code,
     interrupted_name,
     named_after,
     save_runs,
+    show_answer,
+    show_rows,
 )
+from gearwright.cli.commands.studies import refuse_files
 from gearwright.cli.options import (
     CaseOption,
     DateOption,
@@ -808,7 +812,7 @@ def show_equal_life(
     from gearwright.closure.requirements import HOUR
     from gearwright.files import make_folder, write_text
     from gearwright.render.answers.review import EqualLifeAnswer
-    from gearwright.render.pages.comparison import equal_life_page
+    from gearwright.render.pages.studies import equal_life_page
     from gearwright.render.tables.study import equal_life_csv, equal_life_table
     from gearwright.render.words.sizing import table_text
     from gearwright.study import equal_life

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from gearwright.cli.answers import show_answer, show_rows
+from gearwright.cli.answers import end_interrupted, named_after, save_run, show_answer, show_rows
 from gearwright.cli.commands.designs import StiffnessOption
 from gearwright.cli.commands.flights import mission_of
-from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import (
     CaseOption,
     DateOption,
@@ -224,8 +223,8 @@ def sharing(
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
     from gearwright.dynamics.sharing import planet_counts, sharing_problem, sharing_study
     from gearwright.render.answers.motion import sharing_answer
-    from gearwright.render.figures.sharing import planets_text
-    from gearwright.render.pages.sharing import sharing_text
+    from gearwright.render.figures.dynamics import planets_text
+    from gearwright.render.pages.motion import sharing_text
 
     share = asked_share(target)
     sizing = sized(design)
@@ -239,7 +238,7 @@ def sharing(
     if figure is not None:
         _draw_sharing(study, figure)
     if report is not None:
-        from gearwright.render.pages.sharing import sharing_page
+        from gearwright.render.pages.motion import sharing_page
         from gearwright.replays import paper_on
 
         planets = [] if counts is None else [counts]
@@ -274,7 +273,7 @@ def asked_share(target: str | None) -> float | None:
 
 
 def _draw_sharing(study: SharingStudy, path: Path) -> None:
-    from gearwright.render.figures.sharing import allocation_figure, sharing_figure, tornado_figure
+    from gearwright.render.figures.dynamics import allocation_figure, sharing_figure, tornado_figure
 
     if study.allocation is not None:
         drawn = allocation_figure(study.allocation)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from gearwright.cli.ends import named_after
+from gearwright.cli.answers import named_after
 from gearwright.cli.options import DateOption, DesignArgument, ReportOption, designs
 from gearwright.cli.terminal import show, tell
 from gearwright.files import make_folder, write_bytes, write_text

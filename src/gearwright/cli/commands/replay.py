@@ -12,8 +12,7 @@ from typing import Annotated
 
 import typer
 
-from gearwright.cli.answers import show_answer
-from gearwright.cli.ends import ended_well
+from gearwright.cli.answers import ended_well, show_answer
 from gearwright.cli.options import JsonOption, sized
 from gearwright.cli.terminal import Sections, show, tell, write_figure
 from gearwright.errors import DesignError, Problem
@@ -55,7 +54,7 @@ def thesis(
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
     from gearwright.render.style import to_png
-    from gearwright.replays.pulvirenti.flight_claims import (
+    from gearwright.replays.pulvirenti.flight import (
         chapter_runs,
         departed,
         flight_claims,
@@ -137,7 +136,7 @@ def wang(
 ) -> None:
     """Hold the claims of the paper on a face-gear split torque against what gearwright computes."""
     from gearwright.dynamics.sharing import sharing_problem, sharing_study
-    from gearwright.render.pages.sharing import sharing_page
+    from gearwright.render.pages.motion import sharing_page
     from gearwright.replays import paper_on
     from gearwright.replays.wang.claims import claims_table
 

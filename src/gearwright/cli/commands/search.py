@@ -144,7 +144,7 @@ def _write_optimum(
 ) -> None:
     """Write what is asked for."""
     from gearwright.files import write_text
-    from gearwright.render.pages.comparison import optimum_page
+    from gearwright.render.pages.studies import optimum_page
     from gearwright.render.tables.study import front_rows, letter, listed
     from gearwright.render.tables.variants import study_csv
     from gearwright.spec import design_text, edited
@@ -261,8 +261,8 @@ def _write_ranking(ranking: Ranking, out: Path | None, csv: Path | None, report:
 
 def _pages(ranking: Ranking, report: Path) -> dict[Path, str]:
     """Return the page of the ranking, and beside it the one on which the lightest turns."""
-    from gearwright.render.pages.comparison import architectures_page
     from gearwright.render.pages.motion import turning
+    from gearwright.render.pages.studies import architectures_page
     from gearwright.study.architectures import closed_designs
 
     closed = closed_designs(ranking.closed)

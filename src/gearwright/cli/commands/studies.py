@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.answers import show_answer, show_row, show_rows
-from gearwright.cli.ends import interrupted
+from gearwright.cli.answers import interrupted, show_answer, show_row, show_rows
 from gearwright.cli.options import FigureOption, FreeOption, JsonOption, LinesOption, design_of, studies
 from gearwright.cli.options import designs as designs_named
 from gearwright.cli.terminal import screen, show, show_commands, tell, write_figure
@@ -137,7 +136,7 @@ def write_files(
         write_table(export, table)
         tell(f"wrote {export}")
     if report is not None:
-        from gearwright.render.pages.study import study_page
+        from gearwright.render.pages.studies import study_page
 
         write_text(report, study_page(study, table, designs))
         tell(f"wrote {report}")
@@ -482,7 +481,7 @@ def _show_statistics(table: Table, designs: dict[str, Design]) -> None:
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
-    from gearwright.render.pages.comparison import comparison
+    from gearwright.render.pages.studies import comparison
     from gearwright.reviews import review_of
     from gearwright.sizing import size
     from gearwright.spec import edited

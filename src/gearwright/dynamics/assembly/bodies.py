@@ -10,8 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, smallest
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Floats, one_blas_thread, smallest
 from gearwright.dynamics.assembly.meshes import (
     compound_phases,
     gear_pairs,

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Complexes, Floats, one_blas_thread
 from gearwright.dynamics.equations.reference import HELD_BACK, ROUNDS, SETTLED, Slope, dead_zone, reach, touching
 from gearwright.dynamics.model import (
     LARGE,
@@ -28,9 +27,8 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
 )
 from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.showing import Shown
-from gearwright.train.algebra import RANK_TOLERANCE, null_space, row_and_null_space
-from gearwright.verbs import verb
+from gearwright.train.graph import RANK_TOLERANCE, null_space, row_and_null_space
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Modes: natural frequencies and shapes of a system at its mean stiffness, all lines in contact, undamped.

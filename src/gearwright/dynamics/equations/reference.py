@@ -22,7 +22,7 @@ from gearwright.dynamics.model import (
     onto_coordinates,
 )
 from gearwright.errors import SolveError
-from gearwright.train.algebra import null_space
+from gearwright.train.graph import null_space
 from gearwright.units import Energy, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Floats, one_blas_thread
 from gearwright.dynamics.model.elements import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import DesignError, Problem, by_name, refuse

@@ -18,7 +18,7 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.identity import PartId
 from gearwright.memo import Memo
-from gearwright.showing import Shown
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.

@@ -3,17 +3,19 @@
 Spectra, steady states and maps over speed are in `vibration`.
 """
 
-from gearwright.dynamics.motion.accuracy import (
+from gearwright.dynamics.motion.ensemble import Ensemble, ends_of, simulate_many
+from gearwright.dynamics.motion.marching import (
     GIVEN,
     PARTING,
     SMOOTH,
     Error,
     Forces,
     errors_of,
+    followed,
     shortfall,
+    stored_energy,
+    with_profile,
 )
-from gearwright.dynamics.motion.ensemble import Ensemble, ends_of, simulate_many
-from gearwright.dynamics.motion.marching import followed, stored_energy, with_profile
 from gearwright.dynamics.motion.record import (
     BLOCK,
     CHECKPOINTS,

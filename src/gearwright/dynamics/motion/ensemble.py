@@ -11,8 +11,7 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Floats, one_blas_thread
 from gearwright.dynamics.codegen import (
     BLOCK,
     CHUNK,
@@ -39,7 +38,7 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
     stacked,
 )
-from gearwright.dynamics.motion.accuracy import (
+from gearwright.dynamics.motion.marching import (
     COARSER,
     EXACT,
     GIVEN,
@@ -70,8 +69,7 @@ from gearwright.dynamics.motion.steps import (
 )
 from gearwright.dynamics.motion.taking import RUNAWAY
 from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.showing import Shown
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Side by side: trajectories of one structure in the lanes of vectors, marched block by block.

@@ -29,8 +29,7 @@ from gearwright.dynamics.equations import Work, speed_factors
 from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Labels, Owner, System, Tone, kept
 from gearwright.dynamics.motion.taking import FUNCTIONS, LEAD, OUTSIDE, RUNAWAY, TAKEN, Taking
 from gearwright.errors import DesignError, Problem, SolveError, near
-from gearwright.showing import Shown, extra, frame
-from gearwright.verbs import check_fields
+from gearwright.verbs import Shown, check_fields, extra, frame
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Between: how far line forces reach between the outermost steps of a run, where rows stand on one side only.

@@ -10,8 +10,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, place_of_largest
-from gearwright.blas_threads import one_blas_thread
+from gearwright.arrays import Floats, Ints, one_blas_thread, place_of_largest
 from gearwright.dynamics.equations import (
     WORKS,
     Work,
@@ -32,7 +31,8 @@ from gearwright.dynamics.model import (
     planned,
     refuse_not_finite,
 )
-from gearwright.dynamics.motion.accuracy import (
+from gearwright.dynamics.motion.exact import is_exact
+from gearwright.dynamics.motion.marching import (
     CHAOTIC,
     COARSER,
     GIVEN,
@@ -46,13 +46,15 @@ from gearwright.dynamics.motion.accuracy import (
     STOPPED,
     UNPREDICTABLE,
     Error,
+    Pass,
+    blocks,
     errors_of,
     finer,
+    marched,
     parted,
     shortfall,
+    stored_energy,
 )
-from gearwright.dynamics.motion.exact import is_exact
-from gearwright.dynamics.motion.marching import Pass, blocks, marched, stored_energy
 from gearwright.dynamics.motion.record import BLOCK, TOGETHER, Apart, Outputs, Recorder, Samples, Trace, line_numbers
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,

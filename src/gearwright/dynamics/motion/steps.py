@@ -148,17 +148,17 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
 
 def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> Stepper:
     from gearwright.dynamics.equations import kernel
-    from gearwright.dynamics.motion import tsit5
+    from gearwright.dynamics.motion import integrators
 
     shape = topology(arrays)
     layout, numbers = parameters(arrays, h)
     code = None if generic else compiled(shape, layout)
     row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
-    limit = tsit5.limits(arrays, tolerance)
+    limit = integrators.limits(arrays, tolerance)
 
     def advance(first: int, record: Floats, state: Floats) -> None:
-        right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
-        _, done, reached = tsit5.march(arrays, right, first, h, limit, record, state)
+        right = integrators.Right(code.derivative if code else 0, numbers, row, now)
+        _, done, reached = integrators.march_adaptive(arrays, right, first, h, limit, record, state)
         if not done:
             raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
 
@@ -167,12 +167,12 @@ def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> S
 
 def _implicit(arrays: Arrays, h: float) -> Stepper:
     from gearwright.dynamics.equations import kernel
-    from gearwright.dynamics.motion import implicit
+    from gearwright.dynamics.motion import integrators
 
     now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
 
     def advance(first: int, record: Floats, state: Floats) -> None:
-        implicit.march(arrays, now, first, h, damping, record, state)
+        integrators.march_implicit(arrays, now, first, h, damping, record, state)
 
     return advance
 

@@ -3,22 +3,11 @@
 The closed form of a train's redundancy is in `equations`.
 """
 
-from gearwright.dynamics.sharing.errors import (
-    Allocation,
-    Distribution,
-    allocate,
-    as_forces,
-    clocking_optimum,
-    drawn_set,
-    error_sources,
-    influences,
-    monte_carlo,
-    peak_shares,
-    random_sets,
-    with_errors,
-)
 from gearwright.dynamics.sharing.of_design import (
     PathShare,
+    PlanetCounts,
+    PlanetSharing,
+    PlanetTolerances,
     SharingProblem,
     SharingStudy,
     SupportSweep,
@@ -26,6 +15,8 @@ from gearwright.dynamics.sharing.of_design import (
     load_factors,
     parallel_meshes,
     path_shares,
+    planet_counts,
+    planet_sharing,
     shaft_displacement,
     sharing,
     sharing_checks,
@@ -34,22 +25,27 @@ from gearwright.dynamics.sharing.of_design import (
     single_error_sharing,
     support_sweep,
 )
-from gearwright.dynamics.sharing.planets import (
-    PlanetCounts,
-    PlanetSharing,
-    PlanetTolerances,
-    planet_counts,
-    planet_sharing,
-)
 from gearwright.dynamics.sharing.solutions import (
     SIDEBANDS,
     TRANSIENT,
+    Allocation,
+    Distribution,
     LoadSharing,
+    allocate,
+    as_forces,
+    clocking_optimum,
+    drawn_set,
+    error_sources,
+    influences,
     load_sharing,
     mesh_load_factor,
+    monte_carlo,
+    peak_shares,
+    random_sets,
     share_coefficients,
     tooth_cycle_means,
     tooth_cycle_shares,
+    with_errors,
 )
 
 __all__ = [

@@ -3,18 +3,22 @@
 Single runs through time are in `motion`.
 """
 
-from gearwright.dynamics.vibration.campbell import Campbell, Order, campbell, load_shares, mode_families
 from gearwright.dynamics.vibration.critical_speeds import (
     RESONANCE,
     SEPARATION,
     SWING,
+    Campbell,
     Criterion,
     CriticalSpeed,
     DynamicLoad,
+    Order,
     ShaftLoad,
     SpeedCase,
+    campbell,
     critical_speeds,
     dynamic_loads,
+    load_shares,
+    mode_families,
     motion_checks,
     order_name,
     peak_checks,
@@ -23,13 +27,16 @@ from gearwright.dynamics.vibration.critical_speeds import (
     turning_shaft,
 )
 from gearwright.dynamics.vibration.response import (
+    Orbit,
     Peak,
     Response,
     answer,
+    common_period,
     first_meshes,
     forced_factors,
     frequency_response,
     peaks,
+    periodic,
 )
 from gearwright.dynamics.vibration.runup import (
     Loudest,
@@ -42,7 +49,6 @@ from gearwright.dynamics.vibration.runup import (
     tone_amplitudes,
     waterfall,
 )
-from gearwright.dynamics.vibration.steady import Orbit, common_period, periodic
 
 __all__ = [
     "RESONANCE",

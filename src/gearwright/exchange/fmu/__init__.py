@@ -3,8 +3,18 @@
 What moves and by which laws is `dynamics`; here it is only written in another language.
 """
 
-from gearwright.exchange.fmu.description import MachinePort, Port, ports_of
-from gearwright.exchange.fmu.write import COMPILERS, Binary, FmuFile, compiled, fmu_of_system, fmu_of_window, to_fmu
+from gearwright.exchange.fmu.write import (
+    COMPILERS,
+    Binary,
+    FmuFile,
+    MachinePort,
+    Port,
+    compiled,
+    fmu_of_system,
+    fmu_of_window,
+    ports_of,
+    to_fmu,
+)
 
 __all__ = [
     "COMPILERS",

@@ -14,7 +14,7 @@ from gearwright.exchange.rexs.arrangement import NEAR, Bodies, Gear, Gearing, st
 from gearwright.exchange.rexs.arrangement import GearTable as Table
 from gearwright.exchange.rexs.files import Asking, Component
 from gearwright.identity import Role, gear_part
-from gearwright.parts.gears.involute import shifts_at, working_centre
+from gearwright.parts.gears.cylindrical_gear import shifts_at, working_centre
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears of a planetary stage as sets hold them: halves put together, helical teeth by their transverse section.

@@ -47,13 +47,12 @@ from gearwright.shape import (
     sized_mesh,
     stands_of,
 )
-from gearwright.showing import Shown
 from gearwright.sizing import CarrierSizing, MeshSizing, ShaftSizing, Sizing, governing_case
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating
 from gearwright.spec import GROUND, design_text
 from gearwright.spec.design import levels_of, shares_of
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

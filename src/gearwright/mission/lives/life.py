@@ -17,7 +17,6 @@ from gearwright.mission.fly import fly
 from gearwright.mission.lives.bearings import FATIGUE, THICKER, BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, film_checks_of, gear_damage, unrated_stages
 from gearwright.parts.bearings import life_exponent
-from gearwright.showing import Shown
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_seats import planet_bodies, planet_room
 from gearwright.sizing.bearings import speed_factor_check
@@ -25,7 +24,7 @@ from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, GearRules, Mission, Mix, Record
 from gearwright.spec.design import RATINGS
 from gearwright.units import CELSIUS, Energy, Mass, Ratio, Time
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a flight does to gears and bearings together: which part fails first, and after how many flights.

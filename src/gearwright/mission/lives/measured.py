@@ -16,10 +16,9 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, excerpt, near, refuse
 from gearwright.files import text_of
 from gearwright.parts.shaft_fatigue import LoadCycle, Residue, rainflow
-from gearwright.showing import Shown
 from gearwright.spec import NAME_RULE, is_name
 from gearwright.units import CELSIUS, INCH, POUND_FORCE, RPM, SUFFIXES
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 _UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {

@@ -48,10 +48,9 @@ from gearwright.mission.windows.events import (
     seized,
     stream_map,
 )
-from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
 from gearwright.units import Time
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A window of a flight with its governor: propeller, governor and a rigid drive train, seconds long.

@@ -3,7 +3,6 @@
 Which size is taken is for the catalogue and `sizing`.
 """
 
-from gearwright.parts.bearings.distribution import RingLoad, load_distribution
 from gearwright.parts.bearings.life import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
@@ -59,6 +58,7 @@ from gearwright.parts.bearings.rolling_bearing import (
     BearingKind,
     Curvature,
     Lubrication,
+    RingLoad,
     RollingWeights,
     SpeedLimit,
     ball_contacts,
@@ -71,6 +71,7 @@ from gearwright.parts.bearings.rolling_bearing import (
     least_load,
     load_at_pressure,
     load_deflection_constant,
+    load_distribution,
     roller_dynamic_factor,
     rolling_weights,
     speed_factor,

@@ -8,8 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
-from gearwright.parts.gears.cylindrical_gear import CylindricalGear, half_angle_at
-from gearwright.parts.gears.involute import involute, working_pressure_angle
+from gearwright.parts.gears.cylindrical_gear import CylindricalGear, half_angle_at, involute, working_pressure_angle
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Two gears in mesh: working pressure angle, backlash, path of contact, contact ratios.

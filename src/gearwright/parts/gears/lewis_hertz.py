@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearwright.arrays import Floats
-from gearwright.parts.gears.involute import base_helix_angle, transverse_pressure_angle
+from gearwright.parts.gears.cylindrical_gear import base_helix_angle, transverse_pressure_angle
 from gearwright.parts.material import STEEL_POISSON
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -10,8 +10,14 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.gears.cylindrical_gear import BasicRack, CylindricalGear
-from gearwright.parts.gears.involute import involute, least_profile_shift, transverse_pressure_angle, virtual_teeth
+from gearwright.parts.gears.cylindrical_gear import (
+    BasicRack,
+    CylindricalGear,
+    involute,
+    least_profile_shift,
+    transverse_pressure_angle,
+    virtual_teeth,
+)
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The outline of one tooth in its normal section: involute flank and root fillet, ready to be bent.

@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from gearwright.errors import Problem, near, refuse
-from gearwright.render.drawings.arrangement_sheet import arrangement_content
+from gearwright.render.drawings.assembly_sheets import arrangement_content, casing_content, housing_content
 from gearwright.render.drawings.carriers import carrier_content
 from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.gear_view import hub_of
-from gearwright.render.drawings.housing_sheet import casing_content, housing_content
 from gearwright.render.drawings.paper import Content, Sheet, compose
 from gearwright.render.drawings.shaft_sheet import shaft_content
 from gearwright.shape.stands import hand_of, kind_of

@@ -35,7 +35,7 @@ from gearwright.render.drawings.entities import (
     words_length,
 )
 from gearwright.render.style import spread
-from gearwright.showing import Shown
+from gearwright.verbs import Shown
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

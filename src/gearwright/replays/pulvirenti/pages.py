@@ -25,8 +25,7 @@ from gearwright.render.style import WIDTH
 from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Axes, Figure
 from gearwright.replays.pulvirenti.claims import Claim, Erratum, claims, errata
-from gearwright.replays.pulvirenti.flight import torques
-from gearwright.replays.pulvirenti.flight_claims import (
+from gearwright.replays.pulvirenti.flight import (
     CLAIMS,
     CONSTANT,
     ROUNDING,
@@ -36,6 +35,7 @@ from gearwright.replays.pulvirenti.flight_claims import (
     JudgedClaim,
     Judgement,
     Runs,
+    torques,
 )
 from gearwright.replays.replay import Verdict
 from gearwright.units import unit, written

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from gearwright.replays.replay import Replay, register
 
 if TYPE_CHECKING:
-    from gearwright.render.pages.sharing import Paper
+    from gearwright.render.pages.motion import Paper
     from gearwright.sizing import Sizing
 
 

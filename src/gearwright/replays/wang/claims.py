@@ -25,9 +25,9 @@ from gearwright.dynamics.sharing import (
     tooth_cycle_means,
 )
 from gearwright.identity import Role, gear_part
-from gearwright.render.figures.sharing import displacement_figure, one_turn, sharing_figure, single_error_figure
+from gearwright.render.figures.dynamics import displacement_figure, one_turn, sharing_figure, single_error_figure
 from gearwright.render.grid import table
-from gearwright.render.pages.sharing import ClaimRow, Drawn, Paper
+from gearwright.render.pages.motion import ClaimRow, Drawn, Paper
 from gearwright.render.words.sizing import table_text
 from gearwright.replays.replay import Verdict
 from gearwright.sizing import Sizing, size

@@ -13,7 +13,6 @@ import numpy as np
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
 from gearwright.lanes import Diverged, Lanes, Unsupported
-from gearwright.showing import Shown
 from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
 from gearwright.sizing.many.search import Rows, choose_rows
 from gearwright.sizing.many.twinned import twinned
@@ -23,7 +22,7 @@ from gearwright.sizing.teeth import Chosen
 from gearwright.spec import Design, Epicyclic, Pair, brief, edited, path_problems
 from gearwright.spec.design import given_values
 from gearwright.spec.edit import entry_of, replaced
-from gearwright.verbs import verb
+from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Many designs sized: their results as columns, and what each is refused for.

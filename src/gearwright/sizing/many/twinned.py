@@ -302,7 +302,7 @@ change_twins((
     ("gearwright.sizing.teeth.search", _search),
     ("gearwright.parts.gears.gear_pair", _interference),
     ("gearwright.spec.design.teeth.profile_shifts", _by_teeth),
-    ("gearwright.train.algebra", _memory),
+    ("gearwright.train.graph", _memory),
     ("gearwright.sizing.result", _gate),
     ("gearwright.checks", _checks),
 ))  # fmt: skip

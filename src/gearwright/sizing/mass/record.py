@@ -10,9 +10,9 @@ from typing import Annotated, NamedTuple
 
 from gearwright.arrays import largest, largest_first
 from gearwright.errors import DesignError
-from gearwright.showing import Shown
 from gearwright.sizing.result import Sizing
 from gearwright.units import Mass, Origin, Quantity, Ratio, text
+from gearwright.verbs import Shown
 from gearwright.weights import Requirement, bands, estimate, methods
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -14,23 +14,21 @@ from gearwright.arrays import smallest
 from gearwright.catalogue import Undercut, undercut
 from gearwright.errors import DesignError
 from gearwright.parts import Material
-from gearwright.parts.din743 import (
-    AxialLoad,
-    Overload,
-    ShaftSection,
-    ShaftSteel,
-    SteelGroup,
-    blank_factor,
-    din743_safety,
-)
 from gearwright.parts.shaft_fatigue import (
     CRITERIA,
     LEAST_RADIUS,
     NO_NOTCH,
+    AxialLoad,
     Concentration,
     FatigueStrength,
+    Overload,
     SectionLoad,
+    ShaftSection,
+    ShaftSteel,
     Shoulder,
+    SteelGroup,
+    blank_factor,
+    din743_safety,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,

@@ -23,7 +23,6 @@ from gearwright.parts.planetary import (
     tip_gap,
     touching,
 )
-from gearwright.spec.bounds import NAME_RULE, is_name
 from gearwright.spec.design import (
     GROUND,
     RATINGS,
@@ -37,6 +36,7 @@ from gearwright.spec.design import (
     split_levels,
     stage_shifts,
 )
+from gearwright.spec.record import NAME_RULE, is_name
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What can be wrong with planetary sets: members that are one shaft, given teeth that do not go together.

@@ -14,8 +14,6 @@ from gearwright.errors import Problem, near
 from gearwright.identity import SIDES, Role
 from gearwright.memo import of_latest
 from gearwright.parts import Material
-from gearwright.showing import Shown
-from gearwright.spec.bounds import Name, range_of
 from gearwright.spec.design.duty import (
     MACHINES,
     Accessory,
@@ -61,8 +59,9 @@ from gearwright.spec.design.shafts import (
 )
 from gearwright.spec.design.stages import Clutch, Damper, Epicyclic, Pair, Planetary, PlanetBearing
 from gearwright.spec.record import Key as Written
-from gearwright.spec.record import Record, keys_of
+from gearwright.spec.record import Name, Record, keys_of, range_of
 from gearwright.units import Mass, suffix_unit
+from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a design implies that states no level: one by what stands in it, and what this level asks for.

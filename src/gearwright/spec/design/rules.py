@@ -16,8 +16,7 @@ from pydantic import Field
 from gearwright.catalogue import CENTRE_FITS, THICKNESS_FITS
 from gearwright.parts.bearings import Lubrication
 from gearwright.parts.losses import TURBINE_OIL
-from gearwright.spec.bounds import OneOf
-from gearwright.spec.record import Record
+from gearwright.spec.record import OneOf, Record
 from gearwright.units import Angle, Density, Frequency, Length, Mass, Ratio, Stiffness, Stress, Time
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -9,9 +9,8 @@ from pydantic import Field
 
 from gearwright.identity import SIDES, Role
 from gearwright.parts.planetary import CompoundSet
-from gearwright.spec.bounds import Name
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
-from gearwright.spec.record import Record
+from gearwright.spec.record import Name, Record
 from gearwright.units import (
     INCH,
     Angle,

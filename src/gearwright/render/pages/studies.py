@@ -1,4 +1,4 @@
-"""Pages of many designs side by side: comparisons, architectures, designs at equal life, searches."""
+"""The page of a study: which design wins, by how much, how sure that is, what it depends on, and the designs drawn."""
 
 from __future__ import annotations
 
@@ -6,14 +6,27 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Annotated
 
+import numpy as np
 from markupsafe import Markup
 
 from gearwright.arrays import smallest_first
 from gearwright.enumeration import Ranking
+from gearwright.errors import SolveError
 from gearwright.optimum import Optimum
 from gearwright.particulars import Particulars
 from gearwright.render import style as theme
-from gearwright.render.figures.study import comparison_figure, growth_figure, parallel_figure, pareto_figure
+from gearwright.render.figures.study import (
+    comparison_figure,
+    contour_figure,
+    distribution_figure,
+    growth_figure,
+    parallel_figure,
+    pareto_figure,
+    study_figure,
+    tornado_figure,
+    trade_figure,
+    weights_figure,
+)
 from gearwright.render.grid import table
 from gearwright.render.pages.page import (
     UNSTAMPED,
@@ -37,24 +50,198 @@ from gearwright.render.tables.study import (
     architectures_table,
     binding_table,
     equal_life_table,
+    failure_table,
     fit_table,
+    front_list,
     front_rows,
     group_table,
     influence_table,
+    inputs_table,
+    limits_table,
     listed,
     optimum_table,
     price_table,
     regret_table,
+    spread_table,
+    standings_table,
+    values_table,
 )
 from gearwright.render.tables.variants import heading
 from gearwright.render.words.sizing import headline
-from gearwright.render.words.study import lightest_sentence, optimum_sentences, ranking_sentences
+from gearwright.render.words.study import (
+    SAMPLED,
+    answer,
+    chosen,
+    key_numbers,
+    lightest_sentence,
+    optimum_sentences,
+    ranking_sentences,
+)
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
+from gearwright.spec import Design, Study
+from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Table
+from gearwright.study.answers import Verdict as Outcome
+from gearwright.study.answers import sensitivity, varies, verdict
 from gearwright.study.architectures import EqualLife
+from gearwright.study.cases import reviewed
+from gearwright.study.reliability import Reliability, reliability
+from gearwright.study.tables import front_table, pareto_front
 from gearwright.units import Origin, Quantity, text
+from gearwright.version import __version__
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The page of a study: which design wins, by how much, how sure that is, what it depends on, and the designs drawn.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+FEW = 60
+"""Cases up to which every one is drawn; the spread says more about more of them."""
+
+
+def study_page(study: Study, table: Table, designs: Mapping[str, Design], *, stamp: Stamp = UNSTAMPED) -> str:
+    """Return a study as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        study: As run.
+        table: Its rows.
+        designs: Name -> design, to draw those that are chosen.
+        stamp: Date of the page.
+    """
+    outcome = verdict(study, table)
+    drawn = _chosen_designs(study, table, designs, outcome)
+    sections = [_answer(study, table, outcome)]
+    if len(study.objectives) > 1 and outcome is None:
+        sections.append(_front_of_table(study, table))
+    if study.sampling.method == "saltelli":
+        sections.append(_sensitivity(study, table))
+    if study.sampling.method in RELIABILITY:
+        sections += [_failures(study, found) for found in reliability(study, table)]
+    elif outcome is None or outcome.scenarios == 1:
+        sections.append(_cases(study, table))
+    sections += [section for section, _ in drawn]
+    numbers = tuple(Number(name, value) for name, value in key_numbers(outcome))
+    said = _verdict_on_study(table, [verdict for _, verdicts in drawn for verdict in verdicts], sections[0].notes)
+    return set_page(
+        Page("Study", table.name, table.description, said, numbers, tuple(sections), (_made(study),), stamp=stamp)
+    )
+
+
+def _verdict_on_study(table: Table, chosen: Sequence[Verdict], told: Sequence[str]) -> Verdict:
+    """Return what the study answers, with no better a tone than the designs that it draws, or cases that failed."""
+    said = told[0] if told else "The study has no objective."
+    failing = sum(verdict.tone is Tone.BAD for verdict in chosen)
+    if failing:
+        return Verdict(Tone.BAD, f"{failing} of {len(chosen)} chosen designs fail their review", said)
+    if table.failed:
+        return Verdict(Tone.OPEN, f"{len(table.failed)} of {len(table.rows)} cases have no result", said)
+    if not chosen:
+        return Verdict(Tone.OPEN, "Computed", said)
+    return Verdict(worst_of(chosen), "The chosen designs pass as far as assessed", said)
+
+
+def _answer(study: Study, table: Table, outcome: Outcome | None) -> Section:
+    notes = tuple(answer(study, table))
+    if outcome is None:
+        return Section("Answer", notes=notes)
+    caption = "Medians; bars from 5 to 95 % of the cases; the best of each objective in orange; the winner at the top."
+    trade = figure(trade_figure(study, table, outcome), "trade", caption)
+    figures = [trade]
+    if len(study.objectives) > 1:
+        weights = "Who comes first: objectives of the same weight, and over all weights."
+        figures.append(figure(weights_figure(outcome), "weights", weights))
+    return Section(
+        "Answer",
+        tables=(standings_table(table, outcome), values_table(study, table, outcome)),
+        figures=tuple(figures),
+        notes=notes,
+    )
+
+
+def _front_of_table(study: Study, table: Table) -> Section:
+    front, chosen = pareto_front(study, table), front_table(study, table).rows
+    caption = "Every case over the first two objectives; none dominates a case of the Pareto front."
+    drawn = pareto_figure(study, table, front, chosen)
+    lines = figure(parallel_figure(table, front), "lines", "All cases; the front stands out.")
+    figures = [figure(drawn, "front", caption), lines]
+    notes = (f"{len(front):,} cases are on the Pareto front; {len(chosen)} of them are listed.",)
+    return Section("Pareto front", (front_list(study, table, chosen),), tuple(figures), notes)
+
+
+def _sensitivity(study: Study, table: Table) -> Section:
+    figures, notes = [], []
+    for k, result in enumerate(table.numbers):
+        try:
+            indices = sensitivity(study, table, result)
+        except SolveError as error:
+            notes.append(f"{heading(result)}: {error}.")
+            continue
+        caption = f"{heading(result)}: Sobol' indices; the total index includes interactions."
+        figures.append(figure(tornado_figure(result, indices), f"tornado{k}", caption))
+    return Section("What it depends on", figures=tuple(figures), notes=tuple(notes))
+
+
+def _failures(study: Study, found: Reliability) -> Section:
+    tables = [limits_table(found)]
+    if found.limits[0].likeliest:
+        tables.append(failure_table(study, found))
+    note = f"{found.evaluations:,} cases, {found.failed:,} of them without a result, counted as broken."
+    return Section(f"How likely {found.design} fails", tuple(tables), notes=(note,))
+
+
+def _cases(study: Study, table: Table) -> Section:
+    """Return the cases themselves: each one of a few, the spread of many."""
+    sampled = study.sampling.method in SAMPLED
+    shapes = _shapes(study, table)
+    if len(table.rows) <= FEW and study.sampling.method in ("grid", "list"):
+        return Section("Cases", figures=(*shapes, figure(study_figure(table, study.objectives), "cases", table.name)))
+    figures = [*shapes, figure(distribution_figure(table), "spread", "How the results are spread.")]
+    tables = (spread_table(table, sampled=sampled),) if len(study.designs) == 1 else ()
+    return Section("Spread", tables, tuple(figures))
+
+
+def _shapes(study: Study, table: Table) -> list[Figure]:
+    """Return the objectives, or the first result, over two axes."""
+    if len(study.designs) > 1 or len(table.free) != 2 or not _all_numbers(table):
+        return []
+    names = [name for name in tuple(study.objectives) or table.numbers[:1] if varies(np.array(table.column(name)))]
+    return [
+        figure(contour_figure(table, name), f"contour{k}", f"{heading(name)}; between the cases: linear.")
+        for k, name in enumerate(names)
+    ]
+
+
+def _chosen_designs(
+    study: Study, table: Table, designs: Mapping[str, Design], outcome: Outcome | None
+) -> list[tuple[Section, list[Verdict]]]:
+    """Return the chosen designs as schematics, judged: the winner and the next, or the ends and middle of a front."""
+    figures, notes, verdicts = [], [], []
+    for k, (caption, row) in enumerate(chosen(study, table, outcome)):
+        sizing, review = reviewed(study, designs[row.design], row.inputs)
+        figures.append(figure(schematic_figure(sizing), f"drawn{k}", caption))
+        notes.append(f"{caption}: {headline(review)}.")
+        verdicts.append(judged(review))
+    section = Section("The chosen designs", figures=tuple(figures), notes=tuple(notes))
+    return [(section, verdicts)] if figures else []
+
+
+def _made(study: Study) -> Section:
+    sampling = study.sampling
+    drawn = f", {sampling.count:,} drawn with seed {sampling.seed}" if sampling.count else ""
+    notes = [f"Cases by the method {sampling.method!r}{drawn}; gearwright {__version__}."]
+    if study.mission is not None:
+        life = f"; gears strengthened to live {study.fly.life / 3600.0:g} h" if study.fly.life else ""
+        notes.append(f"Flown: {study.mission.name}{life}.")
+    return Section("How it was made", tables=(inputs_table(study),), notes=tuple(notes))
+
+
+def _all_numbers(table: Table) -> bool:
+    columns = [[row.inputs[path] for row in table.good] for path in table.free]
+    numbers = all(isinstance(value, int | float) for column in columns for value in column)
+    return numbers and all(len(set(column)) > 2 for column in columns)
+
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Several sizings side by side: which is lightest, where their mass is, and why.
@@ -143,12 +330,12 @@ def comparison(
         *(_flow(name, sizing, reviews[name]) for name, sizing in ranked.items()),
     ]
     return set_page(
-        Page("Comparison", variants.name, variants.description, _verdict(verdicts, designs, failed),
+        Page("Comparison", variants.name, variants.description, _verdict_on_many(verdicts, designs, failed),
              tuple(_numbers(designs)), tuple(sections), stamp=stamp)
     )  # fmt: skip
 
 
-def _verdict(verdicts: Mapping[str, Verdict], designs: Sequence[DesignView], failed: Sequence[str]) -> Verdict:
+def _verdict_on_many(verdicts: Mapping[str, Verdict], designs: Sequence[DesignView], failed: Sequence[str]) -> Verdict:
     """Return who is lightest, and how many fail; one that fails keeps the page from saying that all is well."""
     if not designs:
         return Verdict(Tone.BAD, "No design is feasible", " ".join(failed))
@@ -221,7 +408,7 @@ def architectures_page(
     life = text(ranking.life, "life", 3)
     masses = {name: facts.complete for name, facts in closed.items()}
     looks = (
-        Section("What they look like", figures=tuple(_drawn(ranking, closed)), content=_link(ranking, turning)),
+        Section("What they look like", figures=tuple(_drawn_trains(ranking, closed)), content=_link(ranking, turning)),
         Section("Where the mass is", tables=(group_table(masses),)),
     )
     sections = (
@@ -257,7 +444,7 @@ def _numbers_of_architectures(ranking: Ranking) -> Iterator[Number]:
         yield quantity(f"{ranking.called(row)}, with machines", row.with_machines or 0.0, "mass", digits=3)
 
 
-def _drawn(ranking: Ranking, closed: Mapping[str, Particulars]) -> Iterator[Figure]:
+def _drawn_trains(ranking: Ranking, closed: Mapping[str, Particulars]) -> Iterator[Figure]:
     """Yield the skeletons of the lightest."""
     for row in [row for row in ranking.closed if row.title in closed][:DRAWN]:
         svg = theme.to_svg(schematic_figure(closed[row.title].sizing), row.title)
@@ -373,7 +560,7 @@ def _numbers_of_optimum(optimum: Optimum) -> Iterator[Number]:
 
 
 def _sections(optimum: Optimum, said: tuple[str, ...]) -> Iterator[Section]:
-    yield Section("The front", (optimum_table(optimum),), tuple(_front(optimum)), listed=said)
+    yield Section("The front", (optimum_table(optimum),), tuple(_front_of_search(optimum)), listed=said)
     yield Section("Why no better", (binding_table(optimum),))
     if optimum.prices:
         yield Section("What limits cost", (price_table(optimum),))
@@ -384,7 +571,7 @@ def _sections(optimum: Optimum, said: tuple[str, ...]) -> Iterator[Section]:
     yield Section("How it was found", fits, (growth,))
 
 
-def _front(optimum: Optimum) -> Iterator[Figure]:
+def _front_of_search(optimum: Optimum) -> Iterator[Figure]:
     """Yield the front over the first two objectives, and what its designs have in common."""
     rows = front_rows(optimum)
     chosen = [rows.rows[place] for place in listed(optimum)]
