@@ -20,8 +20,7 @@ from gearwright.parts.planetary import most_planets
 from gearwright.replays.pulvirenti.claims import claims
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
-from gearwright.validate import gears, shafts
-from gearwright.validate import shafts as bearings
+from gearwright.validate import gears, shafts, shafts as bearings
 from gearwright.weights import beta, mass_afdd00, mass_afdd83, mass_tm215680, mass_wate2
 
 TESTS = Path(__file__).parents[1] / "tests"

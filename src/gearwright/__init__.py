@@ -40,15 +40,19 @@ if TYPE_CHECKING:
     )
     from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.sharing import sharing
-    from gearwright.dynamics.vibration import answer as response
-    from gearwright.dynamics.vibration import critical_speeds
-    from gearwright.dynamics.vibration import run_up as runup
+    from gearwright.dynamics.vibration import answer as response, critical_speeds, run_up as runup
     from gearwright.enumeration import architectures
     from gearwright.errors import DesignError, Problem, SolveError
     from gearwright.exchange import from_rexs, to_fmu, to_rexs
-    from gearwright.mission import durability, fly, phase_forces, read_duty, size_for_life
-    from gearwright.mission import duty_spectrum as duty
-    from gearwright.mission import fly_mix as mix
+    from gearwright.mission import (
+        durability,
+        duty_spectrum as duty,
+        fly,
+        fly_mix as mix,
+        phase_forces,
+        read_duty,
+        size_for_life,
+    )
     from gearwright.mission.windows import fly_window as window
     from gearwright.optimum import optimise, search
     from gearwright.render.drawings.catalogue import sheets as draw
@@ -84,8 +88,7 @@ if TYPE_CHECKING:
         schema,
     )
     from gearwright.store import StoredRun, load, save
-    from gearwright.study import compare, equal_life, fly_many, for_engine
-    from gearwright.study import run as study
+    from gearwright.study import compare, equal_life, fly_many, for_engine, run as study
     from gearwright.validate import validate
     from gearwright.weights import engines, mass
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from gearwright.base import Life, Mass, verb
 from gearwright.catalogue import rated_steel
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
@@ -22,6 +23,7 @@ from gearwright.sizing import (
     Passing,
     RatedMesh,
     Sizing,
+    UsualValue,
     asked_speeds,
     bearing_forces,
     governing_case,
@@ -33,16 +35,13 @@ from gearwright.sizing import (
     planet_positions,
     rated_factors,
     remarks,
+    usual_values,
 )
 from gearwright.sizing.arrangement import Envelope, envelope
-from gearwright.sizing.insight import UsualValue, usual_values
 from gearwright.sizing.losses import LossBalance, loss_balance
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.rating import method_for, rating_of
-from gearwright.train import Branch, branches, recirculation
-from gearwright.train.power_flow import Loop
-from gearwright.units import Life, Mass
-from gearwright.verbs import verb
+from gearwright.train import Branch, Loop, branches, recirculation
 
 if TYPE_CHECKING:
     from gearwright.dynamics import System

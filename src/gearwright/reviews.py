@@ -10,14 +10,27 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
-from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, not_assessed, unknown_waivers, unneeded, worst
+from gearwright.base import (
+    BEYOND_SIZING,
+    GEARBOX,
+    Check,
+    Kind,
+    PartId,
+    Shown,
+    Status,
+    accepted,
+    not_assessed,
+    refuse,
+    unknown_waivers,
+    unneeded,
+    verb,
+    worst,
+)
 from gearwright.dynamics.assembly import untold_orders
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import SpeedCase, motion_checks
-from gearwright.errors import refuse
-from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
-from gearwright.sizing import MeshSizing, Named, Sizing, size, total_results
+from gearwright.sizing import MeshSizing, Named, Sizing, size, tips_in_fillets, total_results
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.bearing_seats import planet_bodies
 from gearwright.sizing.losses import largest_heat
@@ -25,10 +38,8 @@ from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, oil_flow, statistics_beside
 from gearwright.sizing.rating import Unloaded
 from gearwright.sizing.shafts import unsealed_exits
-from gearwright.sizing.summaries import tips_in_fillets
 from gearwright.spec import Design, Mission
 from gearwright.spec.design import RATINGS
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What nobody assesses of a design, and why: a verdict reaches as far as what was looked at.

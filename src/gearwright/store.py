@@ -20,18 +20,16 @@ import h5py
 import numpy as np
 from pydantic import BaseModel
 
+from gearwright.base import DesignError, Kind, PartId, Problem, Role, Row, Shown, by_name, verb
 from gearwright.dynamics import Labels, Samples, Statistics, Trace
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import Work
 from gearwright.dynamics.model import NOBODY, Excitation, Owner, Tone
 from gearwright.dynamics.motion import Checkpoints, Orders
-from gearwright.errors import DesignError, Problem, by_name
 from gearwright.files import begins_with, refuse_irregular, text_of, write_bytes, write_text
 from gearwright.former_names import present_name
-from gearwright.identity import Kind, PartId, Role, Row
 from gearwright.sizing import size
 from gearwright.spec import Design, cases_of
-from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -6,47 +6,51 @@ import math
 
 import pytest
 
-from gearwright.dynamics.model import elements as drives
-from gearwright.dynamics.model import elements as line
-from gearwright.dynamics.model import model
-from gearwright.dynamics.model import planetary as planetary_set
-from gearwright.dynamics.model import rotors as beam
-from gearwright.parts import agma908 as agma_geometry
-from gearwright.parts import agma2001 as agma_factors
-from gearwright.parts import agma2001 as agma_mesh
-from gearwright.parts import agma2001 as agma_rating
-from gearwright.parts import bevel_geometry, shaft_fatigue
-from gearwright.parts import iso10300 as bevel_bending
-from gearwright.parts import iso10300 as bevel_pitting
-from gearwright.parts import iso10300 as bevel_rating
-from gearwright.parts import joints as key
-from gearwright.parts import joints as press_fit
-from gearwright.parts import losses as mesh_loss
-from gearwright.parts import losses as oil
-from gearwright.parts import shaft_fatigue as fatigue
-from gearwright.parts import shafts as shaft
-from gearwright.parts import stiffness as energy
-from gearwright.parts import stiffness as kuang_yang
-from gearwright.parts import stiffness as mesh_stiffness
-from gearwright.parts import stiffness as passing_pairs
-from gearwright.parts.bearings import life as bearing_life
-from gearwright.parts.bearings import life as bearing_load
-from gearwright.parts.bearings import rolling_bearing
-from gearwright.parts.gears import cylindrical_gear
-from gearwright.parts.gears import lewis_hertz as hertz
-from gearwright.parts.gears import lewis_hertz as lewis
-from gearwright.parts.iso6336 import bending, geometry, loads, pitting
-from gearwright.parts.iso6336 import loads as face
-from gearwright.parts.iso6336 import steels as life
-from gearwright.parts.iso6336 import steels as strength
-from gearwright.parts.iso6336 import tooth_root as root
+from gearwright.dynamics.model import (
+    elements as drives,
+    elements as line,
+    model,
+    planetary as planetary_set,
+    rotors as beam,
+)
+from gearwright.parts import (
+    agma908 as agma_geometry,
+    agma2001 as agma_factors,
+    agma2001 as agma_mesh,
+    agma2001 as agma_rating,
+    bevel_geometry,
+    iso10300 as bevel_bending,
+    iso10300 as bevel_pitting,
+    iso10300 as bevel_rating,
+    joints as key,
+    joints as press_fit,
+    losses as mesh_loss,
+    losses as oil,
+    shaft_fatigue,
+    shaft_fatigue as fatigue,
+    shafts as shaft,
+    stiffness as energy,
+    stiffness as kuang_yang,
+    stiffness as mesh_stiffness,
+    stiffness as passing_pairs,
+)
+from gearwright.parts.bearings import life as bearing_life, life as bearing_load, rolling_bearing
+from gearwright.parts.gears import cylindrical_gear, lewis_hertz as hertz, lewis_hertz as lewis
+from gearwright.parts.iso6336 import (
+    bending,
+    geometry,
+    loads,
+    loads as face,
+    pitting,
+    steels as life,
+    steels as strength,
+    tooth_root as root,
+)
 from gearwright.parts.scuffing import Oil, ScuffingMesh
 from gearwright.parts.shafts import lumped_shaft
 from gearwright.sizing import shaft_results as mounted
 from gearwright.sizing.bearing_seats import Seat
-from gearwright.sizing.rating import geometry as standard_teeth
-from gearwright.sizing.rating import lewis_hertz as record
-from gearwright.sizing.rating import protocol, rules
+from gearwright.sizing.rating import geometry as standard_teeth, lewis_hertz as record, protocol, rules
 from gearwright.sizing.shafts import stretches
 
 ONES = [

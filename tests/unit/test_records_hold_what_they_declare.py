@@ -6,8 +6,7 @@ Two arguments that are exchanged where a record is made leave a text where a num
 import dataclasses
 import inspect
 import types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from collections.abc import Set as AbstractSet
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set as AbstractSet
 from enum import Enum
 from functools import cache
 from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -18,9 +17,7 @@ import pytest
 from designs import HYBRID, PAIR
 from gearwright.dynamics.assembly import assemble
 from gearwright.identity import Kind, PartId
-from gearwright.sizing import insight as aspects
-from gearwright.sizing import insight as bevel_aspects
-from gearwright.sizing import size
+from gearwright.sizing import insight as aspects, insight as bevel_aspects, size
 from gearwright.sizing.mass import GROUPS, complete_mass
 from gearwright.sizing.rating import METHODS
 from gearwright.spec import parse, read

@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import pytest
 
-from gearwright.replays.colibri import report as chain
-from gearwright.replays.colibri import report as steps
+from gearwright.replays.colibri import report as chain, report as steps
 from gearwright.replays.colibri.replay import Outcome, Sense, colibri_facts, findings, replay
 from gearwright.replays.colibri.report import colibri_errata, executed, printed_numbers
 

@@ -8,6 +8,7 @@ from gearwright.units import HORSEPOWER, POUND, RPM
 from gearwright.weights import (
     EXISTING_GEARBOXES,
     Requirement,
+    laws as willis,
     mass_afdd00,
     mass_afdd83,
     mass_brown,
@@ -17,7 +18,6 @@ from gearwright.weights import (
     refit,
     scores,
 )
-from gearwright.weights import laws as willis
 
 PW127 = (2051e3, 20204 * RPM, 1212 * RPM)
 PRINTED_TENTH = 0.05

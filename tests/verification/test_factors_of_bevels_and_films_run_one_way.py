@@ -40,8 +40,7 @@ from gearwright.parts.iso10300 import (
     rate_bevel,
     spiral_angle_factor,
 )
-from gearwright.parts.micropitting import OilGrade, helical_factor, path_places
-from gearwright.parts.micropitting import load_sharing as film_sharing
+from gearwright.parts.micropitting import OilGrade, helical_factor, load_sharing as film_sharing, path_places
 from gearwright.parts.scuffing import (
     Oil,
     ScuffingMesh,

@@ -99,12 +99,10 @@ def modes(question: Question, tell: Tell) -> Answer:
         question: With the load case.
         tell: Takes how far it is; there is nothing to tell.
     """
-    from gearwright.dynamics import modes as found_modes
-    from gearwright.dynamics.assembly import assemble
+    from gearwright import assemble, modes as found_modes, scene
     from gearwright.dynamics.assembly.bodies import turns_of
     from gearwright.render.answers.motion import modes_answer
     from gearwright.render.answers.schema import plain
-    from gearwright.shape import scene
 
     sizing = sized(question)
     case = case_of(question, sizing)
@@ -167,8 +165,7 @@ def simulate(question: Question, tell: Tell) -> Answer:
         question: With load case and duration [s].
         tell: Takes how far it is.
     """
-    from gearwright.dynamics import Outputs
-    from gearwright.dynamics import simulate as run_system
+    from gearwright.dynamics import Outputs, simulate as run_system
     from gearwright.dynamics.assembly import assemble
     from gearwright.render.answers.motion import simulate_answer
     from gearwright.render.answers.schema import plain

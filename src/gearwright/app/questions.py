@@ -363,8 +363,7 @@ def influences(question: Question) -> Answer:
     """
     from gearwright.render.answers.design import factors_answer, influences_answer
     from gearwright.render.answers.schema import plain
-    from gearwright.sizing import influences as find_influences
-    from gearwright.sizing import rated_factors
+    from gearwright.sizing import influences as find_influences, rated_factors
 
     sizing = sized(question)
     moving = influences_answer(find_influences(sizing, 1.0))

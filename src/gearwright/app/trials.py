@@ -12,7 +12,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearwright.app.form import form, with_entry
 from gearwright.app.questions import Answer, Progress, Question, Tell, as_json, sized
+from gearwright.app.serving import journal_path
 from gearwright.errors import DesignError, Problem
+from gearwright.shipped import find_design
+from gearwright.spec import case_count, file_text, parse, parse_study
+from gearwright.units import key_suffix
 
 if TYPE_CHECKING:
     from gearwright.app.form import Field
@@ -50,7 +54,6 @@ def study(question: Question, tell: Tell) -> Answer:
         question: With the study's text and the journal's name.
         tell: Takes how far it is.
     """
-    from gearwright.spec import case_count, parse_study
     from gearwright.study.running import run_study
 
     folder = Path(question.folder)
@@ -106,10 +109,6 @@ def variant(question: Question, tell: Tell) -> Answer:
         question: With the design's name, and path -> value.
         tell: Takes how far it is; there is nothing to tell.
     """
-    from gearwright.app.form import with_entry
-    from gearwright.shipped import find_design
-    from gearwright.spec import file_text
-
     name, changes = question.words("design"), question.options.get("changes")
     text = question.text if name == OWN else file_text(find_design(name, Path(question.folder)))
     if not isinstance(changes, dict):
@@ -129,7 +128,6 @@ def moved(question: Question, tell: Tell) -> Answer:
         tell: Takes how far it is.
     """
     from gearwright.sizing import named_results, size_many
-    from gearwright.units import key_suffix
 
     sizing = sized(question)
     handles = [*_handles(question.text, sizing), *_words(question.text)][:MOST_MOVED]
@@ -171,8 +169,6 @@ class Handle(NamedTuple):
 
 def _handles(text: str, sizing: Sizing) -> Iterator[Handle]:
     """Yield the numbers that a text gives, the defaults of tables that it has, and widths and modules of stages."""
-    from gearwright.app.form import form
-
     for group in form(text):
         for entry in group.written:
             if entry.key != "schema":
@@ -184,8 +180,6 @@ def _handles(text: str, sizing: Sizing) -> Iterator[Handle]:
 
 def _words(text: str) -> Iterator[Handle]:
     """Yield what entries may be instead that are one of a few words: kinds of bearings, grades, laws."""
-    from gearwright.app.form import form
-
     for group in form(text):
         for entry in (*group.written, *group.possible):
             if len(entry.choices) <= MOST_WORDS:
@@ -221,15 +215,12 @@ def _computed(sizing: Sizing, path: tuple[str, ...], key: str) -> float | None:
 
 
 def _design(question: Question, name: str, folder: Path) -> Design:
-    from gearwright.shipped import find_design
     from gearwright.spec import parse, read
 
     return parse(question.text, folder=folder) if name == OWN else read(find_design(name, folder))
 
 
 def _journal(question: Question, folder: Path) -> Path:
-    from gearwright.app.serving import journal_path
-
     return journal_path(folder, question.words("journal"))
 
 
@@ -310,13 +301,11 @@ def close(question: Question, tell: Tell) -> Answer:
             sizes that it gives are chosen anew.
         tell: Takes what is being done.
     """
-    from gearwright.closure import Outcome, Wishes, nearest_variant
-    from gearwright.closure import close as closed_by
+    from gearwright.closure import Outcome, Wishes, close as closed_by, nearest_variant
     from gearwright.closure.requirements import HOUR
     from gearwright.render.answers.review import close_answer
     from gearwright.render.answers.schema import plain
     from gearwright.render.tables.checks import check_sentence
-    from gearwright.spec import parse
 
     hours, wide, anew = question.options.get("life_h"), _switched(question, "variants"), _switched(question, "anew")
     design = parse(freed(question.text) if anew else question.text, folder=Path(question.folder))

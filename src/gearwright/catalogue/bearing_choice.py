@@ -9,9 +9,9 @@ from functools import cache, cached_property
 from types import MappingProxyType
 from typing import Annotated, NamedTuple
 
+from gearwright.base import DesignError, Force, Length, Origin, Problem, Quantity, Ratio, Speed, Time, refuse
 from gearwright.catalogue.bearings import Bearing, bearings
 from gearwright.catalogue.tables import data_rows
-from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.bearings import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
@@ -40,7 +40,6 @@ from gearwright.parts.bearings import (
     taper_static_factors,
 )
 from gearwright.parts.losses import SeriesFriction
-from gearwright.units import Force, Length, Origin, Quantity, Ratio, Speed, Time
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The lightest standard bearing that bears a duty, and what its margins are.

@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 from types import MappingProxyType
 
+from gearwright.base import DesignError, Force, Length, Mass, Problem, near
 from gearwright.catalogue.tables import data_rows
-from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.bearings import (
     STEEL_DENSITY,
     BearingGeometry,
@@ -25,7 +25,6 @@ from gearwright.parts.bearings import (
     fatigue_load_limit,
     static_rating,
 )
-from gearwright.units import Force, Length, Mass
 
 _MM = 1e3
 """Millimetres in a metre."""

@@ -10,9 +10,8 @@ import math
 from dataclasses import dataclass
 from functools import cache
 
+from gearwright.base import RPM, DesignError, Power, Problem, Speed
 from gearwright.catalogue.tables import data_rows
-from gearwright.errors import DesignError, Problem
-from gearwright.units import RPM, Power, Speed
 
 SOURCE = "Pulvirenti 2023, tables 1.3-1.15"
 _KW = 1e3

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
 
+from gearwright.base import HORSEPOWER, POUND, RPM, Mass, Number, Power, Ratio, Speed, Torque
 from gearwright.catalogue.tables import data_rows
-from gearwright.units import HORSEPOWER, POUND, RPM, Mass, Number, Power, Ratio, Speed, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The 61 gearbox weights of NASA/TM-2009-215680: real weights against which a method can be held.

@@ -9,8 +9,8 @@ from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import Any
 
+from gearwright.base import SUFFIXES, Density, DesignError, Length, Problem, Stress, near
 from gearwright.catalogue.tables import data_rows, data_text
-from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import LifeLine, Material
 from gearwright.parts.iso6336 import (
     GearSteel,
@@ -23,7 +23,6 @@ from gearwright.parts.iso6336 import (
     knee_curve,
 )
 from gearwright.parts.material import BRINELL_PER_VICKERS, vickers_of_rockwell
-from gearwright.units import SUFFIXES, Density, Length, Stress
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The materials that a design may name: the package's own table, and what makes one of a table that a user writes.

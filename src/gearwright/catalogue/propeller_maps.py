@@ -13,14 +13,24 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import (
+    Angle,
+    DesignError,
+    Floats,
+    Origin,
+    Problem,
+    Quantity,
+    Ratio,
+    Shown,
+    SolveError,
+    near,
+    refuse,
+    verb,
+)
 from gearwright.catalogue.tables import data_text
-from gearwright.errors import DesignError, Problem, SolveError, near, refuse
 from gearwright.files import numbers_of, text_of
 from gearwright.machines import SMALL_THRUST, Blades, Charts, MachMap, PropellerMap, compressibility, performance
 from gearwright.machines.propellers import BladeShape, Feathered, continued, element_map, feathered, generic_blade
-from gearwright.units import Angle, Origin, Quantity, Ratio
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Propeller maps as CSV files: read, checked, written.

@@ -10,17 +10,33 @@ from typing import Annotated, Literal
 import numpy as np
 
 from gearwright.air import air_at
+from gearwright.base import (
+    Angle,
+    Area,
+    DesignError,
+    Force,
+    Length,
+    Mass,
+    Origin,
+    Power,
+    Problem,
+    Quantity,
+    Ratio,
+    Shown,
+    SolveError,
+    Speed,
+    Torque,
+    Velocity,
+    refuse,
+    verb,
+)
 from gearwright.catalogue.propeller_maps import (
     charted_point,
     charted_problems,
     hamilton_standard_charts,
 )
-from gearwright.errors import DesignError, Problem, SolveError, refuse
-from gearwright.machines import Blades, performance
+from gearwright.machines import Airframe, Blades, Disc, Lift, Stream, antitorque, lift, performance
 from gearwright.machines.propellers import BladeShape, generic_blade, inclined, loads
-from gearwright.machines.rotors import Airframe, Disc, Lift, Stream, antitorque, lift
-from gearwright.units import Angle, Area, Force, Length, Mass, Origin, Power, Quantity, Ratio, Speed, Torque, Velocity
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A propeller of given blades at one point of flight, with what its incidence does to its shaft.

@@ -13,11 +13,10 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
+from gearwright.base import DesignError, Force, Length, Mass, Problem, Velocity, near
 from gearwright.catalogue.tables import data_rows
-from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.joints import KeySection
-from gearwright.units import Force, Length, Mass, Velocity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Limits and fits of ISO 286 for seats on shafts, and the tolerance classes that bearing seats usually take.

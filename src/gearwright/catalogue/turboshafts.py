@@ -15,8 +15,25 @@ from typing import Annotated, Literal, NamedTuple
 import numpy as np
 
 from gearwright.air import air_at, stagnation_ratios
-from gearwright.arrays import Bools, Floats
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import (
+    CELSIUS,
+    Bools,
+    DesignError,
+    Energy,
+    Floats,
+    Inertia,
+    Origin,
+    Power,
+    Problem,
+    Quantity,
+    Ratio,
+    Shown,
+    Speed,
+    Time,
+    Torque,
+    refuse,
+    verb,
+)
 from gearwright.files import numbers_of, text_of
 from gearwright.machines.gas_generator import (
     FuelControl,
@@ -42,8 +59,6 @@ from gearwright.machines.turboshaft import (
     state_for,
     steady_state,
 )
-from gearwright.units import CELSIUS, Energy, Inertia, Origin, Power, Quantity, Ratio, Speed, Time, Torque
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Engine decks as CSV files: read, checked, written.

@@ -29,8 +29,19 @@ from gearwright.cli.answers import (
     is_interrupted,
     listening,
 )
-from gearwright.cli.commands.designs import app as app_
-from gearwright.cli.commands.designs import check, close, modes, new, report, review, run, schema, simulate, size
+from gearwright.cli.commands.designs import (
+    app as app_,
+    check,
+    close,
+    modes,
+    new,
+    report,
+    review,
+    run,
+    schema,
+    simulate,
+    size,
+)
 from gearwright.cli.commands.dynamics import campbell, response, runup, sharing, validate, window
 from gearwright.cli.commands.engines import engines, mass, turboshaft
 from gearwright.cli.commands.exchange import draw, export, import_
@@ -40,6 +51,7 @@ from gearwright.cli.commands.search import architectures, optimise
 from gearwright.cli.commands.studies import cluster, compare, merge, resume, status, study
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.terminal import STANDARD_OUTPUT, Sections, show, tell
+from gearwright.errors import DesignError, GearwrightError
 from gearwright.notices import noticed
 from gearwright.version import __version__
 
@@ -91,8 +103,6 @@ def main() -> None:
 
 def _code() -> int | str | None:
     """Run the command; return its exit code."""
-    from gearwright.errors import DesignError, GearwrightError
-
     try:
         _asked(sys.argv[1:])()
     except SystemExit as end:

@@ -11,15 +11,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.errors import DesignError, Problem, install, refuse
 
 if TYPE_CHECKING:
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.render.pages.page import Stamp
     from gearwright.reviews import Review
     from gearwright.sizing import Sizing
-    from gearwright.spec import Design
-    from gearwright.spec.studies import Axis, Bound, Value
+    from gearwright.spec import Axis, Bound, Design, Value
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -133,8 +132,6 @@ def drawable(path: Path | None) -> Path | None:
         return path
     from importlib.util import find_spec
 
-    from gearwright.errors import DesignError, Problem, install
-
     if path.suffix != ".png":
         message = f"{path.suffix!r} is not drawn; end the name with .svg or .png"
         raise DesignError([Problem("--figure", message)])
@@ -169,8 +166,6 @@ def steps(text: str, option: str) -> list[float]:
     Raises:
         DesignError: The text is not of that form, or the steps never reach the end.
     """
-    from gearwright.errors import DesignError, Problem
-
     try:
         first, last, step = (float(part) for part in text.split(":"))
         count = (last - first) / step
@@ -277,8 +272,7 @@ def sized(name: str, level: str | None = None, life_h: float | None = None) -> S
     Raises:
         DesignError: If the design cannot be read or sized.
     """
-    from gearwright.sizing import size
-    from gearwright.spec import at_level, edited
+    from gearwright import at_level, edited, size
 
     design = design_of(name)
     with placed_in(name):
@@ -313,8 +307,7 @@ def stamped(name: str, date: str = "") -> Stamp:
     """
     from gearwright.render.pages.page import Stamp
     from gearwright.shipped import find_design
-    from gearwright.spec import file_text
-    from gearwright.spec.read import key_lines
+    from gearwright.spec import file_text, key_lines
 
     return Stamp(date, key_lines(file_text(find_design(name))))
 
@@ -329,7 +322,6 @@ def placed_in(name: str) -> Iterator[None]:
     Raises:
         DesignError: What was raised inside, with lines.
     """
-    from gearwright.errors import DesignError
     from gearwright.shipped import find_design
     from gearwright.spec import file_text, placed
 

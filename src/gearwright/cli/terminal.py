@@ -17,6 +17,7 @@ from typer import BadParameter
 from typer.core import TyperGroup
 
 from gearwright.cli.streams import clean_json
+from gearwright.errors import DesignError, Problem
 from gearwright.files import write_bytes, write_text
 
 if TYPE_CHECKING:
@@ -112,7 +113,6 @@ def write_figure(drawn: Drawing, path: Path) -> None:
     Raises:
         DesignError: If the name ends otherwise, or PNG is asked for and matplotlib is not installed.
     """
-    from gearwright.errors import DesignError, Problem
     from gearwright.render.style import to_png, to_svg
 
     match path.suffix:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
+from gearwright.base import CELSIUS, GEARBOX, Check, DesignError, Problem, Status, accepted, refuse, verb
 from gearwright.catalogue import bearing, bore_around
-from gearwright.checks import Check, Status, accepted
 from gearwright.closure.course import Course, Effort, now, sized, under_way
 from gearwright.closure.loop import (
     CONFIRMS,
@@ -47,8 +47,6 @@ from gearwright.closure.requirements import (
 )
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import GEARBOX
 from gearwright.mission import Flight, durability, flight_checks, fly
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_seats import ENDS, planet_bodies
@@ -59,8 +57,6 @@ from gearwright.spec import Design, Mission, design_text, edited, parse
 from gearwright.spec.design import NOTHING_GIVEN, Pair, given_values, module_owners
 from gearwright.spec.edit import Value
 from gearwright.spec.texts import design_text_like
-from gearwright.units import CELSIUS
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A design as it was sized: every size written, so that other loads meet the same gearbox.

@@ -9,7 +9,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from gearwright.errors import GearwrightError
+from gearwright.base import GearwrightError
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.spec import Design
 

@@ -7,13 +7,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from gearwright.checks import Check, worst
+from gearwright.base import GEARBOX, Check, GearwrightError, worst
 from gearwright.closure.proportion import Proportioned, proportioned
 from gearwright.closure.requirements import HOUR, Round, Step, Wishes, wanted
 from gearwright.dynamics.sharing import load_factors
 from gearwright.dynamics.vibration import forced_factors
-from gearwright.errors import GearwrightError
-from gearwright.identity import GEARBOX
 from gearwright.sizing import Sizing
 from gearwright.spec import Design, against_fatigue, edited
 from gearwright.spec.design import RATINGS, case_named

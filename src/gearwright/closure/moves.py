@@ -11,15 +11,12 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from gearwright.arrays import smallest_first
-from gearwright.checks import Check, Status
+from gearwright.base import Check, GearwrightError, Role, Status, smallest_first
 from gearwright.closure.course import now, sized
 from gearwright.closure.loop import Settled, Task, changes_of, settled
 from gearwright.closure.options import MOVED, Candidate, Change, Confirmed, Option, complete_of, judged, options
 from gearwright.closure.proportion import Proportioned, is_tied, proportioned, searched, teeth_of
 from gearwright.closure.requirements import STRENGTH, Round, Step, Wishes, requirement_of, wanted
-from gearwright.errors import GearwrightError
-from gearwright.identity import Role
 from gearwright.parts.gears import ISO53_A
 from gearwright.sizing import Sizing
 from gearwright.sizing.making import built_checks

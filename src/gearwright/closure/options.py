@@ -9,7 +9,7 @@ from functools import cached_property
 from hashlib import sha256
 from typing import NamedTuple
 
-from gearwright.checks import Check, Status
+from gearwright.base import Check, Status
 from gearwright.closure.course import Seen, now, sized
 from gearwright.closure.loop import Settled, changes_of, settled
 from gearwright.closure.proportion import StageSize, proportioned, sizes_of, teeth_of

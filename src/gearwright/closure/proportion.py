@@ -6,12 +6,10 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from gearwright.arrays import smallest
+from gearwright.base import Role, smallest
 from gearwright.closure.course import sized
 from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, without
-from gearwright.identity import Role
-from gearwright.sizing import Sizing
-from gearwright.sizing.insight import Trial, trial_of
+from gearwright.sizing import Sizing, Trial, trial_of
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design, edited
 from gearwright.spec.design import Pair, Planetary, module_owners

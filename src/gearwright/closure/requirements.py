@@ -11,19 +11,27 @@ from operator import itemgetter
 from types import MappingProxyType
 from typing import Annotated, NamedTuple
 
-from gearwright.arrays import smallest_first
-from gearwright.checks import Check, worst
+from gearwright.base import (
+    Check,
+    Kind,
+    Life,
+    Mass,
+    Origin,
+    Problem,
+    Quantity,
+    Ratio,
+    Shown,
+    near,
+    refuse,
+    smallest_first,
+    worst,
+)
 from gearwright.closure.course import Effort
-from gearwright.errors import Problem, near, refuse
-from gearwright.identity import Kind
-from gearwright.sizing import Sizing
-from gearwright.sizing.insight import trial_of
+from gearwright.sizing import Sizing, trial_of
 from gearwright.sizing.mass import CompleteMass, complete_mass
 from gearwright.spec import Design, edited
 from gearwright.spec.design import RATINGS
 from gearwright.spec.edit import Value
-from gearwright.units import Life, Mass, Origin, Quantity, Ratio
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a closure may change beside modules, widths and bearings, where it is asked to look for something lighter.

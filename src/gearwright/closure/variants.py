@@ -7,16 +7,14 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from gearwright.base import RPM, GearwrightError, Mass, Shown, margin_text, verb
 from gearwright.closure.close import close
 from gearwright.closure.moves import BODIES, OF_PLANETS, Thickness, thicknesses
 from gearwright.closure.requirements import STRENGTH, Closed, Outcome, Wishes, requirement_of, wanted
-from gearwright.errors import GearwrightError
 from gearwright.sizing import size
 from gearwright.spec import GROUND, Design, edited
 from gearwright.spec.design import given_values
 from gearwright.spec.edit import Value
-from gearwright.units import RPM, Mass, margin_text
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What stands against a requirement that is not met, or against thinner rims and webs where they are free.

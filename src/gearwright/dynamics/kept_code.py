@@ -18,7 +18,7 @@ from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
 
-from gearwright.errors import GearwrightError
+from gearwright.base import GearwrightError
 from gearwright.files import make_folder, write_bytes
 from gearwright.version import __version__, digest
 

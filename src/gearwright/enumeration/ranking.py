@@ -12,8 +12,20 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TypeVar
 
-from gearwright.arrays import smallest, smallest_first
-from gearwright.checks import Check
+from gearwright.base import (
+    Check,
+    DesignError,
+    GearwrightError,
+    Problem,
+    Ratio,
+    Role,
+    Shown,
+    gear_part,
+    refuse,
+    smallest,
+    smallest_first,
+    verb,
+)
 from gearwright.closure import Wishes
 from gearwright.enumeration.trains import (
     Architecture,
@@ -25,8 +37,6 @@ from gearwright.enumeration.trains import (
     requirement_of,
     trains,
 )
-from gearwright.errors import DesignError, GearwrightError, Problem, refuse
-from gearwright.identity import Role, gear_part
 from gearwright.processes import computed
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
@@ -34,8 +44,6 @@ from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, at_level, edited, parse
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
-from gearwright.units import Ratio
-from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -9,15 +9,13 @@ from enum import StrEnum
 from itertools import product
 from typing import Any
 
+from gearwright.base import RPM, DesignError, Problem, Role, gear_part, refuse
 from gearwright.catalogue import bearings
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Role, gear_part
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing import Sizing, size
 from gearwright.spec import GROUND, Design, as_concept, drives_of, edited
 from gearwright.spec.design import Drive, Motor, Turbine
 from gearwright.spec.edit import Value
-from gearwright.units import RPM
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Kinds of stages that a train may be made of: what each takes, which ratios it gives, and its tables in a design.

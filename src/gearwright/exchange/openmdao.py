@@ -12,14 +12,11 @@ from importlib.util import find_spec
 from types import MappingProxyType
 from typing import Any, Literal
 
+from gearwright.base import DesignError, GearwrightError, Problem, install, refuse, si_unit, suffix_unit, verb
 from gearwright.closure import teeth_of
-from gearwright.errors import DesignError, GearwrightError, Problem, install, refuse
 from gearwright.sizing import TEXT, Named, pick, size
-from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, path_problem, standing_at
-from gearwright.spec.edit import Standing
+from gearwright.spec import MISSION_PATH, Design, Mission, Standing, Study, edited, path_problem, standing_at
 from gearwright.study.cases import refuse_unknown_paths, results_of, split
-from gearwright.units import si_unit, suffix_unit
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Names and units of gearwright as OpenMDAO has them.

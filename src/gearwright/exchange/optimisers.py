@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from gearwright.base import verb
 from gearwright.optimum import DESIGN, Search, is_continuous
 from gearwright.spec.studies import Axis, Value, axis_values
-from gearwright.verbs import verb
 
 
 @verb

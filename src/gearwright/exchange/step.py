@@ -17,14 +17,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
-from gearwright.errors import Problem, SolveError, install, refuse
-from gearwright.shape import COLOURS, Node, Scene, scene
+from gearwright.base import Bools, Floats, Problem, Shown, SolveError, install, refuse, verb
+from gearwright.shape import COLOURS, Bores, Node, Scene, scene
 from gearwright.shape.chambers import Chamber, rim_of
 from gearwright.shape.solids import Fastener, Layer, Section, Solid
-from gearwright.shape.surfaces import Bores
 from gearwright.sizing import Sizing
-from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -15,14 +15,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.errors import Problem, install, near, refuse
+from gearwright.base import Problem, install, near, refuse, verb
 from gearwright.particulars import particulars
 from gearwright.render.grid import MARKS, Cell, Column, Table, csv_text
 from gearwright.render.tables.checks import factor_tables
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.sizing import Sizing, rated_factors
 from gearwright.store import netcdf_bytes
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The tables of a sizing in long form: a line for every value, with its unit, equation and source.

@@ -5,9 +5,7 @@ from __future__ import annotations
 import builtins
 import sys
 from collections.abc import Callable
-from functools import cache as _cache
-from functools import lru_cache as _lru_cache
-from functools import wraps
+from functools import cache as _cache, lru_cache as _lru_cache, wraps
 from typing import Any
 
 import numpy as np

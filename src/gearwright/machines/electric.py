@@ -8,9 +8,8 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import FOOT, POUND, POUND_FORCE, Floats
 from gearwright.elementwise import Values
-from gearwright.units import FOOT, POUND, POUND_FORCE
 
 # ----------------------------------------------------------------------------------------------------------------------
 # An electric motor: mass and rotor inertia from its torque, losses over torque and speed.

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.machines.turboshaft import (
     AIR,
     HEATING_VALUE,

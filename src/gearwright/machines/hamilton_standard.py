@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, SolveError
 from gearwright.elementwise import Values, plain
-from gearwright.errors import SolveError
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Reading the Hamilton Standard charts: factors, four-point interpolation, and what a point leaves or breaks.

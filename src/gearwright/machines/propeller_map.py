@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Floats, Ints, Problem
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A propeller as a map: power and thrust coefficient over advance ratio and blade angle.

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.machines.hamilton_standard import Blades
 from gearwright.machines.propeller_map import PropellerMap
 

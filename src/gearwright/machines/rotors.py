@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem
-from gearwright.units import GRAVITY
+from gearwright.base import GRAVITY, DesignError, Problem
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Power of a rotor in hover, climb and forward flight: momentum of the stream, and profile drag of the blades.

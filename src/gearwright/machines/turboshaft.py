@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.base import Bools, Floats
 from gearwright.elementwise import Values, functions
 
 # ----------------------------------------------------------------------------------------------------------------------

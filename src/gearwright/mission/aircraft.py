@@ -12,7 +12,20 @@ from itertools import groupby, pairwise
 from typing import Annotated, NamedTuple
 
 from gearwright.air import air_at, height, true_of_calibrated
-from gearwright.errors import DesignError, Problem
+from gearwright.base import (
+    GRAVITY,
+    DesignError,
+    Distance,
+    Force,
+    Mass,
+    Origin,
+    Problem,
+    Quantity,
+    Shown,
+    Time,
+    apart,
+    verb,
+)
 from gearwright.mission.flight import Flight
 from gearwright.mission.intervals import Flown, loaded
 from gearwright.mission.profile import (
@@ -29,8 +42,6 @@ from gearwright.mission.profile import (
 )
 from gearwright.mission.thrust import Attitude, lowest_speed, performed, resistance, thrust_at, wanted_of
 from gearwright.spec import Aircraft, Mission, Phase
-from gearwright.units import GRAVITY, Distance, Force, Mass, Origin, Quantity, Time, apart
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Phases whose path is stated: rate or angle of climb, speed, time or distance; the thrust follows from them.

@@ -7,9 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import Bools, DesignError, Floats, Ints
 from gearwright.catalogue.propeller_maps import ALL_STATES, MAPS, hamilton_standard_charts
-from gearwright.errors import DesignError
 from gearwright.machines import Blades, Charts, MachMap, PropellerMap, map_at
 from gearwright.machines.hamilton_standard import STATIC_FADE, Look, parabola
 from gearwright.machines.propeller_map import SAME_ANGLE

@@ -8,14 +8,28 @@ from typing import Annotated, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.base import (
+    Bools,
+    Energy,
+    Floats,
+    Length,
+    Marks,
+    Mass,
+    Origin,
+    Quantity,
+    Ratio,
+    Shown,
+    Time,
+    frame,
+    marks_of,
+    si_unit,
+    verb,
+)
 from gearwright.machines import HEATING_VALUE, EngineDeck, MachMap, PropellerMap
 from gearwright.mission.plant import DryRun
 from gearwright.mission.profile import Paths
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND, Mission
-from gearwright.units import Energy, Length, Marks, Mass, Origin, Quantity, Ratio, Time, marks_of, si_unit
-from gearwright.verbs import Shown, frame, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What is recorded of a flight: a field per quantity with its unit and, where a law makes it, its source.

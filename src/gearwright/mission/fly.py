@@ -9,9 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem, refuse, verb
 from gearwright.catalogue import propeller_map, read_engine_deck, read_propeller_map
-from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import EngineDeck, MachMap, PropellerMap
 from gearwright.mission.aircraft import paths_of
 from gearwright.mission.flight import (
@@ -69,7 +68,6 @@ from gearwright.mission.thrust import Blades, Performance, Wanted, performance_a
 from gearwright.parts.losses import cooler_conductance, oil_flow
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, is_map_file, mission_problems
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Missions flown: prepared one by one, and flown together where gearbox, machines, oil and propeller are the same.

@@ -10,9 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, GearwrightError, Problem, SolveError, by_name
-from gearwright.identity import Role
+from gearwright.base import Bools, DesignError, Floats, GearwrightError, Ints, Problem, Role, SolveError, by_name, verb
 from gearwright.mission.profile import runs_of, spread
 from gearwright.sizing import Sizing
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces_along
@@ -32,7 +30,6 @@ from gearwright.train import (
     overruns,
     power_flow,
 )
-from gearwright.verbs import verb
 
 __all__ = ["Oil"]
 

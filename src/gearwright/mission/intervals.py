@@ -10,8 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem, SolveError, near
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem, SolveError, near
 from gearwright.mission.gearbox import (
     Asked,
     Balanced,

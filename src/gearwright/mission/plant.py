@@ -12,29 +12,26 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, smallest
+from gearwright.base import CELSIUS, DesignError, Floats, Problem, apart, smallest
 from gearwright.elementwise import Values
-from gearwright.errors import DesignError, Problem
 from gearwright.machines import (
     EMPTY,
     FULL,
     Battery,
     BatteryStep,
-    MotorLosses,
-    battery_step,
-    highest_current,
-    motor_loss,
-    stored_energy,
-)
-from gearwright.machines.electric import (
     Cells,
     CellState,
+    MotorLosses,
     Network,
     Relaxing,
     Warmed,
+    battery_step,
     cell_step,
     held_energy,
+    highest_current,
+    motor_loss,
     relaxing,
+    stored_energy,
     straight,
     warmed,
 )
@@ -42,7 +39,6 @@ from gearwright.parts.losses import MeshLaw, oil_viscosity
 from gearwright.sizing import Sizing
 from gearwright.sizing.losses import Oil, dipping, oil_of_design
 from gearwright.spec import BatteryRules, CellRules, Mission, OilNetworkRules, WindingRules
-from gearwright.units import CELSIUS, apart
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The battery of a flight: a plain one, or cells that polarise, warm and age.

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.air import Air, air_at, true_of_calibrated
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem
 from gearwright.spec import Mission, Phase
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem
 from gearwright.elementwise import Values, functions
-from gearwright.errors import DesignError, Problem
 from gearwright.machines import Battery, current_of, highest_current, motor_loss, stored_energy
 from gearwright.mission.gearbox import torque_of
 from gearwright.mission.plant import started, warm_motor, warmed_motor

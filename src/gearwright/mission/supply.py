@@ -11,27 +11,31 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.air import SEA_LEVEL_TEMPERATURE, air_at, stagnation_ratios
-from gearwright.arrays import Bools, Floats
-from gearwright.errors import DesignError, Problem, near, refuse
+from gearwright.base import KWH, Bools, DesignError, Floats, Problem, apart, near, refuse
 from gearwright.machines import (
     Battery,
     BatteryStep,
+    Breathing,
     Day,
     Engine,
     EngineDeck,
+    Exhaust,
     MotorLosses,
     PowerLimits,
+    air_flow,
     current_of,
     deck_fuel,
     deck_limit,
+    exhaust_heat,
+    exhaust_of,
     fuel_flow,
     highest_current,
+    mixed,
     motor_loss,
     power_limits,
     rated_losses,
     shared_losses,
 )
-from gearwright.machines.turboshaft import Breathing, Exhaust, air_flow, exhaust_heat, exhaust_of, mixed
 from gearwright.mission.gearbox import torque_of
 from gearwright.mission.plant import (
     Pack,
@@ -49,7 +53,6 @@ from gearwright.mission.profile import Course, Doubt, Moment
 from gearwright.sizing import Sizing
 from gearwright.spec import EngineRules, Machine, Mission, Motor, MotorRules, Phase, WindingRules
 from gearwright.spec.design import allowed_for
-from gearwright.units import KWH, apart
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What drives the gearbox in flight: turbines with their fuel, motors with their battery, and the limits of all.

@@ -9,17 +9,26 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.air import Air, Polar, drag_force, dynamic_force, stall_speed
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import GRAVITY, Bools, DesignError, Floats, Ints, Problem, apart
 from gearwright.catalogue import compressed
 from gearwright.elementwise import Values, functions
-from gearwright.errors import DesignError, Problem
-from gearwright.machines import MachMap, PropellerMap, angle_for_power, angle_for_thrust, coefficients, governs, map_at
-from gearwright.machines.rotors import Airframe, Disc, Stream, antitorque, lift
+from gearwright.machines import (
+    Airframe,
+    Disc,
+    MachMap,
+    PropellerMap,
+    Stream,
+    angle_for_power,
+    angle_for_thrust,
+    antitorque,
+    coefficients,
+    governs,
+    lift,
+    map_at,
+)
 from gearwright.mission.charts import angle_along, at_tips, governs_along, power_and_thrust, squeezed_along
 from gearwright.mission.profile import Course, Moment, Stretch
-from gearwright.spec import Aircraft, Mission, Phase, Rotorcraft
-from gearwright.spec.missions import Setting
-from gearwright.units import GRAVITY, apart
+from gearwright.spec import Aircraft, Mission, Phase, Rotorcraft, Setting
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Forces on the aircraft: drag with flaps and gear, friction of its wheels, and the thrust that a path needs.

@@ -10,8 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
-from gearwright.errors import GearwrightError, Problem, refuse
+from gearwright.base import Floats, GearwrightError, Ints, Problem, refuse
 from gearwright.optimum.generations import (
     Fixed,
     Guided,
@@ -29,8 +28,7 @@ from gearwright.optimum.optimum import Fit, hypervolume
 from gearwright.processes import computed
 from gearwright.signals import heard_after
 from gearwright.sizing import in_lanes
-from gearwright.spec import Design, Study, edited, value_at
-from gearwright.spec.studies import Axis, Search, Value, axis_length
+from gearwright.spec import Axis, Design, Search, Study, Value, axis_length, edited, value_at
 from gearwright.study.cases import Case, goes_together, refuse_unknown_paths
 from gearwright.study.journal import Journal, begin, in_memory, opened, recorded
 from gearwright.study.running import refuse_changes

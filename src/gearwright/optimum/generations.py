@@ -9,17 +9,36 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints, one_blas_thread
-from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
-from gearwright.identity import Role
+from gearwright.base import (
+    Bools,
+    DesignError,
+    Floats,
+    GearwrightError,
+    Ints,
+    Problem,
+    Role,
+    near,
+    one_blas_thread,
+    refuse,
+    shown,
+)
 from gearwright.optimum.optimum import Fit
 from gearwright.sizing import GearSizing, Sizing, size
-from gearwright.spec import Design, Study, edited, value_at
-from gearwright.spec.design import Pair, Planetary
-from gearwright.spec.studies import Axis, Search, Value, axis_length, axis_values
+from gearwright.spec import (
+    Axis,
+    Design,
+    Pair,
+    Planetary,
+    Search,
+    Study,
+    Value,
+    axis_length,
+    axis_values,
+    edited,
+    value_at,
+)
 from gearwright.study.cases import Case, children, split
 from gearwright.study.tables import FAILED, NUMBER, REAL, Block, Blocks, Row, crowding, ranks, wanted
-from gearwright.units import shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Freedoms as places of a unit cube: what optimisers move in, and the rows of a study that they mean.

@@ -10,21 +10,16 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, SolveError, refuse
+from gearwright.base import DesignError, Floats, Problem, Shown, SolveError, refuse, verb
 from gearwright.optimum.course import Bench, Compass, Course, Tell, followed, polishable, rounds
 from gearwright.optimum.generations import DESIGN, Fixed, Judged, freedoms_of, judged_rows, parents_of, with_teeth
 from gearwright.optimum.optimum import Counts, Fit, Optimum
 from gearwright.optimum.reasons import best_of, influences_of, prices_of, regrets_of, shortfall
 from gearwright.shipped import find_design
 from gearwright.sizing import Named
-from gearwright.spec import Design, Study, read
-from gearwright.spec.edit import standing_at
-from gearwright.spec.studies import Axis, Bound, Value, study_problems
-from gearwright.spec.studies import Search as Rules
+from gearwright.spec import Axis, Bound, Design, Search as Rules, Study, Value, read, standing_at, study_problems
 from gearwright.study.cases import Case, unit_sample
 from gearwright.study.tables import Row
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Ask and tell: designs that are worth a look, their evaluation with a journal, and what came of them.

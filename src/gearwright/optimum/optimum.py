@@ -7,13 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
-from gearwright.spec import Study
-from gearwright.spec.studies import Value
+from gearwright.base import DesignError, Floats, Problem, Ratio, Shown
+from gearwright.spec import Study, Value
 from gearwright.study.tables import Row, non_dominated
-from gearwright.units import Ratio
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The answer of a search: its front, what binds every design of it, what limits cost, and how sure the choice is.

@@ -8,9 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, largest_first, smallest_first
-from gearwright.checks import Check
-from gearwright.errors import GearwrightError, Problem
+from gearwright.base import Bools, Check, Floats, GearwrightError, Problem, largest_first, margin_text, smallest_first
 from gearwright.optimum.course import Archive, Bench, Compass, rounds
 from gearwright.optimum.generations import (
     Fixed,
@@ -24,12 +22,9 @@ from gearwright.optimum.generations import (
 )
 from gearwright.optimum.optimum import Best, Binding, Influence, Optimum, Price, Regret
 from gearwright.sizing import Sizing
-from gearwright.spec import Design, Study, path_problem, value_at
-from gearwright.spec.edit import standing_at
-from gearwright.spec.studies import Value
+from gearwright.spec import Design, Study, Value, path_problem, standing_at, value_at
 from gearwright.study.cases import Case, unit_sample
 from gearwright.study.tables import Row
-from gearwright.units import margin_text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What keeps a design from being better: checks at their limits, constraints at their bounds, ranges at their ends.

@@ -12,7 +12,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import FOOT, INCH, POUND_FORCE, DesignError, Origin, Problem, Quantity
 from gearwright.parts.agma908 import (
     BendingGeometry,
     HobbedPair,
@@ -21,7 +21,6 @@ from gearwright.parts.agma908 import (
 )
 from gearwright.parts.gears import lewis_form_factor
 from gearwright.parts.iso6336 import LifeCurve, Value, as_value, life_factor
-from gearwright.units import FOOT, INCH, POUND_FORCE, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Factors of ANSI/AGMA 2001-D04: dynamics, size, load distribution, life, reliability, hardness ratio; SI outside.

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, NamedTuple
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import INCH, POUND_FORCE, DesignError, Origin, Problem, Quantity, refuse
 from gearwright.parts.agma2001 import (
     dynamic_factor_agma,
     elastic_coefficient,
@@ -28,7 +28,6 @@ from gearwright.parts.agma2003_geometry import (
 )
 from gearwright.parts.bevel_geometry import BevelPair
 from gearwright.parts.iso6336 import LifeCurve, life_factor
-from gearwright.units import INCH, POUND_FORCE, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Factors of ANSI/AGMA 2003: sizes, load distribution, lengthwise curvature, temperature, cycles, steels; SI outside.

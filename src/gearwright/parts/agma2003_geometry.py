@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, NamedTuple
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Origin, Problem, Quantity, refuse
 from gearwright.parts.bevel_geometry import BevelPair, mean_thickness
 from gearwright.parts.gears import involute
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The mean normal section of a bevel pair as annex C of ANSI/AGMA 2003 sees it: radii, path of contact, load sharing.

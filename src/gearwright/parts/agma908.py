@@ -12,8 +12,8 @@ from typing import Annotated
 
 import numpy as np
 
+from gearwright.base import Origin, Quantity
 from gearwright.parts.iso6336 import Value, as_value
-from gearwright.units import Origin, Quantity
 
 _SOURCE = "AGMA 908-B89"
 _HALVINGS = 60

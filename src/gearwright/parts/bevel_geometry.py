@@ -8,8 +8,7 @@ from enum import Enum
 from functools import cached_property
 from typing import Annotated
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Floats, Origin, Problem, Quantity, refuse
 from gearwright.parts.gears import (
     BasicRack,
     SeatHub,
@@ -22,7 +21,6 @@ from gearwright.parts.gears import (
     way_behind,
 )
 from gearwright.parts.iso6336 import Value
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Straight and spiral bevel gears without offset: cones, mean cone, forces by hand and rotation.

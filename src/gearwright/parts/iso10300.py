@@ -9,7 +9,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.errors import Problem, refuse
+from gearwright.base import Origin, Problem, Quantity, refuse
 from gearwright.parts.bevel_geometry import (
     BevelPair,
 )
@@ -37,7 +37,6 @@ from gearwright.parts.iso6336 import (
     surface_factor,
 )
 from gearwright.parts.stiffness import modulus_factor
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The virtual cylindrical gears of a bevel pair by ISO 10300-1:2023, annex A, method B1, without hypoid offset.

@@ -11,11 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import CELSIUS, RPM, Floats
 from gearwright.elementwise import Values, across, functions
 from gearwright.parts.bearings import BearingKind, taper_factors
 from gearwright.parts.gears import UNSHIFTED, ToothShift, base_helix_angle, transverse_pressure_angle
-from gearwright.units import CELSIUS, RPM
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Power lost in a gear mesh: the tooth-loss factor and the mean friction of the teeth.

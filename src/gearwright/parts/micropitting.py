@@ -11,12 +11,10 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem, refuse
+from gearwright.base import RPM, Floats, Origin, Problem, Quantity, refuse
 from gearwright.parts.iso6336 import MeshGeometry, Treatment, Value, as_value
 from gearwright.parts.losses import oil_viscosity, tooth_loss_factor
 from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
-from gearwright.units import RPM, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # An oil between flanks: viscosity, density and pressure-viscosity coefficient over temperature (ISO/TS 6336-22).

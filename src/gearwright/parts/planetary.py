@@ -18,8 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Bools, Floats
-from gearwright.errors import Problem, refuse
+from gearwright.base import Bools, Floats, Problem, refuse
 from gearwright.parts.gears import GearPair, half_angle_at, involute
 
 # ----------------------------------------------------------------------------------------------------------------------

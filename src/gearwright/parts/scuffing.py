@@ -12,12 +12,10 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Floats, Origin, Problem, Quantity, refuse
 from gearwright.parts.gears import reduced_modulus
 from gearwright.parts.iso6336 import MeshGeometry, Value
 from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Scuffing of cylindrical pairs: flash temperature (ISO/TS 6336-20) with its load sharing and friction.

@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Floats, Problem
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Shafts under bending and torsion by Tresca: stress, diameter, mass, torsional stiffness; solid or hollow.

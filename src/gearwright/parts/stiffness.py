@@ -13,8 +13,7 @@ from typing import Any, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Floats, Problem, refuse
 from gearwright.parts.gears import (
     BasicRack,
     CylindricalGear,

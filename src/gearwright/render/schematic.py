@@ -13,10 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.errors import by_name
-from gearwright.identity import SIDES, Kind, Role
-from gearwright.render import skeleton as glyphs
-from gearwright.render import style as theme
+from gearwright.base import SIDES, Kind, Role, by_name, shown, text, written
+from gearwright.render import skeleton as glyphs, style as theme
 from gearwright.render.skeleton import Layout, centre_distance, element, lay_out, pair_meshes
 from gearwright.render.style import Board
 from gearwright.render.vector.figure import Axes, Figure, Slot, tinted
@@ -24,7 +22,6 @@ from gearwright.render.vector.layout import text_width
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND
 from gearwright.train import INTERNAL, Attachment, Branch, Gear, Mesh, PowerFlow, Train, attachments, branches
-from gearwright.units import shown, text, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A compound set on paper: a column for each sun and ring, planets as wide as their mates' columns, one carrier.

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gearwright.arrays import largest_first
-from gearwright.identity import Kind, Role
+from gearwright.base import Kind, Role, largest_first
 from gearwright.render import style as theme
 from gearwright.render.vector.figure import DARK_STEEL, DEEP_STEEL, PALE_STEEL, Axes, circle
 from gearwright.sizing import GearSizing

@@ -17,7 +17,7 @@ from typing import ParamSpec
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, verb
 from gearwright.render.vector.figure import (
     AMBER,
     BLUE,
@@ -32,14 +32,13 @@ from gearwright.render.vector.figure import (
     SKY,
     STEEL,
     Axes,
+    Box as Rectangle,
     Curve,
     Figure,
     Shape,
 )
-from gearwright.render.vector.figure import Box as Rectangle
 from gearwright.render.vector.layout import POINT, SPACING, text_width
 from gearwright.render.vector.svg import svg_text
-from gearwright.verbs import verb
 
 __all__ = ["AMBER", "BLUE", "CYCLE", "GREEN", "HAIR", "INK", "MUTED", "ORANGE", "PAPER", "PURPLE", "SKY", "STEEL"]
 

@@ -3,7 +3,7 @@
 Envelopes and places are `sizing`'s; pages and drawings that show solids are `render`'s.
 """
 
-from gearwright.shape.bodies import CHAMBER, COLLAR, WEB
+from gearwright.shape.bodies import CHAMBER, COLLAR, WEB, held_at, plate_outline
 from gearwright.shape.casings import FLANGES, MOUNT, RIB, SCREW, screw_places
 from gearwright.shape.scene import COLOURS, DETAILS, SolidMass, casing_masses, glb, scene, short_of, solid_masses
 from gearwright.shape.stands import (
@@ -11,16 +11,19 @@ from gearwright.shape.stands import (
     Node,
     Scene,
     Stand,
+    axes_at,
     contacts_of,
     cylindrical_gear,
     halves_of,
     hand_of,
     is_internal,
     kind_of,
+    middle_of,
+    set_frame,
     sized_mesh,
     stands_of,
 )
-from gearwright.shape.surfaces import Edges, Surface, edges_of
+from gearwright.shape.surfaces import Bores, Edges, Surface, around, circle, edges_of
 from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 
 __all__ = [
@@ -33,6 +36,7 @@ __all__ = [
     "RIB",
     "SCREW",
     "WEB",
+    "Bores",
     "Contact",
     "Edges",
     "Node",
@@ -40,18 +44,25 @@ __all__ = [
     "SolidMass",
     "Stand",
     "Surface",
+    "around",
+    "axes_at",
     "bevel_pair",
     "casing_masses",
+    "circle",
     "contacts_of",
     "cylindrical_gear",
     "edges_of",
     "glb",
     "halves_of",
     "hand_of",
+    "held_at",
     "is_internal",
     "kind_of",
+    "middle_of",
+    "plate_outline",
     "scene",
     "screw_places",
+    "set_frame",
     "short_of",
     "sized_mesh",
     "solid_masses",

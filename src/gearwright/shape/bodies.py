@@ -9,8 +9,7 @@ from zlib import crc32
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.identity import HOUSING, Kind, PartId, Role
+from gearwright.base import HOUSING, Floats, Kind, PartId, Role
 from gearwright.parts.bevel_geometry import Hand, bevel_way
 from gearwright.parts.gears import Blank, transverse_form
 from gearwright.shape.casings import (
@@ -47,17 +46,26 @@ from gearwright.shape.solids import (
     turned,
 )
 from gearwright.shape.stands import Axes, Node, Stand, axes_at, halves_of, hand_of, kind_of, meshes_of, middle_of
-from gearwright.sizing import CarrierSizing, GearSizing, Sizing
+from gearwright.sizing import Body, CarrierSizing, Direction, GearSizing, Point, Sizing, Station
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.casing import RingSeat, bosses_of, cover_at, housed, lands_of, shell_of
-from gearwright.sizing.housing_shell import LEAST, SAME, Stretch, fits, inside_of, loop_around, rooms_around
-from gearwright.sizing.housing_shell import SAME_CORNER as NEAR
+from gearwright.sizing.housing_shell import (
+    LEAST,
+    SAME,
+    SAME_CORNER as NEAR,
+    Stretch,
+    fits,
+    inside_of,
+    loop_around,
+    rooms_around,
+)
 from gearwright.sizing.mass import (
     MOUNTS,
     RIBS,
     Bridge,
     Cage,
     Plate,
+    bevel_cones as bevel_pair,
     bevel_dish,
     bevel_hub,
     bevel_web,
@@ -68,11 +76,8 @@ from gearwright.sizing.mass import (
     weighed_flanges,
     weighed_wall,
 )
-from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 from gearwright.sizing.places import Bell, Run
-from gearwright.sizing.result import Body, Direction, Point, Station
-from gearwright.sizing.shafts import Holder, holders_of
-from gearwright.sizing.shafts.ends import Leaving, leaving_of
+from gearwright.sizing.shafts import Holder, Leaving, holders_of, leaving_of
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The solids of gears: teeth of their tools over bodies as they are weighed.

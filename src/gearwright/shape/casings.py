@@ -9,14 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, following, largest, largest_first
+from gearwright.base import Bools, Floats, following, largest, largest_first
 from gearwright.shape.chambers import Chamber, without
 from gearwright.shape.solids import Fastener, Layer, Section, Solid, block
 from gearwright.shape.stands import Axes
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import HEAD, HOLE, LENGTH, NUT, THICKNESS, WASHER, Flanges
-from gearwright.sizing.housing_shell import SAME, Stretch, inside_of, loop_around, ways_of
-from gearwright.sizing.housing_shell import SAME_CORNER as NEAR
+from gearwright.sizing.housing_shell import SAME, SAME_CORNER as NEAR, Stretch, inside_of, loop_around, ways_of
 from gearwright.sizing.places import Run
 from gearwright.sizing.shafts import holders_of
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints, following
+from gearwright.base import Bools, Floats, Ints, following
 from gearwright.shape.surfaces import Surface, around, around_hole, joined, plane_triangles
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, largest_first
-from gearwright.identity import HOUSING, Kind, Role
+from gearwright.base import HOUSING, Bools, Floats, Kind, Role, largest_first
 from gearwright.parts.bevel_geometry import BevelPair, bevel_form
 from gearwright.parts.gears import TransverseTooth, face_reach, face_thickness, transverse_form
 from gearwright.shape.bodies import Leaning, leanings

@@ -13,10 +13,8 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.arrays import Floats
+from gearwright.base import HOUSING, Floats, Kind, Mass, PartId, Problem, Role, carrier_part, near, refuse, verb
 from gearwright.catalogue import STEEL_DENSITY, housing_materials
-from gearwright.errors import Problem, near, refuse
-from gearwright.identity import HOUSING, Kind, PartId, Role, carrier_part
 from gearwright.parts.gears import Blank
 from gearwright.shape.bodies import (
     CHAMBER,
@@ -57,14 +55,11 @@ from gearwright.shape.stands import (
     triangles_of,
 )
 from gearwright.shape.surfaces import Surface
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, tips_in_fillets
 from gearwright.sizing.casing import ring_frame, ring_seats
 from gearwright.sizing.mass import Cage, bell_name, cage_of, complete_mass, gear_blanks, seat_names
 from gearwright.sizing.places import Run, bells, plates_of, runs
 from gearwright.sizing.shafts import holders_of
-from gearwright.sizing.summaries import tips_in_fillets
-from gearwright.units import Mass
-from gearwright.verbs import verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

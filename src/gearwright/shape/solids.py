@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints, following
+from gearwright.base import Bools, Floats, Ints, following
 from gearwright.parts.bevel_geometry import BevelPair, bevel_form
 from gearwright.parts.gears import Blank, TransverseTooth, face_reach, face_thickness, face_way
 from gearwright.shape.surfaces import (

@@ -10,24 +10,28 @@ from functools import cached_property
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import by_name
-from gearwright.identity import SIDES, PartId, Role
+from gearwright.base import SIDES, Floats, PartId, Role, Shown, by_name
 from gearwright.parts.bevel_geometry import Hand
 from gearwright.parts.gears import CylindricalGear
 from gearwright.shape.chambers import Chamber, chamber_surface
 from gearwright.shape.solids import Fastener, Solid, fastener_surface, surface_of
 from gearwright.shape.surfaces import Surface
-from gearwright.sizing import GearSizing, MeshSizing, Sizing, pins_of, planet_positions
-from gearwright.sizing import gear_geometry as tooth_shape
+from gearwright.sizing import (
+    Body,
+    Frame,
+    GearSizing,
+    MeshSizing,
+    Sizing,
+    gear_geometry as tooth_shape,
+    pins_of,
+    planet_positions,
+    rating_as_sized,
+)
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.insight import rating_as_sized
 from gearwright.sizing.mass import bevel_cones as bevel_pair
 from gearwright.sizing.rating import Making, method_for
-from gearwright.sizing.result import Body, Frame
 from gearwright.spec import GROUND, Pair
 from gearwright.train import INTERNAL, Mesh
-from gearwright.verbs import Shown
 
 __all__ = ["bevel_pair"]
 

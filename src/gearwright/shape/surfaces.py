@@ -10,9 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Complexes, Floats, Ints, following
-from gearwright.units import Volume
-from gearwright.verbs import Shown
+from gearwright.base import Bools, Complexes, Floats, Ints, Shown, Volume, following
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Closed surfaces of triangles: what a body is made of, and what it encloses.

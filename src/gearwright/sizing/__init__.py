@@ -32,7 +32,21 @@ from gearwright.sizing.gear_geometry import (
     thickness_of,
     towards,
 )
-from gearwright.sizing.insight import Beside, Influence, MeshBeside, MeshInfluences, influences, methods_beside
+from gearwright.sizing.insight import (
+    Beside,
+    Influence,
+    MeshBeside,
+    MeshInfluences,
+    Trial,
+    UsualValue,
+    gear_relief,
+    influences,
+    made_of,
+    methods_beside,
+    rating_as_sized,
+    trial_of,
+    usual_values,
+)
 from gearwright.sizing.many import Sizings, Structure, in_lanes, size_many, structure_of
 from gearwright.sizing.result import (
     Arrangement,
@@ -70,6 +84,7 @@ from gearwright.sizing.summaries import (
     pair_data,
     rated_factors,
     stage_summaries,
+    tips_in_fillets,
 )
 
 __all__ = [
@@ -110,16 +125,20 @@ __all__ = [
     "Station",
     "Structure",
     "TeethSearch",
+    "Trial",
     "Turn",
+    "UsualValue",
     "asked_results",
     "asked_speeds",
     "backlash_of",
     "bearing_forces",
     "cylindrical_gear",
     "fit_of",
+    "gear_relief",
     "governing_case",
     "in_lanes",
     "influences",
+    "made_of",
     "mass_groups",
     "mass_parts",
     "mesh_factors",
@@ -132,6 +151,7 @@ __all__ = [
     "planet_positions",
     "play_in_motion",
     "rated_factors",
+    "rating_as_sized",
     "refuse_no_numbers",
     "remarks",
     "size",
@@ -142,6 +162,9 @@ __all__ = [
     "structure_of",
     "telling_cases",
     "thickness_of",
+    "tips_in_fillets",
     "total_results",
     "towards",
+    "trial_of",
+    "usual_values",
 ]

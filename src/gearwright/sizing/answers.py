@@ -11,10 +11,25 @@ from dataclasses import dataclass, fields, replace
 from types import MappingProxyType
 from typing import Annotated, NamedTuple, get_args, get_type_hints
 
-from gearwright.arrays import largest_first
-from gearwright.checks import Check
-from gearwright.errors import DesignError, Problem, near
-from gearwright.identity import GEARBOX, Kind, PartId
+from gearwright.base import (
+    GEARBOX,
+    Check,
+    DesignError,
+    Kind,
+    Length,
+    Mass,
+    Origin,
+    PartId,
+    Problem,
+    Quantity,
+    Ratio,
+    Speed,
+    largest_first,
+    marks_at,
+    near,
+    text,
+    verb,
+)
 from gearwright.parts.gears import GearPair
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.bearing_seats import planet_bodies
@@ -25,8 +40,6 @@ from gearwright.sizing.result import PRELIMINARY, GearSizing, MachineSizing, Mes
 from gearwright.sizing.shaft_results import CarrierSizing, ShaftSizing
 from gearwright.spec import Design, Pair
 from gearwright.train import INTERNAL, Efficiency, PowerFlow, Train, efficiencies, shaft_powers
-from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, marks_at, text
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What optimisers want little of beside mass, loss and room: shaken meshes, flanks to be ground.

@@ -15,9 +15,21 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, near, refuse
-from gearwright.identity import SIDES, Role, carrier_part
+from gearwright.base import (
+    SIDES,
+    DesignError,
+    Floats,
+    Origin,
+    Problem,
+    Quantity,
+    Role,
+    Volume,
+    apart,
+    carrier_part,
+    near,
+    refuse,
+    text,
+)
 from gearwright.parts.bearings import LoadFactors, taper_pair_thrusts
 from gearwright.sizing.axis_order import (
     Axle,
@@ -34,7 +46,6 @@ from gearwright.sizing.result import Arrangement, GearSizing, ShaftPlan, Sizing
 from gearwright.spec import Pair
 from gearwright.spec.design import LOCATES, NOTHING_GIVEN, SIDE_ANGLES, BearingSeat, Design, ShaftLayout
 from gearwright.train import PowerFlow, Train
-from gearwright.units import Origin, Quantity, Volume, apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Where the axes of the shafts stand in the cross-section, so that every mesh force has a direction.

@@ -7,7 +7,7 @@ from functools import cache, lru_cache
 from itertools import combinations, pairwise
 from typing import Literal, NamedTuple
 
-from gearwright.identity import Role, carrier_part
+from gearwright.base import Role, carrier_part
 from gearwright.parts.planetary import planes
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing, ShaftPlan

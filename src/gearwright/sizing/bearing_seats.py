@@ -8,10 +8,8 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Check, Floats, Force, Kind, Length, PartId, Role, gear_part
 from gearwright.catalogue import Bearing, bearing, with_ratings
-from gearwright.checks import Check
-from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.gears import ISO53_A
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.gear_geometry import planet_push, set_pins
@@ -22,7 +20,6 @@ from gearwright.sizing.shaft_results import PlanetBearingSizing, ShaftSizing
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat, PlanetBearing
 from gearwright.train import INTERNAL, Mesh, PowerFlow
-from gearwright.units import Force, Length
 
 # ----------------------------------------------------------------------------------------------------------------------
 # One bearing seat: what it bears in proportion to the torques of the meshes, and what sits there.

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import CELSIUS, Check, DesignError, Floats, Kind, Life, PartId, Problem, Status, apart
 from gearwright.catalogue import (
     Bearing,
     BearingCheck,
@@ -30,9 +30,6 @@ from gearwright.catalogue import (
     pressure_centre,
     with_ratings,
 )
-from gearwright.checks import Check, Status
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import Kind, PartId
 from gearwright.parts.bearings import (
     BearingKind,
     Cleanliness,
@@ -63,7 +60,6 @@ from gearwright.sizing.shaft_results import BearingSizing, CarrierSizing, Runnin
 from gearwright.spec import Design
 from gearwright.spec.checks import APART, KINDS
 from gearwright.spec.design import LOCATES, BearingSeat, levels_of, shares_of
-from gearwright.units import CELSIUS, Life, apart
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What one bearing bears over the life that is asked of it, by the load cases and their levels.

@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, following, smallest
+from gearwright.base import HOUSING, Floats, Kind, following, smallest
 from gearwright.catalogue import housing_materials
-from gearwright.identity import HOUSING, Kind
 from gearwright.memo import of_latest
 from gearwright.parts.joints import MODULES, ROOT_DEPTH, Spline, spline, spline_length, spline_pressure
 from gearwright.sizing.gear_geometry import ring_radii

@@ -8,9 +8,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple, Protocol, TypeVar
 
+from gearwright.base import INCH, DesignError, Length, Origin, Problem, Quantity, Role, gear_part, text
 from gearwright.catalogue import centre_allowance, thickness_allowances
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import Role, gear_part
 from gearwright.parts.gears import (
     ISO53_A,
     BasicRack,
@@ -38,10 +37,8 @@ from gearwright.sizing.rating import (
     working_radii,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
-from gearwright.spec import Design, Epicyclic, Pair, Planetary
-from gearwright.spec.design import GearRules
+from gearwright.spec import Design, Epicyclic, GearRules, Pair, Planetary
 from gearwright.train import INTERNAL, Mesh
-from gearwright.units import INCH, Length, Origin, Quantity, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Where the pins of compound sets stand, and in which planes their gears lie, with the modules that were found.

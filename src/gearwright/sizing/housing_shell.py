@@ -11,9 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, following, smallest
+from gearwright.base import Floats, Kind, following, smallest
 from gearwright.catalogue import HousingMaterial
-from gearwright.identity import Kind
 from gearwright.sizing.result import Body, Direction, Point
 
 # ----------------------------------------------------------------------------------------------------------------------

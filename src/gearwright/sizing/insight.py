@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple
 
-from gearwright.checks import Check
-from gearwright.errors import DesignError, GearwrightError, SolveError
+from gearwright.base import Check, DesignError, GearwrightError, Origin, Quantity, Shown, SolveError, verb
 from gearwright.sizing.rating import (
     METHODS,
     Context,
@@ -37,8 +36,6 @@ from gearwright.spec import Design, edited
 from gearwright.spec.design import RATINGS, given_values
 from gearwright.spec.edit import Value
 from gearwright.train import INTERNAL, Mesh
-from gearwright.units import Origin, Quantity
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The factors that methods share under other names, and why their values differ: data for the comparison.

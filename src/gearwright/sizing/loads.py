@@ -11,8 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats
-from gearwright.identity import carrier_part
+from gearwright.base import Complexes, Floats, carrier_part
 from gearwright.parts.shafts import Diagram, PointLoads, diagram, supported
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.gear_geometry import rolling_of, set_pins, set_rollings, towards

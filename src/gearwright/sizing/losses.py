@@ -13,10 +13,25 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest_first
+from gearwright.base import (
+    CELSIUS,
+    RPM,
+    Floats,
+    Number,
+    Origin,
+    Power,
+    Problem,
+    Quantity,
+    Ratio,
+    Shown,
+    by_name,
+    largest_first,
+    near,
+    refuse,
+    verb,
+)
 from gearwright.catalogue import bearing_friction, equivalent_loads
 from gearwright.elementwise import Values, functions, plain
-from gearwright.errors import Problem, by_name, near, refuse
 from gearwright.parts.bearings import BearingKind, LoadFactors, run_film, taper_factors
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.iso6336 import RZ_OVER_RA
@@ -66,8 +81,6 @@ from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import GROUND, case_named
 from gearwright.spec.design import LOCATES, RATINGS, BearingSeat
 from gearwright.train import PowerFlow
-from gearwright.units import CELSIUS, RPM, Number, Origin, Power, Quantity, Ratio
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The oil and the formulas by which a gearbox loses power.

@@ -13,12 +13,20 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from gearwright.arrays import largest, smallest
+from gearwright.base import (
+    CELSIUS,
+    Check,
+    DesignError,
+    Problem,
+    Role,
+    Status,
+    gear_part,
+    largest,
+    not_assessed,
+    smallest,
+)
 from gearwright.catalogue import Bearing, bearings, check_bearing
-from gearwright.checks import Check, Status, not_assessed
 from gearwright.elementwise import Values
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import Role, gear_part
 from gearwright.parts.bearings import (
     CERAMIC_DENSITY,
     STEEL_DENSITY,
@@ -51,7 +59,6 @@ from gearwright.sizing.result import PRELIMINARY, GearSizing
 from gearwright.sizing.shaft_results import PlanetBearingSizing
 from gearwright.spec import Design
 from gearwright.spec.design import PlanetBearing
-from gearwright.units import CELSIUS
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a bearing between a planet and its pin is chosen for: the room, the loads, the strength of the pin.

@@ -9,9 +9,30 @@ from functools import cache, cached_property
 from types import NoneType
 from typing import Annotated, Any, NamedTuple, get_type_hints
 
-from gearwright.checks import Check, worst
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
+from gearwright.base import (
+    Angle,
+    Check,
+    DesignError,
+    Inertia,
+    Length,
+    Mass,
+    Number,
+    Origin,
+    OriginOf,
+    PartId,
+    Power,
+    Problem,
+    Quantity,
+    Ratio,
+    Role,
+    Row,
+    Shown,
+    Torque,
+    gear_part,
+    marks_of,
+    mesh_part,
+    worst,
+)
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing.rating import MeshRating
@@ -26,21 +47,6 @@ from gearwright.sizing.shaft_results import (
 from gearwright.spec import Design, Record, parse
 from gearwright.spec.design import BearingSeat, Given
 from gearwright.train import PowerFlow, Train
-from gearwright.units import (
-    Angle,
-    Inertia,
-    Length,
-    Mass,
-    Number,
-    Origin,
-    OriginOf,
-    Power,
-    Quantity,
-    Ratio,
-    Torque,
-    marks_of,
-)
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How the teeth of a sizing were chosen: how many combinations there were, and how far the next one is.

@@ -6,11 +6,25 @@ import math
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
-from gearwright.arrays import smallest
+from gearwright.base import (
+    Endless,
+    Force,
+    Length,
+    Life,
+    Mass,
+    Origin,
+    PartId,
+    Quantity,
+    Ratio,
+    Slope,
+    Speed,
+    Stress,
+    Torque,
+    carrier_part,
+    smallest,
+)
 from gearwright.catalogue import Bearing, ModifiedLife
-from gearwright.identity import PartId, carrier_part
 from gearwright.parts.bearings import Journal
-from gearwright.units import Endless, Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What sizing yields of shafts as they are built: steps, seats, bearings and joints.

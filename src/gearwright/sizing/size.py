@@ -11,9 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.checks import BEYOND_SIZING, Check, accepted, unknown_waivers
-from gearwright.errors import DesignError, refuse
-from gearwright.identity import Kind, PartId
+from gearwright.base import BEYOND_SIZING, Check, DesignError, Kind, PartId, accepted, refuse, unknown_waivers, verb
 from gearwright.machines import (
     LENGTH_RATIO,
     motor_diameter,
@@ -51,7 +49,6 @@ from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
 from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
 from gearwright.train import Train, build_train
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Machines as the gearbox needs them: torque, mass of motors, inertia of what turns; how fast tips of rotors are.

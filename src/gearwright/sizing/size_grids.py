@@ -11,9 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.checks import ROUNDING
-from gearwright.identity import Role
+from gearwright.base import ROUNDING, Floats, Role
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.planetary import Plate, first_carrier_mass, planes
 from gearwright.sizing.rating import (

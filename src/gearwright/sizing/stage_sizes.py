@@ -7,9 +7,8 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from gearwright.base import DesignError, Problem, Role, refuse
 from gearwright.catalogue import LEAST_SHARING
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Role
 from gearwright.parts.iso6336 import mesh_springs
 from gearwright.parts.planetary import clocking_load_factor, path_stiffness, tolerance_load_factor
 from gearwright.sizing.rating import Context, Demand, bevel_pair, cylindrical_mesh, load_sharing

@@ -11,9 +11,19 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from operator import attrgetter
 
-from gearwright.checks import Check, accepted, not_assessed
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Kind, PartId, Role, gear_part
+from gearwright.base import (
+    Check,
+    DesignError,
+    Kind,
+    PartId,
+    Problem,
+    Role,
+    accepted,
+    gear_part,
+    not_assessed,
+    refuse,
+    text,
+)
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, least_cutter_radius
 from gearwright.parts.gears import (
     ISO53_A,
@@ -65,7 +75,6 @@ from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
 from gearwright.spec.design import NOTHING_GIVEN, ForbiddenBand, Given, allowed_in_case, cases_forbidding
 from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train, Turning, build_train, passes, power_flows
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears and meshes of a train whose stages are sized: diameters, forces, stresses, margins, masses.

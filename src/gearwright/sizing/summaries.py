@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
-from gearwright.identity import Role, gear_part
+from gearwright.base import Origin, Quantity, Role, gear_part
 from gearwright.parts.bevel_geometry import BevelBlank, bevel_blank, least_cutter_radius
 from gearwright.parts.gears import form_radius, span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import DynamicFactorBySpeed, MeshGeometry
@@ -18,7 +18,6 @@ from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
 from gearwright.spec import Design, Epicyclic, Planetary
 from gearwright.train import INTERNAL
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Stage by stage: kind, ratio, meshes that share the torque, size and mass, to hold designs beside each other.

@@ -15,10 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats, one_blas_thread
-from gearwright.errors import DesignError, Problem, near, refuse
+from gearwright.base import DesignError, Floats, Problem, near, one_blas_thread, refuse, verb
 from gearwright.files import beside, refuse_irregular, text_of
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A body reduced to its interfaces and some modes (Craig & Bampton): mass, stiffness, and what each coordinate is.

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, TypeVar, Union, get_args, get_origin
 
 from pydantic import ValidationError
 
-from gearwright.errors import DesignError, Problem, near, refuse
+from gearwright.base import DesignError, Problem, near, refuse, shown, suffix_unit, verb
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
 from gearwright.spec.missions import Mission
@@ -30,8 +30,6 @@ from gearwright.spec.record import (
     message_of,
     quantity_of,
 )
-from gearwright.units import shown, suffix_unit
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Change a design or mission by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200.

@@ -11,10 +11,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from gearwright.errors import Problem, near
-from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
-from gearwright.spec.record import Record
-from gearwright.units import (
+from gearwright.base import (
     Angle,
     Area,
     Distance,
@@ -23,13 +20,17 @@ from gearwright.units import (
     Length,
     Mass,
     Power,
+    Problem,
     Ratio,
+    Shown,
     Speed,
     Time,
     Torque,
     Velocity,
+    near,
 )
-from gearwright.verbs import Shown
+from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
+from gearwright.spec.record import Record
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The aircraft of a mission: a point mass with a drag polar, flaps, wheels and fuel.

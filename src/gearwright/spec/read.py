@@ -13,8 +13,8 @@ from typing import Any, cast
 import numpy as np
 
 from gearwright.air import height
+from gearwright.base import DesignError, Problem, excerpt, near, verb
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
-from gearwright.errors import DesignError, Problem, excerpt, near
 from gearwright.files import beside, numbers_of, text_of
 from gearwright.parts.stiffness import sampled_curve
 from gearwright.shipped import find_design, find_mission
@@ -34,7 +34,6 @@ from gearwright.spec.missions import (
     window_problems,
 )
 from gearwright.spec.record import STAND_INS, Location, build
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Line numbers of the keys of a TOML text, which TOML readers do not give.

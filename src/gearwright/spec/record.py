@@ -24,8 +24,7 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from gearwright.errors import Problem, excerpt, near
-from gearwright.units import SUFFIXES, Quantity, Reciprocal, suffix_unit
+from gearwright.base import SUFFIXES, Problem, Quantity, Reciprocal, excerpt, near, suffix_unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a number, a text or a list in a file may be: bounds of each kind of quantity, which fields narrow.

@@ -11,13 +11,11 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.base import DesignError, Problem, near, suffix_unit, verb
 from gearwright.spec.design import Design
 from gearwright.spec.missions import Mission
 from gearwright.spec.record import Key, Range, Record, keys_of, quantity_of, range_of
 from gearwright.spec.studies import MixFile, Study
-from gearwright.units import suffix_unit
-from gearwright.verbs import verb
 
 FILES: Mapping[str, type[Record]] = MappingProxyType(
     {"design": Design, "mission": Mission, "mix": MixFile, "study": Study}

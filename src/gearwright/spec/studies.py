@@ -15,15 +15,13 @@ from typing import Any, Literal, cast
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from gearwright.errors import DesignError, Problem, excerpt, refuse
+from gearwright.base import DesignError, Problem, Ratio, Shown, Time, excerpt, refuse, verb
 from gearwright.files import beside
 from gearwright.shipped import find_mission, find_mix, find_study, shipped_missions, shipped_mixes
 from gearwright.spec.edit import edited_mission
 from gearwright.spec.missions import BearingLifeRules, Mission
 from gearwright.spec.read import file_text, is_map_file, mission_problems, placed, read_mission, toml_tables
 from gearwright.spec.record import Record, build, today
-from gearwright.units import Ratio, Time
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # One axis of a study: a list of values, equal steps, a range, or a distribution.

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from gearwright.base import verb
 from gearwright.spec.design import Design
 from gearwright.spec.edit import design_text, key_of, name_text, value_text
 from gearwright.spec.read import HEADER, KEY
 from gearwright.spec.record import Key, Record, keys_of
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a changed design gives, as tables in the keys and units of a file: what stands there and is unchanged stays.

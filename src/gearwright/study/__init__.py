@@ -5,10 +5,10 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from gearwright.base import callable_layer
 from gearwright.study.engine import for_engine, for_requirement
 from gearwright.study.running import compare, fly_many, run
 from gearwright.study.tables import Row, Table
-from gearwright.verbs import callable_layer
 
 if TYPE_CHECKING:
     from gearwright.study.architectures import EqualLife, equal_life

@@ -13,8 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, largest_first
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.base import DesignError, Floats, Ints, Problem, Shown, SolveError, largest_first, shown, unit
 from gearwright.sizing import Named
 from gearwright.spec import Study, value_at
 from gearwright.study.tables import (
@@ -29,8 +28,6 @@ from gearwright.study.tables import (
     violations,
     wanted,
 )
-from gearwright.units import shown, unit
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Which design wins over all objectives, by how much, and how sure that is.

@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from gearwright.checks import Check
+from gearwright.base import Check, DesignError, Life, Mass, Problem, Ratio, Shown, margin_text, verb
 from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
 from gearwright.closure.requirements import LONGEST
-from gearwright.errors import DesignError, Problem
 from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, Verdict, review
 from gearwright.sizing import size
@@ -18,8 +17,6 @@ from gearwright.sizing.mass import Statistics, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running import comparison_of
-from gearwright.units import Life, Mass, Ratio, margin_text
-from gearwright.verbs import Shown, verb
 
 
 @dataclass(frozen=True, repr=False)

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, GearwrightError, Problem, refuse
+from gearwright.base import Bools, DesignError, Floats, GearwrightError, Ints, Problem, refuse
 from gearwright.memo import Memo
 from gearwright.signals import heard_after
 from gearwright.sizing import TEXT, Named, Sizing, asked_results, in_lanes, pick, size
@@ -23,6 +22,7 @@ from gearwright.spec import (
     Design,
     Mission,
     Study,
+    Value,
     axis_values,
     case_count,
     edited,
@@ -30,7 +30,6 @@ from gearwright.spec import (
     path_problem,
     value_at,
 )
-from gearwright.spec.studies import Value
 from gearwright.study.tables import Blocks, Row, block_of_columns, blocks_of, crowding, ranks, violations, wanted
 
 if TYPE_CHECKING:

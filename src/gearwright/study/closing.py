@@ -9,8 +9,8 @@ from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
+from gearwright.base import DesignError, Problem, refuse
 from gearwright.closure import Course, OnMission, Wishes
-from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import Design
 from gearwright.store import load, save
 from gearwright.study.journal import made_with

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import RPM, DesignError, Problem, refuse, verb
 from gearwright.spec import Design, edited
 from gearwright.spec.design import SUN_LIMITS, Motor, Turbine
 from gearwright.spec.edit import Value
 from gearwright.train import speed_range
-from gearwright.units import RPM
-from gearwright.verbs import verb
 
 
 @verb

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.errors import DesignError, GearwrightError, Problem, SolveError
+from gearwright.base import DesignError, GearwrightError, Problem, SolveError
 from gearwright.files import refuse_irregular
 from gearwright.sizing import Named
 from gearwright.spec import Design, Study, case_count

@@ -13,14 +13,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, largest_first, smallest
-from gearwright.errors import DesignError, Problem
+from gearwright.base import Bools, DesignError, Floats, Problem, Shown, largest_first, smallest
 from gearwright.spec import Study, value_at
 from gearwright.spec.studies import MOST_STEPS, SCATTERED, TRIED_STEPS, Value
 from gearwright.study.answers import confidence
 from gearwright.study.cases import Case, unit_sample
 from gearwright.study.tables import Limit, Row, Table, left_of, limits_of
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a method finds: the probability of failure, how sure it is, and the likeliest failure of every limit.

@@ -18,8 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Ints
-from gearwright.errors import DesignError, Problem, SolveError, refuse
+from gearwright.base import DesignError, Ints, Problem, SolveError, refuse, verb
 from gearwright.files import bytes_of, write_text
 from gearwright.shipped import find_design, shipped_study
 from gearwright.spec import Axis, Design, Mission, Study, case_count, read, read_study
@@ -44,7 +43,6 @@ from gearwright.study.journal import (
 from gearwright.study.reliability import failures
 from gearwright.study.tables import NUMBER, Blocks, Row, Table, blocks_of
 from gearwright.study.workers import Compute, local
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Parts of one study for machines that know nothing of each other, and their journals as one.

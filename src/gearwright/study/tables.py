@@ -15,13 +15,23 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem, install, near
+from gearwright.base import (
+    Bools,
+    DesignError,
+    Floats,
+    Ints,
+    Problem,
+    Shown,
+    frame,
+    install,
+    near,
+    number_text,
+    shown,
+    unit,
+)
 from gearwright.files import write_bytes
 from gearwright.sizing import TEXT, Named
 from gearwright.spec import Study
-from gearwright.units import number_text, shown, unit
-from gearwright.verbs import Shown, frame
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Table: one row per variant; a failed variant is a row with its reason.

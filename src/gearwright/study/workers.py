@@ -20,12 +20,20 @@ from multiprocessing.reduction import ForkingPickler
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from gearwright.errors import DesignError, Problem, SolveError, install, refuse
+from gearwright.base import DesignError, Problem, SolveError, install, refuse
 from gearwright.notices import notice, noticed
 from gearwright.processes import TRIES, dismiss, hire
 from gearwright.spec import Design, Study
-from gearwright.study.cases import LEAST, TOGETHER, Case, evaluate, evaluated, fly_together, goes_together
-from gearwright.study.cases import LEAST as LEAST_TOGETHER
+from gearwright.study.cases import (
+    LEAST,
+    LEAST as LEAST_TOGETHER,
+    TOGETHER,
+    Case,
+    evaluate,
+    evaluated,
+    fly_together,
+    goes_together,
+)
 from gearwright.study.journal import changes_of, made_with
 from gearwright.study.tables import Blocks, Row
 

@@ -28,6 +28,7 @@ from gearwright.train.load_case import (
 from gearwright.train.power_flow import (
     Attachment,
     Branch,
+    Loop,
     MeshFlow,
     PowerFlow,
     attachments,
@@ -50,6 +51,7 @@ __all__ = [
     "Gear",
     "Joint",
     "Loads",
+    "Loop",
     "Mesh",
     "MeshFlow",
     "PowerFlow",

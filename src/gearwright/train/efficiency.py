@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.base import DesignError, Floats, Problem, Ratio, SolveError, largest
 from gearwright.spec import GROUND, Design, Drive, case_named, cases_of
 from gearwright.train.graph import RANK_TOLERANCE, Damper, Joint, Train, remembered
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
@@ -30,7 +29,6 @@ from gearwright.train.torques import (
     solve_lossy,
     undecided,
 )
-from gearwright.units import Ratio
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How a train turns: the speeds that a load case asks for, and those that the teeth give.

@@ -9,11 +9,9 @@ from typing import TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.identity import SIDES, Kind, PartId, Role, Row, gear_part, mesh_part
+from gearwright.base import SIDES, Floats, Kind, PartId, Role, Row, TorsionalDamping, gear_part, mesh_part
 from gearwright.memo import Memo
 from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
-from gearwright.units import TorsionalDamping
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Remember what a matrix gave: the trains of a study repeat their matrices from load case to load case and design.

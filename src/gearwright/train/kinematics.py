@@ -9,9 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import SIDES, Kind, Role
+from gearwright.base import SIDES, DesignError, Floats, Kind, Problem, Role
 from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
 from gearwright.train.graph import (
     RANK_TOLERANCE,

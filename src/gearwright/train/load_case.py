@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.base import Bools, Floats, Problem, refuse
 from gearwright.elementwise import Values
-from gearwright.errors import Problem, refuse
 from gearwright.spec import GROUND, RATED, Design, Drive, case_named, cases_of, drives_of
 from gearwright.train.efficiency import (
     STANDSTILL,

@@ -7,12 +7,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from gearwright.arrays import largest_first
-from gearwright.identity import Kind, PartId, Role, Row, carrier_part
+from gearwright.base import Kind, PartId, Power, Role, Row, Speed, Torque, carrier_part, largest_first
 from gearwright.spec import GROUND, Design, Planetary
 from gearwright.train.graph import INTERNAL, Mesh, Train
 from gearwright.train.kinematics import Yielded
-from gearwright.units import Power, Speed, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a balanced load case carries: in its meshes, clutches, dampers and machines.

@@ -9,13 +9,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import SIDES
+from gearwright.base import SIDES, DesignError, Floats, Problem
 from gearwright.parts.planetary import most_planet_teeth
-from gearwright.spec import GROUND, Clutch, Design, Epicyclic, Machine, Pair, Planetary, case_named, cases_of
+from gearwright.spec import GROUND, Clutch, Design, Epicyclic, Machine, Pair, Planetary, Record, case_named, cases_of
 from gearwright.spec.design import MACHINES, SUN_LIMITS
-from gearwright.spec.record import Record
 from gearwright.train.efficiency import asked_speeds
 from gearwright.train.graph import null_space, remembered
 from gearwright.train.kinematics import (

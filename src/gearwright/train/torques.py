@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.base import Bools, Floats
 from gearwright.spec import GROUND, Design, Pair
 from gearwright.train.graph import Train, null_space, remembered, row_and_null_space
 

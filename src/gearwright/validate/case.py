@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from gearwright.errors import SolveError
-from gearwright.verbs import Shown
+from gearwright.base import Shown, SolveError
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Problem, verb
 from gearwright.validate import engines, gearboxes, gears, shafts, trains, vibration
 from gearwright.validate.case import Case, Checked, check
-from gearwright.verbs import verb
 
 ALL = (
     *trains.PLANETARY_CASES,

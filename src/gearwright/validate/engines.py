@@ -9,13 +9,10 @@ from functools import cache
 import numpy as np
 
 from gearwright.air import air_at, stagnation_ratios
-from gearwright.arrays import Floats
-from gearwright.catalogue import hamilton_standard_charts
-from gearwright.catalogue.turboshafts import inlet_at
-from gearwright.machines import Blades, performance
+from gearwright.base import FOOT, HORSEPOWER, POUND, Floats
+from gearwright.catalogue import hamilton_standard_charts, inlet_at
+from gearwright.machines import Blades, Rated, Turboshaft, engine_of, performance, state_for
 from gearwright.machines.propellers import BladeShape, SectionLoads, loads
-from gearwright.machines.turboshaft import Rated, Turboshaft, engine_of, state_for
-from gearwright.units import FOOT, HORSEPOWER, POUND
 from gearwright.validate.case import Case
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -11,15 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import RPM, Floats
 from gearwright.catalogue import PublishedGearbox
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.mass import CALIBRATED, Calibration, CompleteMass, summed
 from gearwright.spec import Design, parse
-from gearwright.units import RPM
 from gearwright.validate.case import Case
-from gearwright.weights import laws as willis
-from gearwright.weights import mass_afdd00, refit, scores
+from gearwright.weights import laws as willis, mass_afdd00, refit, scores
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Published gearboxes as designs: their power, torque, ratio and kind of stages; what is not published is assumed.

@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 
-from gearwright.dynamics import Model, System, campbell, modes, statics
-from gearwright.dynamics.model import Segment, bending_shaft
+from gearwright.base import INCH, POUND_FORCE, RPM
+from gearwright.dynamics import Model, Segment, System, bending_shaft, campbell, modes, statics
 from gearwright.parts.bearings import (
     BearingGeometry,
     BearingKind,
@@ -33,7 +33,6 @@ from gearwright.parts.shaft_fatigue import (
     keyway_factor,
 )
 from gearwright.parts.shafts import PointLoads, diagram, supported
-from gearwright.units import INCH, POUND_FORCE, RPM
 from gearwright.validate.case import Case
 
 # ----------------------------------------------------------------------------------------------------------------------

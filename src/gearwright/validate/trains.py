@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.dynamics.equations import modes, statics
 from gearwright.dynamics.model import Member, Model, PlanetarySet, PlanetError, System, add_planetary, rotational
 from gearwright.dynamics.vibration import load_shares, mode_families

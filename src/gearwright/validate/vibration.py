@@ -8,9 +8,9 @@ from functools import partial
 
 import numpy as np
 
+from gearwright.base import RPM
 from gearwright.dynamics import Campbell, Model, campbell, modes
 from gearwright.dynamics.model import Bearing, Disc, Line, Placed, Rotor, Segment, add_bearing, add_rotor
-from gearwright.units import RPM
 from gearwright.validate.case import Case
 
 # ----------------------------------------------------------------------------------------------------------------------

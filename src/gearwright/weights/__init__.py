@@ -23,6 +23,7 @@ from gearwright.weights.laws import (
 )
 from gearwright.weights.methods import (
     COLUMNS,
+    Band,
     Check,
     CheckedEngine,
     Comparison,
@@ -50,6 +51,7 @@ from gearwright.weights.methods import (
 __all__ = [
     "COLUMNS",
     "EXISTING_GEARBOXES",
+    "Band",
     "Check",
     "CheckedEngine",
     "Comparison",

@@ -7,20 +7,22 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.units import (
+from gearwright.base import (
     FOOT,
     HORSEPOWER,
     INCH,
     POUND,
     POUND_FORCE,
     RPM,
+    DesignError,
     Mass,
     Number,
     Power,
+    Problem,
     Ratio,
     Speed,
     Torque,
+    refuse,
     text,
 )
 

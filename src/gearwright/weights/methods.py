@@ -13,11 +13,16 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.catalogue import Engine, Printed, gearbox_classes, nearest, select, weighed_gearboxes
-from gearwright.catalogue import engines as printed_engines
-from gearwright.errors import Problem, refuse
-from gearwright.units import HORSEPOWER, POUND, Mass, Number, Ratio, Speed
-from gearwright.verbs import Shown, verb
+from gearwright.base import HORSEPOWER, POUND, Mass, Number, Problem, Ratio, Shown, Speed, refuse, verb
+from gearwright.catalogue import (
+    Engine,
+    Printed,
+    engines as printed_engines,
+    gearbox_classes,
+    nearest,
+    select,
+    weighed_gearboxes,
+)
 from gearwright.weights import laws
 from gearwright.weights.laws import Coverage, Estimate, Method, Range, Requirement, estimate, from_beta, mass_afdd00
 

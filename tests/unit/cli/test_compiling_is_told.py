@@ -9,8 +9,7 @@ from gearwright.app.questions import Question
 from gearwright.app.workers import _safely
 from gearwright.cli import main
 from gearwright.dynamics.code_cache import CodeCache
-from gearwright.dynamics.codegen import assembler
-from gearwright.dynamics.codegen import generate as native
+from gearwright.dynamics.codegen import assembler, generate as native
 from gearwright.dynamics.model import system as plan
 from gearwright.memo import Memo
 from gearwright.notices import notice, noticed

@@ -5,8 +5,7 @@ import pytest
 
 from driven_train import driven_train
 from gearwright.dynamics import simulate, simulate_many
-from gearwright.dynamics.codegen import generate as written_in_parts
-from gearwright.dynamics.codegen import parameters, topology
+from gearwright.dynamics.codegen import generate as written_in_parts, parameters, topology
 from gearwright.dynamics.codegen.generate import SPLIT, assembly
 from gearwright.dynamics.codegen.topology import Writer
 from gearwright.dynamics.equations import reference
@@ -69,8 +68,7 @@ def test_drives_work_in_parts_too(monkeypatch):
 
 def written_as(system, monkeypatch, split):
     """Return the end of a run whose code is in parts above so many lines."""
-    from gearwright.dynamics.codegen import generate as march
-    from gearwright.dynamics.codegen import generate as native
+    from gearwright.dynamics.codegen import generate as march, generate as native
 
     monkeypatch.setattr(march, "SPLIT", split)
     monkeypatch.setattr(written_in_parts, "SPLIT", split)

@@ -1,8 +1,7 @@
 """Generated code agrees with the plain right-hand side and with the generic kernel, on random structures."""
 
 import numpy as np
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from gearwright.dynamics.codegen import compiled, parameter_rows, parameters, topology
 from gearwright.dynamics.equations import WORKS, reference

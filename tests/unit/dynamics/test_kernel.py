@@ -1,8 +1,7 @@
 """Every compiled right-hand side agrees with the plain one."""
 
 import numpy as np
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from gearwright.dynamics.equations import WORKS, kernel, reference
 from gearwright.dynamics.motion import stored_energy

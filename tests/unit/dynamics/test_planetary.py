@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from gearwright.dynamics.equations import line_state, modes, statics
 from gearwright.dynamics.model import Member, Model, PlanetarySet, PlanetError, add_planetary, rotational

@@ -10,8 +10,7 @@ import pytest
 
 from driven_train import driven_state, driven_train
 from gearwright.arrays import Floats, Ints
-from gearwright.dynamics.codegen import address
-from gearwright.dynamics.codegen import excitation as laws
+from gearwright.dynamics.codegen import address, excitation as laws
 from gearwright.dynamics.codegen.loops import Room, at, library, packed
 
 HALF = 0.5

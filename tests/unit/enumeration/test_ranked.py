@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.enumeration import Architecture, Place, Seat, lighter, requirement_of
-from gearwright.enumeration import ranking as module
+from gearwright.enumeration import Architecture, Place, Seat, lighter, ranking as module, requirement_of
 from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
 from gearwright.enumeration.trains import built
 from gearwright.errors import DesignError

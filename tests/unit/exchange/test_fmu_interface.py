@@ -16,8 +16,7 @@ from fmu_host import COMPILER, COMPILES, ERROR, OK, Instance, Unpacked, compile_
 from gearwright.dynamics import Model
 from gearwright.errors import DesignError, SolveError
 from gearwright.exchange import fmu_of_system, to_fmu
-from gearwright.exchange.fmu import MachinePort
-from gearwright.exchange.fmu import write as compiling
+from gearwright.exchange.fmu import MachinePort, write as compiling
 
 OUTPUTS = ["first.sun.speed", "first.sun-planet-1.force", "propeller.acting_torque"]
 

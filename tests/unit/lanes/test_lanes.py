@@ -7,8 +7,7 @@ import random
 import numpy as np
 import pytest
 
-from gearwright.lanes import Diverged, Lanes, Unsupported, chosen, twin
-from gearwright.lanes import functions as lane_math
+from gearwright.lanes import Diverged, Lanes, Unsupported, chosen, functions as lane_math, twin
 from gearwright.lanes.builtin import float_, int_, isinstance_, max_, min_, sum_
 from gearwright.lanes.numeric import numpy as lane_numpy
 

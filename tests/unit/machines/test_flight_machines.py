@@ -2,8 +2,7 @@
 
 import numba
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from gearwright.air import air_at, stagnation_ratios
 from gearwright.errors import DesignError

@@ -5,8 +5,7 @@ import math
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from gearwright.catalogue import map_of, propeller_map, read_propeller_map
 from gearwright.errors import DesignError

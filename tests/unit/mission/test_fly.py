@@ -27,8 +27,7 @@ from gearwright.render.words.flights import flight_csv, flight_text, verdict_tex
 from gearwright.reviews import review_of
 from gearwright.spec import parse_mission
 from gearwright.units import si_unit
-from shipped_work import flown as thesis
-from shipped_work import sized
+from shipped_work import flown as thesis, sized
 
 BASE = """
 schema = 1

@@ -4,8 +4,7 @@ import pytest
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.mission import fly
-from gearwright.mission.lives import gear_damage, size_for_life
-from gearwright.mission.lives import life as life_module
+from gearwright.mission.lives import gear_damage, life as life_module, size_for_life
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import edited_mission, parse, read, read_mission

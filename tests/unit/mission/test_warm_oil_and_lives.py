@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.mission import fly
-from gearwright.mission.lives import bearing_lives
-from gearwright.mission.lives import damage as films
+from gearwright.mission.lives import bearing_lives, damage as films
 from gearwright.sizing import size
 from gearwright.spec import OilNetworkRules, edited, read, read_mission
 

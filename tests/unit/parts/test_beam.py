@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from gearwright.errors import DesignError
 from gearwright.parts.shafts import PointLoads, bearing_reactions, diagram, supported

@@ -3,8 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from gearwright.catalogue import bearing_friction, bearings
 from gearwright.parts.bearings import BearingKind, least_load, speed_factor, speed_limit, thermal_reference_speed

@@ -18,10 +18,10 @@ from gearwright.parts.micropitting import (
     film_of_test,
     film_thickness,
     load_sharing,
+    micropitting as rate,
     path_places,
     permissible_film,
 )
-from gearwright.parts.micropitting import micropitting as rate
 
 TEETH, MODULE = (19, 46), 3.0
 OIL = OilGrade(150e-6, 15.5e-6, 870.0, BASES["polyalphaolefin"])

@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.parts.gears import ISO53_A, ISO53_D, CylindricalGear, GearPair, load_point, tooth_form

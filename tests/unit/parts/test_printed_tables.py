@@ -6,12 +6,9 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.parts import agma2001 as factors
-from gearwright.parts import stiffness as kuang_yang
+from gearwright.parts import agma2001 as factors, stiffness as kuang_yang
 from gearwright.parts.agma2001 import AgmaSteel, agma_strength
-from gearwright.parts.bearings import life
-from gearwright.parts.bearings import life as load
-from gearwright.parts.bearings import rolling_bearing as rating
+from gearwright.parts.bearings import life, life as load, rolling_bearing as rating
 from gearwright.parts.bearings.rolling_bearing import BearingKind
 from gearwright.parts.gears.cylindrical_gear import feed_grade
 from gearwright.parts.gears.lewis_hertz import lewis_form_factor

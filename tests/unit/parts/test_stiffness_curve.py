@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from gearwright.errors import DesignError
 from gearwright.parts.stiffness import StiffnessCurve, pair_curve, rectangular_curve, sampled_curve, stiffness_at

@@ -9,8 +9,7 @@ import zlib
 import numpy as np
 import pytest
 
-from gearwright.render import live
-from gearwright.render import style as theme
+from gearwright.render import live, style as theme
 from gearwright.render.pages.report import report
 from gearwright.render.vector.live import GAP, STEPS, Numbers, live_panels
 

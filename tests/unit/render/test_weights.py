@@ -17,8 +17,7 @@ from gearwright.render.figures.masses import (
     turboprop_fit,
 )
 from gearwright.render.pages.weights import weights_page
-from gearwright.render.tables import weights
-from gearwright.render.tables import weights as weights_data
+from gearwright.render.tables import weights, weights as weights_data
 from gearwright.render.vector.figure import Curve, Dots
 from gearwright.units import RPM
 from gearwright.weights import Requirement, StatedMass, checked_engines, compare, scores

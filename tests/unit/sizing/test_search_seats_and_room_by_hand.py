@@ -12,12 +12,14 @@ from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bearings import BearingKind
-from gearwright.sizing import Body, Direction, Point, Station, size
-from gearwright.sizing import bearings as running
+from gearwright.sizing import Body, Direction, Point, Station, bearings as running, size
 from gearwright.sizing.bearing_seats import _rotor, bearing_seats
-from gearwright.sizing.mass.bearings import _estimated as bearings_by_load
-from gearwright.sizing.mass.bearings import _estimated_bore as planet_on_rollers
-from gearwright.sizing.mass.bearings import bored_mass, loaded_mass
+from gearwright.sizing.mass.bearings import (
+    _estimated as bearings_by_load,
+    _estimated_bore as planet_on_rollers,
+    bored_mass,
+    loaded_mass,
+)
 from gearwright.sizing.places import solid_of
 from gearwright.sizing.places.room import _sphere
 from gearwright.sizing.places.solids import _inside, coaxial_checks, owner

@@ -3,8 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.special import stdtrit
 
 from gearwright.errors import DesignError
@@ -17,6 +16,7 @@ from gearwright.weights import (
     corners,
     estimate,
     from_beta,
+    laws as willis,
     left_out_scatter,
     log_line,
     mass_tm215680,
@@ -25,7 +25,6 @@ from gearwright.weights import (
     refit,
     scores,
 )
-from gearwright.weights import laws as willis
 from gearwright.weights.methods import student_quantile
 
 PW127 = Requirement(2051e3, 20204 * RPM, 1212 * RPM)

@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.shape import COLLAR, WEB
-from gearwright.shape import scene as scene_of
+from gearwright.shape import COLLAR, WEB, scene as scene_of
 from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shape.overlaps import overlaps
 from gearwright.shape.stands import Axes, triangles_of
-from gearwright.sizing import Sizing
-from gearwright.sizing import casing as webs
+from gearwright.sizing import Sizing, casing as webs
 from gearwright.sizing.casing import Web, carried_bosses
 from gearwright.sizing.housing_shell import Around, Stretch
 from gearwright.sizing.making import boss_checks, web_checks

@@ -1,8 +1,7 @@
 """Modules written as diametral pitches: one mechanism for reading, changing, overriding, studies and the schema."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from designs import HYBRID, PAIR, changed, problem
 from gearwright.errors import DesignError

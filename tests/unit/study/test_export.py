@@ -13,8 +13,7 @@ import xarray
 from gearwright.errors import DesignError
 from gearwright.render.tables.variants import study_csv
 from gearwright.sizing import TEXT, Named
-from gearwright.study import Row, Table
-from gearwright.study import tables as export
+from gearwright.study import Row, Table, tables as export
 from gearwright.study.tables import columns, refuse_export, write_table
 
 GOOD = {"mass": Named(43.5, "mass"), "n": Named(2.0 * math.pi, "speed"), "fly.governing": Named("first.sun", TEXT)}

@@ -10,8 +10,7 @@ import pytest
 from gearwright.sizing import Named
 from gearwright.spec import Study
 from gearwright.study import Row, Table
-from gearwright.study.answers import bound, confidence, kept, scenarios
-from gearwright.study.answers import verdict as found_of
+from gearwright.study.answers import bound, confidence, kept, scenarios, verdict as found_of
 
 DESIGNS = ("one", "two", "three")
 

@@ -1,8 +1,7 @@
 """Compound sets: a simple one written as such gives the same numbers; what cannot be put in is refused."""
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from designs import problems
 from gearwright.parts.planetary import CompoundSet, assembles, can_assemble

@@ -28,10 +28,18 @@ from gearwright.replays.pulvirenti.flight import (
     output_swing,
     reflown,
     spaced,
+    steady_level as steady,
 )
-from gearwright.replays.pulvirenti.flight import steady_level as steady
-from gearwright.replays.pulvirenti.pages import FIGURES, PANELS, STIFFNESS, TITLES, Side, chapter_figure, number_text
-from gearwright.replays.pulvirenti.pages import covered_figure_text as covered_text
+from gearwright.replays.pulvirenti.pages import (
+    FIGURES,
+    PANELS,
+    STIFFNESS,
+    TITLES,
+    Side,
+    chapter_figure,
+    covered_figure_text as covered_text,
+    number_text,
+)
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission
 

@@ -46,7 +46,7 @@ from gearwright.cli.options import (
     stamped,
 )
 from gearwright.cli.terminal import progress, show, show_commands, show_json, tell
-from gearwright.errors import DesignError, GearwrightError, Problem
+from gearwright.errors import DesignError, GearwrightError, Problem, near
 from gearwright.files import make_folder, write_bytes, write_text
 from gearwright.signals import answered
 
@@ -93,7 +93,6 @@ def new(
     json: JsonOption = False,
 ) -> None:
     """Write a shipped design, mission, mix, study or notebook as a file to start from, or list all of them."""
-    from gearwright.errors import DesignError, Problem
     from gearwright.shipped import shipped_file
 
     if name is None:
@@ -163,7 +162,6 @@ def schema(
     ] = None,
 ) -> None:
     """Print the JSON Schema of a design, mission, mix or study file, or of what a command prints with --json."""
-    from gearwright.errors import DesignError, Problem, near
     from gearwright.spec import schema as file_schema
 
     if answer is not None and answer not in ANSWERS:
@@ -254,8 +252,7 @@ def size(
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
     from gearwright.particulars import particulars, paths_of
-    from gearwright.sizing import influences, methods_beside, rated_factors
-    from gearwright.sizing.insight import usual_values
+    from gearwright.sizing import influences, methods_beside, rated_factors, usual_values
 
     sizing = sized(design, level, life_h)
     facts = particulars(sizing)
@@ -330,11 +327,9 @@ def report(
     date: DateOption = "",
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
+    from gearwright import critical_speeds, modes as find_modes, report as make_report
     from gearwright.cli.printing import find_browser, print_pdf
-    from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.vibration import critical_speeds
     from gearwright.particulars import particulars, reported
-    from gearwright.render.pages.report import report as make_report
     from gearwright.sizing import governing_case
 
     if pdf is not None:
@@ -363,7 +358,6 @@ def report(
 
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:
     """Return a stored run, if it is one of this design."""
-    from gearwright.errors import DesignError, Problem
     from gearwright.store import load_run
 
     stored = load_run(results)
@@ -411,8 +405,7 @@ def simulated(system: System, duration: float) -> Trace:
         system: From `assemble`.
         duration: [s].
     """
-    from gearwright.dynamics import Outputs
-    from gearwright.dynamics import simulate as run_system
+    from gearwright.dynamics import Outputs, simulate as run_system
 
     window = (max(0.0, duration - WINDOW), duration)
     with progress("simulating") as update:
@@ -439,10 +432,7 @@ def run(
     json: JsonOption = False,
 ) -> None:
     """Do everything: size, find modes, simulate the governing case and those that fail, write report and results."""
-    from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assembly import assemble
-    from gearwright.dynamics.vibration import critical_speeds
-    from gearwright.errors import DesignError, Problem
+    from gearwright import assemble, critical_speeds, modes as find_modes
     from gearwright.particulars import particulars
     from gearwright.render.words.review import run_text, run_verdict
 
@@ -634,8 +624,7 @@ def close(
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
     from gearwright.cli.commands.flights import mission_of
-    from gearwright.closure import OnMission, Outcome, contradictions, nearest_variant
-    from gearwright.closure import close as closed_by
+    from gearwright.closure import OnMission, Outcome, close as closed_by, contradictions, nearest_variant
     from gearwright.render.answers.review import close_answer
     from gearwright.spec.texts import design_text_like
     from gearwright.study.closing import digest_of
@@ -810,7 +799,6 @@ def show_equal_life(
         json: For machines.
     """
     from gearwright.closure.requirements import HOUR
-    from gearwright.files import make_folder, write_text
     from gearwright.render.answers.review import EqualLifeAnswer
     from gearwright.render.pages.studies import equal_life_page
     from gearwright.render.tables.study import equal_life_csv, equal_life_table

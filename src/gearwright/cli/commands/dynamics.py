@@ -23,6 +23,7 @@ from gearwright.cli.options import (
     sized,
 )
 from gearwright.cli.terminal import progress, show, tell, write_figure
+from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.files import write_text
 
 if TYPE_CHECKING:
@@ -153,7 +154,6 @@ def validate(
     jsonl: LinesOption = False,
 ) -> None:
     """Compare gearwright with every published number that it knows: case, source, expected, got, error, verdict."""
-    from gearwright.errors import SolveError
     from gearwright.render.answers.weights import ValidateAnswer
     from gearwright.render.pages.validation import by_source, source_table, verdict
     from gearwright.validate import Checked, published
@@ -256,8 +256,6 @@ def asked_share(target: str | None) -> float | None:
     Raises:
         DesignError: If it is no share.
     """
-    from gearwright.errors import DesignError, Problem
-
     if target is None:
         return None
     parts = target.split("/")

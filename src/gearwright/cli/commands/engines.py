@@ -12,6 +12,7 @@ import typer
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.options import JsonOption, LinesOption, sized, steps
 from gearwright.cli.terminal import screen, show, tell
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.files import write_text
 
 if TYPE_CHECKING:
@@ -66,8 +67,15 @@ def turboshaft(
     jsonl: LinesOption = False,
 ) -> None:
     """Make the deck of a turboshaft engine from its design point; seconds of a slam, a held rotor or a start."""
-    from gearwright.catalogue import DesignPoint, Slam, StartRules, deck_text, engine_slam, engine_start
-    from gearwright.catalogue import turboshaft as made_of
+    from gearwright.catalogue import (
+        DesignPoint,
+        Slam,
+        StartRules,
+        deck_text,
+        engine_slam,
+        engine_start,
+        turboshaft as made_of,
+    )
     from gearwright.render.answers.flights import turboshaft_answer
     from gearwright.render.words.flights import engine_text, transient_text
 
@@ -135,8 +143,6 @@ def _rotor(inertia: float | None, speed: float | None, governor: tuple[float, fl
 
 
 def _missing(option: str, message: str) -> DesignError:
-    from gearwright.errors import DesignError, Problem
-
     return DesignError([Problem(option, message)])
 
 
@@ -214,7 +220,6 @@ def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
     Raises:
         DesignError: A mass without an origin, or an origin without a mass.
     """
-    from gearwright.errors import DesignError, Problem
     from gearwright.weights import StatedMass
 
     if mass_kg is not None:
@@ -267,7 +272,6 @@ def _requirement(
     sizing: Sizing | None, power_kw: float | None, engine_rpm: float | None, propeller_rpm: float | None
 ) -> Requirement:
     """Return power and speeds as given, and those of the design where they are left out."""
-    from gearwright.errors import Problem, refuse
     from gearwright.sizing.mass import requirement_of
     from gearwright.units import RPM
     from gearwright.weights import Requirement

@@ -12,6 +12,7 @@ import typer
 from gearwright.cli.answers import named_after
 from gearwright.cli.options import DateOption, DesignArgument, ReportOption, designs
 from gearwright.cli.terminal import show, tell
+from gearwright.errors import GearwrightError, Problem, near, refuse
 from gearwright.files import make_folder, write_bytes, write_text
 from gearwright.formats import FORMATS, Wanted, ending
 
@@ -32,9 +33,7 @@ def import_(
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
 ) -> None:
     """Read a gearbox of another tool, in REXS, and write it as a design; say what was assumed and what was not read."""
-    from gearwright.errors import Problem, refuse
-    from gearwright.exchange import from_rexs
-    from gearwright.spec import design_text
+    from gearwright import design_text, from_rexs
 
     read = from_rexs(file)
     target = out or Path(f"{file.stem}.toml")
@@ -51,7 +50,6 @@ def import_(
 
 def _stated(read: ImportedRexs) -> tuple[str, ...]:
     """Return the safeties that a file states in words, each beside what comes out here."""
-    from gearwright.errors import GearwrightError
     from gearwright.sizing import size
 
     if not read.stated:
@@ -119,24 +117,18 @@ def export(
 
 
 def _refuse_unknown(name: str) -> None:
-    from gearwright.errors import Problem, near, refuse
-
     if name not in FORMATS:
         refuse([Problem("--to", f"{name!r} is not written; {near(name, list(FORMATS))}")])
 
 
 def _refuse_other_ending(name: str, file: Path | None) -> None:
     """Refuse a name that ends as files of another format do: what opens it would not know it."""
-    from gearwright.errors import Problem, refuse
-
     given = "" if file is None else file.suffix.removeprefix(".").lower()
     if given != ending(name) and given in map(ending, FORMATS):
         refuse([Problem("--out", f"{str(file)!r} ends as {given} does; write .{ending(name)}, or --to {given}")])
 
 
 def _refuse_unused(name: str, given: Mapping[str, object]) -> None:
-    from gearwright.errors import Problem, refuse
-
     takers = {option: _TAKERS.get(option, ("fmu", "fmu-3.0")) for option in given}
     unused = [option for option, value in given.items() if value is not None and name not in takers[option]]
     refuse(Problem(option, f"it is of {' and '.join(takers[option])}; leave it out with {name}") for option in unused)
@@ -227,8 +219,6 @@ def _names(what: str | None) -> tuple[str, ...]:
 
 
 def _formats(written: str) -> tuple[str, ...]:
-    from gearwright.errors import Problem, refuse
-
     formats = tuple(dict.fromkeys(name.strip() for name in written.split(",")))
     wrong = [name for name in formats if name not in SHEET_FORMATS]
     allowed = f"allowed: {', '.join(sorted(SHEET_FORMATS))}; browsers print svg to PDF"

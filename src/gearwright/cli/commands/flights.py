@@ -24,6 +24,7 @@ from gearwright.cli.options import (
     steps,
 )
 from gearwright.cli.terminal import show, show_commands, tell, write_figure
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.files import write_text
 
 if TYPE_CHECKING:
@@ -72,7 +73,6 @@ def fly(
     if design is None:
         _list()
         return
-    from gearwright.errors import DesignError, Problem
     from gearwright.reviews import review_of
 
     if window and report is None:
@@ -111,8 +111,7 @@ def _windows(flight: Flight, names: list[str]) -> list[str]:
 
 
 def _list() -> None:
-    from gearwright.shipped import shipped_mission, shipped_missions
-    from gearwright.spec import read_mission
+    from gearwright import read_mission, shipped_mission, shipped_missions
 
     for mission in shipped_missions():
         show(f"{mission:20} {read_mission(shipped_mission(mission)).name}")
@@ -138,9 +137,7 @@ def flown(sizing: Sizing, name: str, *, life_h: float | None = None) -> tuple[Fl
     Raises:
         DesignError: If the mission cannot be read or flown.
     """
-    from gearwright.errors import DesignError
-    from gearwright.mission import durability, size_for_life
-    from gearwright.mission import fly as flown_by
+    from gearwright.mission import durability, fly as flown_by, size_for_life
     from gearwright.shipped import find_mission
     from gearwright.spec import file_text, placed
 
@@ -176,7 +173,6 @@ def mix(
     json: JsonOption = False,
 ) -> None:
     """Fly a life of several missions: what fails first, which mission eats the life, fuel and charge of all flights."""
-    from gearwright.errors import DesignError
     from gearwright.mission import fly_mix
     from gearwright.render.answers.flights import mix_answer
     from gearwright.render.words.flights import mix_text
@@ -286,8 +282,7 @@ def propeller(
     jsonl: LinesOption = False,
 ) -> None:
     """Make the map of a propeller from its blades; with --rpm, its thrust and the loads of incidence on its shaft."""
-    from gearwright.catalogue import FlightPoint, map_text, propeller_loads
-    from gearwright.catalogue import propeller as made_of
+    from gearwright.catalogue import FlightPoint, map_text, propeller as made_of, propeller_loads
     from gearwright.render.answers.flights import map_points, propeller_answer
     from gearwright.render.words.flights import loads_text, made_text
 
@@ -357,8 +352,7 @@ def rotor(
     json: JsonOption = False,
 ) -> None:
     """Show what a helicopter's main and tail rotor take in hover, climb and forward flight."""
-    from gearwright.catalogue import Helicopter
-    from gearwright.catalogue import rotor as trimmed
+    from gearwright.catalogue import Helicopter, rotor as trimmed
     from gearwright.render.words.flights import rotor_text
 
     helicopter = Helicopter(
@@ -382,7 +376,6 @@ def _tail(given: tuple[float | None, float | None, float | None, float | None], 
         DesignError: Some of its four numbers are given and some are not.
     """
     from gearwright.catalogue import TailRotor
-    from gearwright.errors import Problem, refuse
 
     names = ("--tail-diameter-m", "--tail-rpm", "--tail-arm-m", "--tail-solidity")
     missing = [name for name, value in zip(names, given, strict=True) if value is None]

@@ -41,8 +41,7 @@ def thesis(
         return
     if figures is not None:
         raise DesignError([Problem("--figures", "these are figures of chapter 4; give --chapter-4 PAGE.md, too")])
-    from gearwright.replays.pulvirenti.claims import claims
-    from gearwright.replays.pulvirenti.claims import errata as all_errata
+    from gearwright.replays.pulvirenti.claims import claims, errata as all_errata
     from gearwright.replays.pulvirenti.pages import claims_table, errata_table, thesis_markdown, thesis_page
 
     show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))

@@ -10,9 +10,10 @@ import typer
 
 from gearwright.cli.answers import show_answer
 from gearwright.cli.commands.studies import CsvOption, WorkersOption, refuse_files, stopped_cleanly
-from gearwright.cli.options import DesignArgument, JsonOption, axis_of, bound_of, design_of
-from gearwright.cli.options import designs as designs_named
+from gearwright.cli.options import DesignArgument, JsonOption, axis_of, bound_of, design_of, designs as designs_named
 from gearwright.cli.terminal import show, tell
+from gearwright.errors import DesignError, Problem
+from gearwright.files import make_folder, write_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -62,7 +63,6 @@ def optimise(
     json: JsonOption = False,
 ) -> None:
     """Find the best designs along freedoms: why they are, what limits cost, how sure the choice is."""
-    from gearwright.files import make_folder
     from gearwright.optimum import optimise as best_of
     from gearwright.render.answers.studies import optimise_answer
 
@@ -86,11 +86,9 @@ def _study(
     name: str, free: Several, minimise: Several, maximise: Several, keep: Several
 ) -> tuple[Study, Mapping[str, Design]]:
     """Return the study of a file, or the one that options make of a design."""
-    from gearwright.errors import DesignError, Problem
     from gearwright.optimum.optimise import study_for
     from gearwright.shipped import find_study, shipped_studies
-    from gearwright.spec import read_study
-    from gearwright.spec.read import file_text, toml_tables
+    from gearwright.spec import file_text, read_study, toml_tables
 
     given = {"--free": free, "--minimise": minimise, "--maximise": maximise, "--keep": keep}
     path = Path(name)
@@ -143,7 +141,6 @@ def _write_optimum(
     optimum: Optimum, designs: Mapping[str, Design], out: Path | None, csv: Path | None, report: Path | None
 ) -> None:
     """Write what is asked for."""
-    from gearwright.files import write_text
     from gearwright.render.pages.studies import optimum_page
     from gearwright.render.tables.study import front_rows, letter, listed
     from gearwright.render.tables.variants import study_csv
@@ -196,10 +193,7 @@ def architectures(
     """Enumerate every train of a few stages for a design's machines; size, rank and close them for one life."""
     import os
 
-    from gearwright.enumeration import STAGES
-    from gearwright.enumeration import architectures as ranked
-    from gearwright.errors import DesignError, Problem
-    from gearwright.files import make_folder
+    from gearwright.enumeration import STAGES, architectures as ranked
     from gearwright.render.answers.studies import architectures_answer
     from gearwright.units import RPM
 
@@ -233,8 +227,7 @@ def architectures(
 
 def _show_ranking(ranking: Ranking) -> None:
     """Show the answer, the closed designs, and the most promising."""
-    from gearwright.render.tables.study import SHOWN_ARCHITECTURES as SHOWN
-    from gearwright.render.tables.study import architectures_table, equal_life_table
+    from gearwright.render.tables.study import SHOWN_ARCHITECTURES as SHOWN, architectures_table, equal_life_table
     from gearwright.render.words.sizing import table_text
     from gearwright.render.words.study import ranking_sentences
     from gearwright.units import text
@@ -248,7 +241,6 @@ def _show_ranking(ranking: Ranking) -> None:
 
 def _write_ranking(ranking: Ranking, out: Path | None, csv: Path | None, report: Path | None) -> None:
     """Write what is asked for."""
-    from gearwright.files import write_text
     from gearwright.render.tables.study import architectures_csv
 
     files = {} if out is None else {out / f"{row.title}.toml": row.file for row in ranking.closed if row.file}

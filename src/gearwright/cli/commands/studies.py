@@ -15,16 +15,23 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import interrupted, show_answer, show_row, show_rows
-from gearwright.cli.options import FigureOption, FreeOption, JsonOption, LinesOption, design_of, studies
-from gearwright.cli.options import designs as designs_named
+from gearwright.cli.options import (
+    FigureOption,
+    FreeOption,
+    JsonOption,
+    LinesOption,
+    design_of,
+    designs as designs_named,
+    studies,
+)
 from gearwright.cli.terminal import screen, show, show_commands, tell, write_figure
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.files import write_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from gearwright.spec import Design, Study
-    from gearwright.spec.studies import Value
+    from gearwright.spec import Design, Study, Value
     from gearwright.study import Table
     from gearwright.study.answers import Reduced
     from gearwright.study.running import Part, Progress, Start
@@ -113,8 +120,6 @@ def show_reviews(study: Study, table: Table, designs: Mapping[str, Design]) -> N
 
 def refuse_files(csv: Path | None, export: Path | None, *others: Path | None) -> None:
     """Raise before the first case for every file that could not be written after the last one."""
-    from gearwright.errors import DesignError, Problem
-
     folders = {path.parent for path in (csv, *others) if path is not None and not path.parent.is_dir()}
     if folders:
         raise DesignError(
@@ -163,7 +168,6 @@ def study_reduced(
         json: Whether the answer is JSON.
         refused: Option that needs rows -> whether it was given.
     """
-    from gearwright.errors import DesignError, Problem
     from gearwright.spec import case_count
     from gearwright.study.running import reduce_study
 
@@ -228,7 +232,6 @@ def run_shown(
 
 def part_given(shard: str | None, journal: Path | None) -> Part:
     """Return the part of a study that is asked for; a part without a journal would be lost."""
-    from gearwright.errors import DesignError, Problem
     from gearwright.study.running import Part, part_of
 
     if shard is not None and journal is None:
@@ -283,8 +286,7 @@ def row_printer(command: str, study: Study) -> Callable[[Progress], None]:
 @contextmanager
 def watched(printed: Callable[[Progress], None] | None) -> Iterator[Callable[[Progress], None]]:
     """Show cases, rate, remaining time and failures on a terminal; elsewhere only what prints rows is told."""
-    from rich.progress import BarColumn, TextColumn
-    from rich.progress import Progress as Bar
+    from rich.progress import BarColumn, Progress as Bar, TextColumn
 
     columns = (TextColumn("{task.fields[count]}"), BarColumn(), TextColumn("{task.description}"))
     with Bar(*columns, console=screen(error=True), transient=True, disable=not sys.stderr.isatty()) as bar:
@@ -415,10 +417,8 @@ def compare(
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.cli.commands.designs import show_equal_life, wishes_of
-    from gearwright.errors import DesignError, Problem
     from gearwright.spec import edited
-    from gearwright.study import compare as compared
-    from gearwright.study import for_requirement
+    from gearwright.study import compare as compared, for_requirement
     from gearwright.study.running import comparison_of
     from gearwright.units import RPM
 
@@ -457,8 +457,6 @@ def compare(
 
 def _refuse_beside_life(*, figure: Path | None, jsonl: bool) -> None:
     """Raise for what a comparison at equal life has not."""
-    from gearwright.errors import DesignError, Problem
-
     asked = {"--figure": figure is not None, "--jsonl": jsonl}
     problems = [
         Problem(name, "a comparison with --life-h has none; take --report, --csv or --json")
@@ -481,10 +479,9 @@ def _show_statistics(table: Table, designs: dict[str, Design]) -> None:
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
+    from gearwright import edited, size
     from gearwright.render.pages.studies import comparison
     from gearwright.reviews import review_of
-    from gearwright.sizing import size
-    from gearwright.spec import edited
 
     sizings = {name: size(edited(design, changes)) for name, design in designs.items()}
     reviews = {name: review_of(sizing) for name, sizing in sizings.items()}
@@ -500,8 +497,6 @@ def _draw(study: Study, table: Table, path: Path) -> None:
 
 def _refuse_varied(changes: Mapping[str, Value], study: Study) -> None:
     """Refuse changes for all cases of what an axis varies from case to case."""
-    from gearwright.errors import Problem, refuse
-
     fix = "an axis of the study gives it from case to case; leave it out, or change the axis in the file"
     refuse(Problem(f"--set {path}", fix) for path in changes if path in study.axes)
 
@@ -509,8 +504,6 @@ def _refuse_varied(changes: Mapping[str, Value], study: Study) -> None:
 def _changes(written: list[str] | None) -> dict[str, Value]:
     """Return PATH=VALUE options as changes; a value is read as TOML reads it, or taken as text."""
     import tomllib
-
-    from gearwright.errors import DesignError, Problem
 
     changes: dict[str, Value] = {}
     for change in written or []:
@@ -617,7 +610,6 @@ def resume(
 
 
 def _refuse_changed_mission(journal: Path, study: Study, folder: Path) -> None:
-    from gearwright.errors import DesignError, Problem
     from gearwright.spec import mission_changed
 
     if mission_changed(study, folder):
@@ -640,8 +632,7 @@ def merge(
 ) -> None:
     """Make the journals of parts of one study a single one, which `resume` completes and shows."""
     from gearwright.study.journal import recorded, rows_of
-    from gearwright.study.running import is_reduced, merge_reduced, table_of
-    from gearwright.study.running import merge as merged
+    from gearwright.study.running import is_reduced, merge as merged, merge_reduced, table_of
 
     refuse_files(None, export, None)
     if all(path.is_file() and is_reduced(path) for path in journals):
@@ -658,8 +649,6 @@ def merge(
 
 def _refuse_rows(export: Path | None) -> None:
     """Refuse a table of studies that keep no rows."""
-    from gearwright.errors import DesignError, Problem
-
     if export is not None:
         message = "needs rows, and states of studies with [reduced] have none; leave it out"
         raise DesignError([Problem("--export", message)])

@@ -11,7 +11,25 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import one_blas_thread
+from gearwright.base import (
+    MEMBERS,
+    SIDES,
+    Kind,
+    PartId,
+    Problem,
+    Role,
+    Row,
+    by_name,
+    carrier_part,
+    gear_part,
+    member_part,
+    mesh_part,
+    near,
+    one_blas_thread,
+    refuse,
+    text,
+    verb,
+)
 from gearwright.dynamics.assembly.bodies import (
     Assembly,
     add_bodies,
@@ -50,8 +68,6 @@ from gearwright.dynamics.model import (
     contact_errors,
     points_of,
 )
-from gearwright.errors import Problem, by_name, near, refuse
-from gearwright.identity import MEMBERS, SIDES, Kind, PartId, Role, Row, carrier_part, gear_part, member_part, mesh_part
 from gearwright.parts.planetary import planet_phases
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing, governing_case, planet_positions, play_in_motion
@@ -59,8 +75,6 @@ from gearwright.spec import GROUND, Airscrew, ElectricMachine, Epicyclic, Machin
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import DynamicsRules, PartErrors
 from gearwright.train import INTERNAL, Mesh, PowerFlow
-from gearwright.units import text
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Lines of the meshes whose gears only turn: one per planet, or one for the halves of a double-helical gear.

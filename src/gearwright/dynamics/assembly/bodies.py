@@ -10,7 +10,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, one_blas_thread, smallest
+from gearwright.base import (
+    SIDES,
+    Floats,
+    Kind,
+    PartId,
+    Problem,
+    Role,
+    carrier_part,
+    gear_part,
+    one_blas_thread,
+    refuse,
+    smallest,
+    verb,
+)
 from gearwright.dynamics.assembly.meshes import (
     compound_phases,
     gear_pairs,
@@ -20,8 +33,6 @@ from gearwright.dynamics.assembly.meshes import (
     variation_left,
 )
 from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, Owner, System, shift_weights
-from gearwright.errors import Problem, refuse
-from gearwright.identity import SIDES, Kind, PartId, Role, carrier_part, gear_part
 from gearwright.parts.gears import GearPair
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
 from gearwright.parts.stiffness import StiffnessCurve
@@ -29,7 +40,6 @@ from gearwright.shape import Node, Scene
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND
 from gearwright.train import Damper, Joint, PowerFlow
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Bodies: every gear, carrier and machine of a sizing on its shaft, with its share of the shaft's inertia.

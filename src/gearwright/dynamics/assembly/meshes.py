@@ -10,9 +10,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from gearwright.base import DesignError, PartId, Problem, Role, Row, SolveError, carrier_part, gear_part
 from gearwright.dynamics.model import Carried, Contact, Turns, crossing_axis, face_push_direction, push_direction
-from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.identity import PartId, Role, Row, carrier_part, gear_part
 from gearwright.parts import Material
 from gearwright.parts.gears import CylindricalGear, GearPair, half_angle_at, transverse_pressure_angle
 from gearwright.parts.iso6336 import relief_term

@@ -4,8 +4,15 @@ What is solved with it is decided in `motion`.
 """
 
 from gearwright.dynamics.codegen.assembler import CHUNK, SINGLE, address, aligned
-from gearwright.dynamics.codegen.excitation import FUNCTIONS as CLOCK
-from gearwright.dynamics.codegen.excitation import Clocked, clock, clocked, set_clock, unturned, waves_of
+from gearwright.dynamics.codegen.excitation import (
+    FUNCTIONS as CLOCK,
+    Clocked,
+    clock,
+    clocked,
+    set_clock,
+    unturned,
+    waves_of,
+)
 from gearwright.dynamics.codegen.generate import BLOCK, Compiled, compiled
 from gearwright.dynamics.codegen.rows import (
     AFTER,

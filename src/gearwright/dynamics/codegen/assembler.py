@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.kept_code import COMPILING, keep_code, kept_code
 from gearwright.notices import notice
 

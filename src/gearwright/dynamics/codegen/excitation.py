@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.codegen.assembler import address, aligned
 from gearwright.dynamics.codegen.loops import at, library, packed
 from gearwright.dynamics.codegen.topology import table_width, topology, wave_width

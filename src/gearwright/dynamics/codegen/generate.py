@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple, Protocol
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.dynamics.codegen.assembler import CHUNK, Emitter, address, machine_code, splat
 from gearwright.dynamics.codegen.excitation import KINDS, laws
 from gearwright.dynamics.codegen.topology import (

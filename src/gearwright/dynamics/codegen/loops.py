@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.codegen.assembler import address, machine_code
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.codegen.assembler import CHUNK, Emitter, aligned, vector
 from gearwright.dynamics.model import OUTPUTS, Arrays, Drives, Entries, Series, planned, stacked, weight_numbers
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations.reference import WORKS
 from gearwright.dynamics.model import (

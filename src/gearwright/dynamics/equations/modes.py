@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, one_blas_thread
+from gearwright.base import Complexes, DesignError, Floats, Problem, Shown, SolveError, one_blas_thread, verb
 from gearwright.dynamics.equations.reference import HELD_BACK, ROUNDS, SETTLED, Slope, dead_zone, reach, touching
 from gearwright.dynamics.model import (
     LARGE,
@@ -26,9 +26,7 @@ from gearwright.dynamics.model import (
     planned,
     refuse_not_finite,
 )
-from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.train.graph import RANK_TOLERANCE, null_space, row_and_null_space
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Modes: natural frequencies and shapes of a system at its mean stiffness, all lines in contact, undamped.

@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.base import Bools, Energy, Floats, Origin, Quantity, SolveError
 from gearwright.dynamics.model import (
     Acting,
     Arrays,
@@ -21,9 +21,7 @@ from gearwright.dynamics.model import (
     entry_matrix,
     onto_coordinates,
 )
-from gearwright.errors import SolveError
 from gearwright.train.graph import null_space
-from gearwright.units import Energy, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The right-hand side in plain numpy: the oracle that every compiled one must agree with.

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, one_blas_thread, place_of_largest
+from gearwright.base import Bools, Floats, Shown, SolveError, one_blas_thread, place_of_largest, verb
 from gearwright.dynamics.equations.modes import is_sparse, rigid_motions, settled, split_rigid, stiffness_matrix
 from gearwright.dynamics.equations.reference import (
     Potential,
@@ -31,9 +31,7 @@ from gearwright.dynamics.model import (
     refuse_following,
     refuse_not_finite,
 )
-from gearwright.errors import SolveError
 from gearwright.train.graph import RANK_TOLERANCE, null_space
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Statics: the equilibrium of loads, line forces and errors at one instant, the least of a convex potential.

@@ -9,9 +9,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, Kind, PartId
 from gearwright.dynamics.model.system import NOBODY, Drives, Owner, Schedules
-from gearwright.identity import Kind, PartId
 from gearwright.machines import Governor, GovernorState, PropellerMap, governor_rates, look_up
 from gearwright.spec.design import PartErrors
 

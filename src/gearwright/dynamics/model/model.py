@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem, near, refuse
 from gearwright.dynamics.model.elements import (
     ClutchDrive,
     DampingRatio,
@@ -42,7 +42,6 @@ from gearwright.dynamics.model.system import (
     System,
     Tone,
 )
-from gearwright.errors import DesignError, Problem, near, refuse
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a researcher wrote, as plain records, and everything that can be wrong with it.

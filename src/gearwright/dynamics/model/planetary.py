@@ -7,11 +7,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
+from gearwright.base import MEMBERS, Kind, PartId, Problem, Role, Row, gear_part, member_part, mesh_part, refuse
 from gearwright.dynamics.model.elements import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Body, Model
 from gearwright.dynamics.model.system import Owner
-from gearwright.errors import Problem, refuse
-from gearwright.identity import MEMBERS, Kind, PartId, Role, Row, gear_part, member_part, mesh_part
 from gearwright.parts.planetary import PlanetPhases
 from gearwright.parts.stiffness import StiffnessCurve
 

@@ -12,13 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, one_blas_thread
+from gearwright.base import DesignError, Floats, Problem, by_name, one_blas_thread, refuse, verb
 from gearwright.dynamics.model.elements import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
-from gearwright.errors import DesignError, Problem, by_name, refuse
 from gearwright.parts.material import STEEL_MODULUS, STEEL_POISSON
 from gearwright.spec.bodies import ReducedBody
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Bending shafts: each Timoshenko segment is exactly six lines between its two ends.

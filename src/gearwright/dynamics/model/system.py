@@ -14,11 +14,8 @@ from typing import Any, Concatenate, NamedTuple, ParamSpec, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.identity import PartId
+from gearwright.base import Bools, DesignError, Floats, Ints, PartId, Problem, Shown, SolveError
 from gearwright.memo import Memo
-from gearwright.verbs import Shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.

@@ -11,7 +11,7 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, one_blas_thread
+from gearwright.base import DesignError, Floats, Problem, Shown, SolveError, one_blas_thread, verb
 from gearwright.dynamics.codegen import (
     BLOCK,
     CHUNK,
@@ -68,8 +68,6 @@ from gearwright.dynamics.motion.steps import (
     whole_step,
 )
 from gearwright.dynamics.motion.taking import RUNAWAY
-from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Side by side: trajectories of one structure in the lanes of vectors, marched block by block.

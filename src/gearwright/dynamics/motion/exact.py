@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, one_blas_thread
+from gearwright.base import Floats, Ints, one_blas_thread
 from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix, planned
 
 

@@ -9,7 +9,7 @@ from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import kernel
 from gearwright.dynamics.equations.kernel import drive_columns

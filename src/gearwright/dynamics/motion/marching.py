@@ -10,19 +10,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.codegen import (
     CLOCK,
     Clocked,
     address,
     clock,
+    compiled as generated,
     drive_width,
     parameters,
     set_clock,
     topology,
     unturned,
 )
-from gearwright.dynamics.codegen import compiled as generated
 from gearwright.dynamics.codegen.loops import at, call, library, packed
 from gearwright.dynamics.equations import WORKS, speed_factor, split_rigid
 from gearwright.dynamics.model import Arrays, System, planned, profile_of
@@ -37,8 +37,7 @@ from gearwright.dynamics.motion.steps import (
     generated_run,
     stepper,
 )
-from gearwright.dynamics.motion.taking import FUNCTIONS as TAKE
-from gearwright.dynamics.motion.taking import Taking, take
+from gearwright.dynamics.motion.taking import FUNCTIONS as TAKE, Taking, take
 from gearwright.signals import answered
 
 # ----------------------------------------------------------------------------------------------------------------------

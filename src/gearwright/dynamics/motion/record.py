@@ -13,7 +13,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, Ints
+from gearwright.base import (
+    Complexes,
+    DesignError,
+    Floats,
+    Ints,
+    Problem,
+    Shown,
+    SolveError,
+    check_fields,
+    extra,
+    frame,
+    near,
+)
 from gearwright.dynamics.codegen import (
     BEFORE,
     address,
@@ -28,8 +40,6 @@ from gearwright.dynamics.codegen.loops import Room, library
 from gearwright.dynamics.equations import Work, speed_factors
 from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Labels, Owner, System, Tone, kept
 from gearwright.dynamics.motion.taking import FUNCTIONS, LEAD, OUTSIDE, RUNAWAY, TAKEN, Taking
-from gearwright.errors import DesignError, Problem, SolveError, near
-from gearwright.verbs import Shown, check_fields, extra, frame
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Between: how far line forces reach between the outermost steps of a run, where rows stand on one side only.

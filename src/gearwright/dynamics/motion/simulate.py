@@ -10,7 +10,17 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, one_blas_thread, place_of_largest
+from gearwright.base import (
+    DesignError,
+    Floats,
+    Ints,
+    Problem,
+    SolveError,
+    near,
+    one_blas_thread,
+    place_of_largest,
+    verb,
+)
 from gearwright.dynamics.equations import (
     WORKS,
     Work,
@@ -72,8 +82,6 @@ from gearwright.dynamics.motion.steps import (
     whole_step,
 )
 from gearwright.dynamics.motion.taking import RUNAWAY
-from gearwright.errors import DesignError, Problem, SolveError, near
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Standing: the static equilibrium that runs begin from, and what of a system never comes to rest.

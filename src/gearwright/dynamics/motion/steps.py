@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import DesignError, Floats, Ints, Problem, SolveError
 from gearwright.dynamics.codegen import (
     SIDE,
     Clocked,
@@ -42,7 +42,6 @@ from gearwright.dynamics.model import (
 )
 from gearwright.dynamics.motion import exact
 from gearwright.dynamics.motion.record import BLOCK
-from gearwright.errors import DesignError, Problem, SolveError
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Steppers: each fills a block of rows (q, q̇, line forces, deflections) and carries the state on.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
-from gearwright.arrays import Floats, Ints
+from gearwright.base import Floats, Ints
 from gearwright.dynamics.codegen import AFTER, BEFORE
 from gearwright.dynamics.codegen.loops import at, call, floats
 

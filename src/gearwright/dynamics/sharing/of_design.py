@@ -9,8 +9,31 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints, largest, one_blas_thread
-from gearwright.checks import Check, not_assessed
+from gearwright.base import (
+    GEARBOX,
+    Bools,
+    Check,
+    DesignError,
+    Floats,
+    GearwrightError,
+    Ints,
+    Kind,
+    Origin,
+    PartId,
+    Problem,
+    Quantity,
+    Role,
+    Row,
+    Shown,
+    by_name,
+    gear_part,
+    largest,
+    mesh_part,
+    near,
+    not_assessed,
+    one_blas_thread,
+    verb,
+)
 from gearwright.dynamics.assembly import assemble, contacts_of, gear_pairs
 from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy, statics
 from gearwright.dynamics.model import Contact, Member, Model, PlanetarySet, PlanetError, System, add_planetary
@@ -33,15 +56,10 @@ from gearwright.dynamics.sharing.solutions import (
     share_coefficients,
     with_errors,
 )
-from gearwright.errors import DesignError, GearwrightError, Problem, by_name, near
-from gearwright.identity import GEARBOX, Kind, PartId, Role, Row, gear_part, mesh_part
 from gearwright.parts.planetary import even_positions, pin_error_share
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import Sizing, governing_case, planet_positions
-from gearwright.spec import Epicyclic, Pair, Planetary
-from gearwright.spec.design import case_named
-from gearwright.units import Origin, Quantity
-from gearwright.verbs import Shown, verb
+from gearwright.spec import Epicyclic, Pair, Planetary, case_named
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The load sharing of a sized design: its parallel meshes, what its errors do to them, what helps.

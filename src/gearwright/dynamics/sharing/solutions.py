@@ -8,7 +8,17 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, Ints, largest_first, one_blas_thread
+from gearwright.base import (
+    Complexes,
+    DesignError,
+    Floats,
+    Ints,
+    Problem,
+    SolveError,
+    largest_first,
+    one_blas_thread,
+    verb,
+)
 from gearwright.dynamics.equations import (
     Redundancy,
     dead_zone,
@@ -29,9 +39,7 @@ from gearwright.dynamics.motion import (
     line_numbers,
     simulate,
 )
-from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec.design import PartErrors
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Load-sharing coefficients: which share of the load each parallel line carries, at an instant, over a tooth cycle.

@@ -9,16 +9,41 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import (
+from gearwright.base import (
+    GEARBOX,
+    MEMBERS,
+    ROUNDING,
+    Check,
     Complexes,
+    DesignError,
     Floats,
+    Frequency,
+    GearwrightError,
     Ints,
+    Kind,
+    Origin,
+    PartId,
+    Problem,
+    Quantity,
+    Ratio,
+    Role,
+    Row,
+    Shown,
+    Speed,
+    by_name,
+    frame,
+    gear_part,
+    member_part,
+    mesh_part,
+    near,
+    not_assessed,
     one_blas_thread,
     place_of_largest,
     place_of_smallest,
+    refuse,
     smallest_first,
+    verb,
 )
-from gearwright.checks import ROUNDING, Check, not_assessed
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, Modes, damped_modes, linear, statics
 from gearwright.dynamics.model import (
@@ -35,11 +60,7 @@ from gearwright.dynamics.model import (
 )
 from gearwright.dynamics.motion import Outputs, Trace, simulate
 from gearwright.dynamics.vibration.response import UNLOADED, numbers
-from gearwright.errors import DesignError, GearwrightError, Problem, by_name, near, refuse
-from gearwright.identity import GEARBOX, MEMBERS, Kind, PartId, Role, Row, gear_part, member_part, mesh_part
 from gearwright.sizing import MeshSizing, Sizing
-from gearwright.units import Frequency, Origin, Quantity, Ratio, Speed
-from gearwright.verbs import Shown, frame, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Campbell diagram: damped natural frequencies against speed, the orders that excite, and where the two meet.

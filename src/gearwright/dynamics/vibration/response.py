@@ -10,7 +10,24 @@ from math import gcd, lcm
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, Ints, largest_first, one_blas_thread
+from gearwright.base import (
+    Complexes,
+    DesignError,
+    Floats,
+    Force,
+    Frequency,
+    Ints,
+    Problem,
+    Row,
+    Shown,
+    SolveError,
+    by_name,
+    largest_first,
+    mesh_part,
+    near,
+    one_blas_thread,
+    verb,
+)
 from gearwright.dynamics.assembly import assemble, compound_phases, gear_pairs
 from gearwright.dynamics.equations import (
     WORKS,
@@ -51,12 +68,8 @@ from gearwright.dynamics.motion import (
     shortfall,
     stepper,
 )
-from gearwright.errors import DesignError, Problem, SolveError, by_name, near
-from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import planet_phases
 from gearwright.sizing import Sizing, governing_case, planet_positions
-from gearwright.units import Force, Frequency
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Sequences of numbers that callers give, speeds and frequencies, as one array.

@@ -9,7 +9,20 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, largest_first, one_blas_thread, place_of_largest
+from gearwright.base import (
+    Complexes,
+    DesignError,
+    Floats,
+    Force,
+    Origin,
+    Problem,
+    Shown,
+    Speed,
+    largest_first,
+    one_blas_thread,
+    place_of_largest,
+    verb,
+)
 from gearwright.dynamics.equations import speed_factors
 from gearwright.dynamics.model import Excitation, System, Tone, check_finite
 from gearwright.dynamics.motion import (
@@ -27,10 +40,7 @@ from gearwright.dynamics.motion import (
 )
 from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
 from gearwright.dynamics.vibration.response import first_meshes, positive_numbers
-from gearwright.errors import DesignError, Problem
 from gearwright.sizing import Sizing
-from gearwright.units import Force, Origin, Speed
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Speed map: line forces of steady running at many speeds, all side by side.

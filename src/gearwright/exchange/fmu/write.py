@@ -22,7 +22,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import DesignError, Floats, Kind, Problem, Shown, by_name, excerpt, near, refuse, verb
 from gearwright.dynamics.assembly import assemble, loaded_bodies
 from gearwright.dynamics.model import (
     CLUTCH,
@@ -39,12 +39,9 @@ from gearwright.dynamics.model import (
     check_finite,
 )
 from gearwright.dynamics.motion import check_step, default_step, equilibrium
-from gearwright.errors import DesignError, Problem, by_name, excerpt, near, refuse
 from gearwright.files import write_bytes
-from gearwright.identity import Kind
 from gearwright.processes import run_program
 from gearwright.sizing import Sizing, governing_case
-from gearwright.verbs import Shown, verb
 from gearwright.version import __version__
 
 if TYPE_CHECKING:

@@ -10,9 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, Problem
 from gearwright.catalogue import bearings, materials
-from gearwright.errors import Problem
 from gearwright.exchange.rexs.files import ABSORBS, BEARING_TYPES, Asking, Attribute, Component, Document
 from gearwright.spec import GROUND, LONGEST_NAME
 from gearwright.spec.design import FATIGUE, STATIC

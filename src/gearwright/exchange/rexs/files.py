@@ -23,7 +23,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Literal, NamedTuple
 from xml.parsers import expat
 
-from gearwright.errors import Problem, excerpt, refuse
+from gearwright.base import Problem, excerpt, refuse
 from gearwright.files import bytes_of
 
 # ----------------------------------------------------------------------------------------------------------------------

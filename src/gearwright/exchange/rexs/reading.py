@@ -13,8 +13,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from gearwright.arrays import ALIKE
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import ALIKE, DesignError, Problem, Ratio, Role, Shown, refuse, verb
 from gearwright.exchange.rexs.arrangement import (
     Bodies,
     Gearing,
@@ -32,14 +31,11 @@ from gearwright.exchange.rexs.arrangement import (
 )
 from gearwright.exchange.rexs.files import DESIGN, GEAR, MESH, Asking, Component, Document, opened, unsound
 from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
-from gearwright.identity import Role
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, size
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating
 from gearwright.spec import GROUND, Design, build, design_text, edited, parse
 from gearwright.spec.design import FATIGUE
-from gearwright.units import Ratio
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Speeds of a read train: what a file states of some shafts, led on through its teeth to all others.

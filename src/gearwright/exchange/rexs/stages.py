@@ -9,11 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
-from gearwright.exchange.rexs.arrangement import NEAR, Bodies, Gear, Gearing, stage_table
-from gearwright.exchange.rexs.arrangement import GearTable as Table
+from gearwright.base import DesignError, Problem, Role, gear_part
+from gearwright.exchange.rexs.arrangement import NEAR, Bodies, Gear, Gearing, GearTable as Table, stage_table
 from gearwright.exchange.rexs.files import Asking, Component
-from gearwright.identity import Role, gear_part
 from gearwright.parts.gears.cylindrical_gear import shifts_at, working_centre
 
 # ----------------------------------------------------------------------------------------------------------------------

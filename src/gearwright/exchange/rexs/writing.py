@@ -18,8 +18,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem, near, refuse
+from gearwright.base import Floats, Problem, Shown, near, refuse, verb
 from gearwright.exchange.rexs.files import (
     ABSORBS,
     BEARING_TYPES,
@@ -50,9 +49,7 @@ from gearwright.shape import (
 from gearwright.sizing import CarrierSizing, MeshSizing, ShaftSizing, Sizing, governing_case
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating
-from gearwright.spec import GROUND, design_text
-from gearwright.spec.design import levels_of, shares_of
-from gearwright.verbs import Shown, verb
+from gearwright.spec import GROUND, design_text, levels_of, shares_of
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

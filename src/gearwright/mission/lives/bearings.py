@@ -9,7 +9,22 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest, largest_first, place_of_largest, smallest
+from gearwright.base import (
+    DesignError,
+    Floats,
+    Force,
+    Mass,
+    Problem,
+    Ratio,
+    Speed,
+    largest,
+    largest_first,
+    place_of_largest,
+    refuse,
+    smallest,
+    text,
+    verb,
+)
 from gearwright.catalogue import (
     Bearing,
     BearingDuty,
@@ -19,7 +34,6 @@ from gearwright.catalogue import (
     check_bearing,
     fitting_bearings,
 )
-from gearwright.errors import DesignError, Problem, refuse
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import flown_airscrew
 from gearwright.parts.bearings import (
@@ -38,8 +52,6 @@ from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
 from gearwright.sizing.bearings import Fitted, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
-from gearwright.units import Force, Mass, Ratio, Speed, text
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a flight lays on each bearing: force across and along, speed and the oil in it, interval by interval.

@@ -10,21 +10,36 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.arrays import Floats, Ints, largest_first
-from gearwright.checks import Check
-from gearwright.errors import DesignError, Problem, by_name
-from gearwright.identity import PartId, Role
+from gearwright.base import (
+    CELSIUS,
+    Check,
+    DesignError,
+    Floats,
+    Ints,
+    PartId,
+    Problem,
+    Ratio,
+    Role,
+    by_name,
+    largest_first,
+    verb,
+)
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import seat_duties
-from gearwright.sizing import Sizing
-from gearwright.sizing.insight import made_of, rating_as_sized
-from gearwright.sizing.rating import Ask, Damage, Load, LoadedMesh, MeshSpectrum, method_for, reverse_parts, row_ask
-from gearwright.sizing.rating.rules import Rating
-from gearwright.spec import Design
-from gearwright.spec.missions import GearLifeRules
+from gearwright.sizing import Sizing, made_of, rating_as_sized
+from gearwright.sizing.rating import (
+    Ask,
+    Damage,
+    Load,
+    LoadedMesh,
+    MeshSpectrum,
+    Rating,
+    method_for,
+    reverse_parts,
+    row_ask,
+)
+from gearwright.spec import Design, GearLifeRules
 from gearwright.train import Gear, Mesh
-from gearwright.units import CELSIUS, Ratio
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The duty spectrum of a flight: turns and time against load for every mesh, shaft and bearing.

@@ -7,11 +7,26 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from gearwright.arrays import largest_first
+from gearwright.base import (
+    CELSIUS,
+    GEARBOX,
+    Check,
+    DesignError,
+    Energy,
+    Kind,
+    Mass,
+    PartId,
+    Problem,
+    Ratio,
+    Shown,
+    SolveError,
+    Time,
+    largest_first,
+    not_assessed,
+    refuse,
+    verb,
+)
 from gearwright.catalogue import Bearing
-from gearwright.checks import Check, not_assessed
-from gearwright.errors import DesignError, Problem, SolveError, refuse
-from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission.flight import Flight
 from gearwright.mission.fly import fly
 from gearwright.mission.lives.bearings import FATIGUE, THICKER, BearingDamage, BearingLives, bearing_lives
@@ -23,8 +38,6 @@ from gearwright.sizing.bearings import speed_factor_check
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, GearRules, Mission, Mix, Record
 from gearwright.spec.design import RATINGS
-from gearwright.units import CELSIUS, Energy, Mass, Ratio, Time
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a flight does to gears and bearings together: which part fails first, and after how many flights.

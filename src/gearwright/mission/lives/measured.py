@@ -12,13 +12,24 @@ from types import MappingProxyType
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, excerpt, near, refuse
+from gearwright.base import (
+    CELSIUS,
+    INCH,
+    POUND_FORCE,
+    RPM,
+    SUFFIXES,
+    DesignError,
+    Floats,
+    Problem,
+    Shown,
+    excerpt,
+    near,
+    refuse,
+    verb,
+)
 from gearwright.files import text_of
 from gearwright.parts.shaft_fatigue import LoadCycle, Residue, rainflow
 from gearwright.spec import NAME_RULE, is_name
-from gearwright.units import CELSIUS, INCH, POUND_FORCE, RPM, SUFFIXES
-from gearwright.verbs import Shown, verb
 
 _UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {

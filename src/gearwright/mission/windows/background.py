@@ -10,8 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Floats, Problem
 from gearwright.mission.flight import Flight, History
 from gearwright.mission.gearbox import (
     Gearbox,
@@ -28,8 +27,7 @@ from gearwright.mission.plant import flown_oil
 from gearwright.mission.profile import moments
 from gearwright.mission.strategies import driven
 from gearwright.mission.supply import Supply, dragged_along, supply_of
-from gearwright.spec import Phase, WindowRules
-from gearwright.spec import engine_out as out_of_engines
+from gearwright.spec import Phase, WindowRules, engine_out as out_of_engines
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a mission asks during a window of it: machines' torques, losses, air, airspeed and set speed against time.

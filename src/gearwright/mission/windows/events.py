@@ -10,13 +10,22 @@ from functools import lru_cache
 import numpy as np
 
 from gearwright.air import air_at, stagnation_ratios
+from gearwright.base import DesignError, Problem, near
 from gearwright.catalogue import ALL_STATES, propeller_map
 from gearwright.dynamics import System
 from gearwright.dynamics.model import MachineDrive
-from gearwright.errors import DesignError, Problem, near
-from gearwright.machines import PropellerMap, Winding, short_circuit_torque
+from gearwright.machines import (
+    Inlet,
+    PropellerMap,
+    Rated,
+    Turboshaft,
+    Winding,
+    engine_of,
+    short_circuit_torque,
+    state_for,
+    steady_state,
+)
 from gearwright.machines.gas_generator import FuelControl, at_rest, spool
-from gearwright.machines.turboshaft import Inlet, Rated, Turboshaft, engine_of, state_for, steady_state
 from gearwright.mission.supply import Supply
 from gearwright.mission.windows.background import (
     LAGS,

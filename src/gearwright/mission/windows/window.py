@@ -10,14 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.air import sound_speed
-from gearwright.arrays import Floats
-from gearwright.dynamics import Outputs, System, Trace, simulate
+from gearwright.base import DesignError, Floats, Problem, Shown, Time, near, verb
+from gearwright.dynamics import Outputs, System, Trace, simulate, statics
 from gearwright.dynamics.assembly import Driving, assemble
-from gearwright.dynamics.equations import statics
 from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix
 from gearwright.dynamics.motion import followed, with_profile
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad, dynamic_loads, shaft_loads
-from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import (
     INSIDE,
     Governor,
@@ -49,8 +47,6 @@ from gearwright.mission.windows.events import (
     stream_map,
 )
 from gearwright.spec import GovernorRules, WindowRules
-from gearwright.units import Time
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A window of a flight with its governor: propeller, governor and a rigid drive train, seconds long.

@@ -10,10 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.base import RPM, DesignError, Floats, Problem
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
-from gearwright.units import RPM
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Equivalent loads of rolling bearings: factors e, X, Y of ISO 281 and X_0, Y_0 of ISO 76, mean load of a spectrum.

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.elementwise import Values, functions
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -10,9 +10,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem, SolveError, refuse
-from gearwright.units import RPM, Angle, Length, Number, Ratio
+from gearwright.base import RPM, Angle, Floats, Length, Number, Problem, Ratio, SolveError, refuse
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What is inside a rolling bearing: its rolling elements and the curvature of its raceways.

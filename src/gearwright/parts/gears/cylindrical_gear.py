@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Problem, refuse
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Closed forms of the involute cylindrical gear: angles, virtual teeth, profile shift, undercut.

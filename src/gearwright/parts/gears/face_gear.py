@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Problem
 from gearwright.parts.gears.tooth_form import TransverseTooth
 
 RIM = 1.2

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from gearwright.errors import Problem, refuse
+from gearwright.base import Problem, refuse
 from gearwright.parts.gears.cylindrical_gear import CylindricalGear, half_angle_at, involute, working_pressure_angle
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.parts.gears.cylindrical_gear import base_helix_angle, transverse_pressure_angle
 from gearwright.parts.material import STEEL_POISSON
 

@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Floats, Ints, Problem
 from gearwright.parts.gears.cylindrical_gear import (
     BasicRack,
     CylindricalGear,

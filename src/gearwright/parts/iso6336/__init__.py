@@ -4,6 +4,10 @@ Scuffing has a folder of its own; bevel gears are in `bevel`.
 """
 
 from gearwright.parts.iso6336.bending import (
+    BendingRating,
+    RootBody,
+    RootStrengthFactors,
+    bending_rating,
     bending_size_factor,
     contact_ratio_factor_root,
     deep_tooth_factor,
@@ -17,6 +21,7 @@ from gearwright.parts.iso6336.dynamic import (
     FASTEST,
     RESONANCE_ENDS,
     SOLID,
+    DynamicFactor,
     DynamicFactorBySpeed,
     MeshDeviations,
     MeshSprings,
@@ -69,6 +74,7 @@ from gearwright.parts.iso6336.loads import (
 from gearwright.parts.iso6336.pitting import (
     RZ_OVER_RA,
     LoadFactors,
+    PittingRating,
     elasticity_factor,
     equivalent_roughness,
     lubricant_factor,
@@ -77,6 +83,7 @@ from gearwright.parts.iso6336.pitting import (
     single_contact_factors,
     speed_factor,
     work_hardening_factor,
+    zone_factor,
 )
 from gearwright.parts.iso6336.rating import (
     BALANCES,
@@ -134,7 +141,9 @@ __all__ = [
     "STRESS_CORRECTION_TEST_GEAR",
     "UNMODIFIED",
     "USUAL_CHOICES",
+    "BendingRating",
     "Choices",
+    "DynamicFactor",
     "DynamicFactorBySpeed",
     "Edition",
     "GearSteel",
@@ -151,9 +160,12 @@ __all__ = [
     "Neighbour",
     "PairRating",
     "PinionShaft",
+    "PittingRating",
     "RatingMethod",
     "ReliefRule",
+    "RootBody",
     "RootSection",
+    "RootStrengthFactors",
     "ShaperCutter",
     "StaticStrength",
     "Steels",
@@ -167,6 +179,7 @@ __all__ = [
     "as_value",
     "balanced_shift",
     "bending_life_curve",
+    "bending_rating",
     "bending_size_factor",
     "contact_life_curve",
     "contact_ratio_factor_root",
@@ -221,4 +234,5 @@ __all__ = [
     "transverse_load_factor",
     "usual_class",
     "work_hardening_factor",
+    "zone_factor",
 ]

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Origin, Problem, Quantity
 from gearwright.parts.iso6336.geometry import MeshGeometry, RatingMethod, Value, as_value
 from gearwright.parts.iso6336.pitting import LoadFactors
 from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
@@ -19,7 +19,6 @@ from gearwright.parts.iso6336.tooth_root import (
     root_section,
     tip_loaded,
 )
-from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019"
 _MICRON = 1e-6

@@ -8,10 +8,10 @@ from typing import Annotated, cast
 
 import numpy as np
 
+from gearwright.base import Origin, Quantity
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.parts.stiffness import LINEAR_LOAD, THEORY_TO_MEASUREMENT, modulus_factor, theoretical_stiffness
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Mesh stiffness of ISO 6336-1, method B, over arrays of pairs: what the load factors need of it.

@@ -9,8 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem, refuse
+from gearwright.base import Floats, Problem, refuse
 from gearwright.parts.gears import GearPair, ToothShift
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple, cast
 
 import numpy as np
 
-from gearwright.errors import Problem, refuse
+from gearwright.base import Origin, Problem, Quantity, refuse
 from gearwright.parts.iso6336.dynamic import (
     SOLID,
     DynamicFactor,
@@ -36,7 +36,6 @@ from gearwright.parts.iso6336.pitting import contact_ratio_factor
 from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.parts.material import STEEL_MODULUS
 from gearwright.parts.stiffness import LINEAR_LOAD, theoretical_stiffness
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Flank tolerances of ISO 1328-1:2013, which the load factors of ISO 6336-1 start from.

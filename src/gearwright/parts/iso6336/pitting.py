@@ -8,10 +8,10 @@ from typing import Annotated
 
 import numpy as np
 
+from gearwright.base import Origin, Quantity
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.steels import GearSteel, Treatment
 from gearwright.parts.iso6336.tooth_root import Edition
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Pitting of cylindrical gears by ISO 6336-2, method B: contact stress, permissible stress, safety, by factor.

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.base import DesignError, Origin, Problem, Quantity, SolveError
 from gearwright.parts.gears import GearPair
 from gearwright.parts.iso6336.bending import (
     BendingRating,
@@ -55,7 +55,6 @@ from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSte
 from gearwright.parts.iso6336.tooth_root import Edition, RootSection, outer_single_contact, root_section
 from gearwright.parts.material import BRINELL_PER_VICKERS
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Rating of one cylindrical pair by ISO 6336 parts 1, 2, 3 and 5 in one call, every factor shown.

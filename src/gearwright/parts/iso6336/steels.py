@@ -12,11 +12,9 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Floats, Origin, Problem, Quantity
 from gearwright.parts.iso6336.geometry import Value, as_value
 from gearwright.parts.material import STEEL_DENSITY, STEEL_MODULUS, STEEL_POISSON
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The steel of a gear as ISO 6336-5 grades it: heat treatment, quality, hardness, and the two strengths.

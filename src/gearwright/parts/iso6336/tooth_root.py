@@ -8,9 +8,8 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from gearwright.errors import SolveError
+from gearwright.base import Origin, Quantity, SolveError
 from gearwright.parts.iso6336.geometry import MeshGeometry, ShaperCutter, ToothProportions, Value, as_value
-from gearwright.units import Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The fillet that a shaper cutter leaves in a ring: the envelope of the cutter's rounded tip as both roll.

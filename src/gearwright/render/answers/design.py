@@ -8,18 +8,27 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from gearwright.base import Mass, Number, Power, Quantity, Ratio, shown, unit
 from gearwright.particulars import Particulars
 from gearwright.render.tables.checks import Judged, judged
 from gearwright.render.tables.sizing import Property, Stands, material_properties, stands
 from gearwright.sizing import (
     AskedSpeed,
+    BearingSizing,
     Beside,
+    BuiltShaft,
+    CarrierSizing,
+    GearSizing,
     Influence,
+    JointSizing,
+    MachineSizing,
     MassPart,
     MeshBeside,
     MeshInfluences,
+    MeshSizing,
     Passing,
     RatedMesh,
+    ShaftSizing,
     Sizing,
     Turn,
 )
@@ -27,11 +36,8 @@ from gearwright.sizing.arrangement import Envelope
 from gearwright.sizing.losses import Loss
 from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.sizing.rating import METHODS, Factor
-from gearwright.sizing.result import GearSizing, MachineSizing, MeshSizing
-from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, JointSizing, ShaftSizing
 from gearwright.spec import implied
 from gearwright.train import Branch
-from gearwright.units import Mass, Number, Power, Quantity, Ratio, shown, unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Answers about what a rating rests on: every factor, every method side by side, what moves the margins.

@@ -9,28 +9,39 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Annotated, Any
 
-from gearwright.catalogue import DesignPoint, EngineTransient, MadeEngine, MadePropeller, PropellerLoads, RatioRow
-from gearwright.catalogue.turboshafts import DeckRow, MissionKeys
+from gearwright.base import Angle, Force, Frequency, Life, Mass, Power, Quantity, Ratio, Speed, Time, Torque
+from gearwright.catalogue import (
+    DeckRow,
+    DesignPoint,
+    EngineTransient,
+    MadeEngine,
+    MadePropeller,
+    MissionKeys,
+    PropellerLoads,
+    RatioRow,
+)
 from gearwright.dynamics import Trace
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
 from gearwright.machines.propellers import activity_factor, integrated_lift
 from gearwright.mission import (
+    Balance,
     Durability,
     DutySpectrum,
     Flight,
     FlownMix,
+    History,
     LifeSizing,
     MeasuredDuty,
+    PackWear,
     PhaseForces,
+    PhaseSummary,
     bearing_spectra,
     mesh_spectrum,
     phase_forces,
     phase_summaries,
     shaft_spectrum,
 )
-from gearwright.mission.flight import Balance, History, PackWear, PhaseSummary
-from gearwright.mission.lives import torque_cycles
-from gearwright.mission.lives.damage import DutyBin
+from gearwright.mission.lives import DutyBin, torque_cycles
 from gearwright.mission.windows import DynamicWindow
 from gearwright.parts.shaft_fatigue import Residue
 from gearwright.render.answers.review import Factor
@@ -46,10 +57,8 @@ from gearwright.render.tables.flights import (
     mission_rows,
     part_rows,
 )
-from gearwright.render.words.flights import Range, not_rated, ranges, verdict, work
-from gearwright.render.words.flights import duty_notes as notes
+from gearwright.render.words.flights import Range, duty_notes as notes, not_rated, ranges, verdict, work
 from gearwright.reviews import Review, Verdict
-from gearwright.units import Angle, Force, Frequency, Life, Mass, Power, Quantity, Ratio, Speed, Time, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Answers about flights: what a mission burns and wears, and what a window of it does to every tooth.

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated
 
+from gearwright.base import Angle, Force, Length, Number, Quantity, Ratio, Speed, Time, Torque
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.assembly import Assumption
 from gearwright.dynamics.sharing import Allocation, Distribution, SharingStudy
@@ -26,7 +27,6 @@ from gearwright.render.tables.dynamics import (
     machine_rows,
     mode_rows,
 )
-from gearwright.units import Angle, Force, Length, Number, Quantity, Ratio, Speed, Time, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Answers about motion: natural frequencies, a simulated run and what follows from it.

@@ -6,15 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.checks import Check, Status
+from gearwright.base import Check, Kind, Life, Mass, Quantity, Status, shown, unit
 from gearwright.closure import Closed, Contradiction, Effort, Outcome, Round, StageLife, Tried, Unmet, Variants
-from gearwright.identity import Kind
 from gearwright.render.answers.schema import named
 from gearwright.reviews import Review, Verdict
 from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.spec.edit import design_text
 from gearwright.study.architectures import EqualLife
-from gearwright.units import Life, Mass, Quantity, shown, unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The answer of a review: one verdict, and every check with its value, its limit and the unit of both.

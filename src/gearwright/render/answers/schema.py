@@ -17,10 +17,8 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar, Union, get_args, 
 
 import numpy as np
 
-from gearwright.errors import SolveError
-from gearwright.identity import PartId
+from gearwright.base import Origin, PartId, Quantity, SolveError, key_suffix, shown, unit
 from gearwright.sizing.rating import METHODS, MeshRating
-from gearwright.units import Origin, Quantity, key_suffix, shown, unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Marked records as plain data for JSON: every key carries its unit, and what is not finite is null.

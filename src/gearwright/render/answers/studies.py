@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from gearwright.base import Life, Ratio, Time
 from gearwright.enumeration import Ranking
 from gearwright.optimum import Binding, Counts, Fit, Optimum
 from gearwright.render.answers.schema import named
@@ -16,7 +17,6 @@ from gearwright.study import EqualLife, Row, Table
 from gearwright.study.answers import ACCURACY, Reduced
 from gearwright.study.journal import Status
 from gearwright.study.reliability import Reliability, reliability
-from gearwright.units import Life, Ratio, Time
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Answers of studies: a row for every variant, and how far a study is.

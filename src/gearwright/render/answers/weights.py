@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from gearwright.base import Mass, Number, Power, Speed
 from gearwright.render.words.design_file import ShippedFile
-from gearwright.units import Mass, Number, Power, Speed
 from gearwright.validate import Checked
-from gearwright.weights import COLUMNS, CheckedEngine, Comparison, StatedMass, gearbox_mass
-from gearwright.weights.laws import Coverage
-from gearwright.weights.methods import Band
+from gearwright.weights import COLUMNS, Band, CheckedEngine, Comparison, Coverage, StatedMass, gearbox_mass
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest
+from gearwright.base import Floats, Role, gear_part, largest
 from gearwright.catalogue import Bearing
-from gearwright.identity import Role, gear_part
 from gearwright.parts.bearings import BearingKind
 from gearwright.render.drawings.entities import (
     SMALL,

@@ -8,11 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import GEARBOX, Floats, Status, carrier_part
 from gearwright.catalogue import centre_allowance, standard_tolerance
 from gearwright.catalogue.standard_parts import BORE, ROUGHNESS, SHAFT
-from gearwright.checks import Status
-from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.arrangement_view import (
     Item,
     Outside,
@@ -89,14 +87,12 @@ from gearwright.render.drawings.plane_section import (
     true_section,
     uncut,
 )
-from gearwright.render.drawings.positions import LETTER as SECTION
-from gearwright.render.drawings.positions import Positions, cutting_way, positions, way_marks
+from gearwright.render.drawings.positions import LETTER as SECTION, Positions, cutting_way, positions, way_marks
 from gearwright.render.drawings.shaft_view import ACROSS, MM, OVERSHOOT, Axis, Mark, made_of, marked
 from gearwright.render.skeleton import pair_meshes
 from gearwright.render.style import overlap, spread
-from gearwright.shape import scene as scene_of
+from gearwright.shape import kind_of, scene as scene_of, sized_mesh
 from gearwright.shape.chambers import spans_in
-from gearwright.shape.stands import kind_of, sized_mesh
 from gearwright.sizing import BearingSizing, Sizing
 from gearwright.sizing.casing import HOLE, Flanges, ring_seats
 from gearwright.sizing.mass import carried_in_walls, weighed_flanges

@@ -13,9 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, Role, gear_part
 from gearwright.catalogue import LARGEST, SMALLEST, shaft_limits, standard_tolerance
-from gearwright.identity import Role, gear_part
 from gearwright.parts.planetary import pin_error_share, pin_error_within
 from gearwright.render.drawings.entities import (
     HIGH,
@@ -35,10 +34,8 @@ from gearwright.render.drawings.entities import (
 )
 from gearwright.render.drawings.paper import Content, Grid, Rows, Title
 from gearwright.render.drawings.shaft_view import MM, OVERSHOOT, Axis, made_of
-from gearwright.shape.bodies import held_at, plate_outline
+from gearwright.shape import axes_at, circle, held_at, middle_of, plate_outline, set_frame, stands_of
 from gearwright.shape.solids import Arm, plate_form
-from gearwright.shape.stands import axes_at, middle_of, set_frame, stands_of
-from gearwright.shape.surfaces import circle
 from gearwright.sizing import CarrierSizing, Sizing
 from gearwright.sizing.mass import Cage, Plate, cage_of
 from gearwright.sizing.places import along_body, runs

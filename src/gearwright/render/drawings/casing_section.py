@@ -10,16 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest
+from gearwright.base import Floats, largest
 from gearwright.render.drawings.arrangement_view import Item
 from gearwright.render.drawings.entities import Entity, Hatch, Layer, Path, millimetres, trimmed
 from gearwright.render.drawings.positions import Lane, Positions, crossed, lanes
 from gearwright.render.drawings.shaft_view import MM, made_of
-from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, WEB, Node, Scene, short_of
-from gearwright.shape import scene as scene_of
+from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, WEB, Node, Scene, around, scene as scene_of, short_of
 from gearwright.shape.chambers import Chamber, Cut, Rectangle, bored, cut_chamber, spans_in, united, without
 from gearwright.shape.solids import Solid
-from gearwright.shape.surfaces import around
 from gearwright.sizing import Sizing
 from gearwright.sizing.casing import HEAD, HOLE, LENGTH, NUT, THICKNESS, WASHER, Flanges
 from gearwright.sizing.mass import carried_in_walls, weighed_flanges, weighed_wall

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from gearwright.errors import Problem, near, refuse
+from gearwright.base import Problem, near, refuse, verb
 from gearwright.render.drawings.assembly_sheets import arrangement_content, casing_content, housing_content
 from gearwright.render.drawings.carriers import carrier_content
 from gearwright.render.drawings.gear_sheet import gear_content
@@ -15,7 +15,6 @@ from gearwright.render.drawings.shaft_sheet import shaft_content
 from gearwright.shape.stands import hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.places import runs
-from gearwright.verbs import verb
 
 
 @verb

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from gearwright.identity import Role
+from gearwright.base import Role
 from gearwright.render.drawings.entities import (
     GAP,
     HIGH,

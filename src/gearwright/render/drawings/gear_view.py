@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from gearwright.base import Role
 from gearwright.catalogue import LARGEST, SMALLEST, key_for_shaft, standard_tolerance
-from gearwright.identity import Role
 from gearwright.parts.bevel_geometry import BevelProfile, bevel_way, face_and_root
 from gearwright.parts.gears import CylindricalGear, TransverseTooth, face_reach, face_way
 from gearwright.parts.joints import KeySection, Spline
@@ -43,8 +43,7 @@ from gearwright.render.drawings.shaft_view import (
 from gearwright.shape.stands import cylindrical_gear, halves_of, is_internal, kind_of, meshes_of, stands_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
 from gearwright.sizing.casing import RingSeat, ring_seats
-from gearwright.sizing.mass import bevel_dish, bevel_hub, bevel_web, pinion_of, tooth_of
-from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
+from gearwright.sizing.mass import bevel_cones as bevel_pair, bevel_dish, bevel_hub, bevel_web, pinion_of, tooth_of
 from gearwright.sizing.places import BOSS, Bell
 from gearwright.sizing.rating import BACKUP
 from gearwright.spec import GROUND

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from collections.abc import Set as AbstractSet
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set as AbstractSet
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Problem, Shown
 from gearwright.render.drawings.entities import (
     ARROW,
     GAP,
@@ -35,7 +34,6 @@ from gearwright.render.drawings.entities import (
     words_length,
 )
 from gearwright.render.style import spread
-from gearwright.verbs import Shown
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

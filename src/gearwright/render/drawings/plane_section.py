@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats, smallest_first
+from gearwright.base import Complexes, Floats, smallest_first
 from gearwright.render.drawings.arrangement_view import Item, shaft_parts
 from gearwright.render.drawings.casing_section import (
     CasingSection,

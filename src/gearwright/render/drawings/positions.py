@@ -11,19 +11,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, smallest_first
-from gearwright.identity import Kind
+from gearwright.base import Floats, Kind, smallest_first
 from gearwright.render.drawings.entities import TEXT, Entity, Layer, Path, Words, arrow
 from gearwright.render.drawings.shaft_view import MM
 from gearwright.render.skeleton import pair_meshes
 from gearwright.shape.chambers import Leg, spans_in
 from gearwright.shape.stands import gear_of, halves_of, kind_of, sized_mesh
-from gearwright.sizing import Sizing
+from gearwright.sizing import Frame, Sizing
 from gearwright.sizing.casing import boss_bodies
 from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
-from gearwright.sizing.places import PLATE_GAP as GAP
-from gearwright.sizing.places import runs
-from gearwright.sizing.result import Frame
+from gearwright.sizing.places import PLATE_GAP as GAP, runs
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import GROUND
 from gearwright.train import Mesh

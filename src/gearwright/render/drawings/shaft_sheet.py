@@ -18,8 +18,7 @@ from gearwright.catalogue import (
     thread_chamfer,
     thread_run_out,
 )
-from gearwright.catalogue.standard_parts import FAST, FAST_HARDNESS, HARDNESS, ROUGHNESS
-from gearwright.catalogue.standard_parts import SHAFT as UNDER_SEAL
+from gearwright.catalogue.standard_parts import FAST, FAST_HARDNESS, HARDNESS, ROUGHNESS, SHAFT as UNDER_SEAL
 from gearwright.parts.gears import runout_tolerance
 from gearwright.render.drawings.entities import (
     GAP,

@@ -19,8 +19,7 @@ from gearwright.catalogue import (
 )
 from gearwright.catalogue.standard_parts import SHAFT as UNDER_SEAL
 from gearwright.memo import of_latest
-from gearwright.parts.bevel_geometry import BevelProfile
-from gearwright.parts.bevel_geometry import bevel_profile as bevel_teeth
+from gearwright.parts.bevel_geometry import BevelProfile, bevel_profile as bevel_teeth
 from gearwright.parts.gears import Blank
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.render.drawings.entities import (
@@ -45,8 +44,7 @@ from gearwright.render.drawings.entities import (
 )
 from gearwright.shape.stands import cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import BuiltShaft, GearSizing, JointSizing, ShaftStep, Sizing
-from gearwright.sizing.mass import TRAIN, complete_mass, gear_blanks
-from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
+from gearwright.sizing.mass import TRAIN, bevel_cones as bevel_pair, complete_mass, gear_blanks
 from gearwright.sizing.places import runs
 from gearwright.sizing.shafts import Cut, Thread, grooves, sealed_exits, threads, undercuts_of
 

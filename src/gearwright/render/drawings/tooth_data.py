@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from gearwright.arrays import Floats
+from gearwright.base import INCH, Floats
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
 from gearwright.parts.bevel_geometry import face_and_root, mean_thickness
 from gearwright.parts.gears import (
@@ -38,12 +38,10 @@ from gearwright.shape.stands import (
     meshes_of,
     sized_mesh,
 )
-from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, stated_pitch, thickness_of
-from gearwright.sizing.insight import gear_relief
+from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, gear_relief, stated_pitch, thickness_of
 from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 from gearwright.sizing.shafts import case_hardened
 from gearwright.spec import Pair
-from gearwright.units import INCH
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The table of tooth data beside a gear: what is cut, what is measured, what it meshes with.

@@ -10,7 +10,7 @@ from html import escape
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Problem
 from gearwright.render.drawings.entities import (
     ARROW,
     BEYOND,

@@ -10,7 +10,7 @@ import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.arrays import Floats, largest_first, smallest_first
+from gearwright.base import RPM, Floats, largest_first, smallest_first, written
 from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics import System
 from gearwright.dynamics.equations import errors_at, line_forces
@@ -44,7 +44,6 @@ from gearwright.render.style import NIGHT, WIDTH, colour_bar, shades, spread, up
 from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Axes, Figure
 from gearwright.sizing import Sizing
-from gearwright.units import RPM, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The low end of a Campbell diagram: torsional frequencies of shafts and machines, and what turns or passes there.

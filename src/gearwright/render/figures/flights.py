@@ -12,9 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.dynamics import Trace
-from gearwright.dynamics.motion import Samples
+from gearwright.base import CELSIUS, FOOT, KNOT, KWH, RPM, Floats, shown
+from gearwright.dynamics import Samples, Trace
 from gearwright.machines import PropellerMap
 from gearwright.mission import Balance, Durability, Flight, FlownMix, LifeSizing
 from gearwright.mission.lives import LoadLife, seat_duties
@@ -24,7 +23,6 @@ from gearwright.render.figures.motion import families
 from gearwright.render.style import WIDTH, stacked
 from gearwright.render.tables.flights import MOST_PARTS as MOST_ROWS
 from gearwright.render.vector.figure import Axes, Curve, Figure
-from gearwright.units import CELSIUS, FOOT, KNOT, KWH, RPM, shown
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Figures of a flight over its time: profile, powers and torques, fuel and charge, heat and oil.

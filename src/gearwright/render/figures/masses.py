@@ -7,10 +7,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest_first, smallest_first
+from gearwright.base import POUND, ROUNDING, Check, Floats, Kind, largest_first, margin_text, smallest_first
 from gearwright.catalogue import Engine, Series, all_series, engines, weighed_gearboxes
-from gearwright.checks import ROUNDING, Check
-from gearwright.identity import Kind
 from gearwright.particulars import Particulars
 from gearwright.render import style as theme
 from gearwright.render.style import WIDTH
@@ -19,7 +17,6 @@ from gearwright.render.vector.figure import Axes, Figure, tinted
 from gearwright.render.vector.layout import text_width
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing
 from gearwright.sizing.mass import CompleteMass
-from gearwright.units import POUND, margin_text
 from gearwright.weights import Comparison, LogLine, Score, checked_engines, gearbox_mass, log_line, refit, scores
 
 # ----------------------------------------------------------------------------------------------------------------------

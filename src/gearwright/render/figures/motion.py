@@ -9,15 +9,24 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, place_of_largest
+from gearwright.base import (
+    SIDES,
+    DesignError,
+    Floats,
+    Kind,
+    Problem,
+    Role,
+    by_name,
+    carrier_part,
+    gear_part,
+    place_of_largest,
+    verb,
+)
 from gearwright.dynamics import Labels, Modes, Trace
 from gearwright.dynamics.model import PIN, Owner, System
 from gearwright.dynamics.motion import Samples, index_of
-from gearwright.errors import DesignError, Problem, by_name
-from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
 from gearwright.particulars import Particulars
-from gearwright.render import skeleton as glyphs
-from gearwright.render import style as theme
+from gearwright.render import skeleton as glyphs, style as theme
 from gearwright.render.schematic import draw_train, member_side
 from gearwright.render.skeleton import Layout, lay_out
 from gearwright.render.style import WIDTH
@@ -26,7 +35,6 @@ from gearwright.render.vector.svg import band
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND
 from gearwright.train import attachments
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Figures of a Trace and of Modes: forces and torques against time, spectra with mesh orders, mode shapes.

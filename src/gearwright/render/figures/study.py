@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats, smallest_first
+from gearwright.base import Floats, smallest_first, written
 from gearwright.optimum import Optimum
 from gearwright.render import style as theme
 from gearwright.render.style import DUSK, colour_bar, shade, shades
@@ -22,10 +22,8 @@ from gearwright.render.tables.variants import FLAT, heading, numeric_axis, perce
 from gearwright.render.vector.figure import Axes, Figure, Parallel
 from gearwright.spec import Study
 from gearwright.study import Row, Table
-from gearwright.study.answers import INDEX_CONFIDENCE as CONFIDENCE
-from gearwright.study.answers import Influence, Standing, Verdict, varies, verdict
+from gearwright.study.answers import INDEX_CONFIDENCE as CONFIDENCE, Influence, Standing, Verdict, varies, verdict
 from gearwright.study.tables import pareto_front
-from gearwright.units import written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Figures of a study: lines along an axis with the optimum and how flat it is, or stacked masses of several designs.

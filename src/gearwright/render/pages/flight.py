@@ -5,10 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
-from gearwright.arrays import largest, smallest, smallest_first
+from gearwright.base import (
+    CELSIUS,
+    KNOT,
+    KWH,
+    DesignError,
+    Origin,
+    digits_apart,
+    largest,
+    margin_text,
+    shown,
+    smallest,
+    smallest_first,
+    unit,
+    written,
+)
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, ShaftLoad
-from gearwright.errors import DesignError
 from gearwright.mission import Durability, Flight, FlownMix, LifeSizing
 from gearwright.mission.lives import LoadLife, load_lives
 from gearwright.mission.windows import DynamicWindow
@@ -56,12 +69,19 @@ from gearwright.render.tables.flights import (
     phase_table,
 )
 from gearwright.render.words.design_file import entries
-from gearwright.render.words.flights import count_text, life_text, ranges, totals, verdict, verdict_text, window_verdict
-from gearwright.render.words.flights import mix_notes as notes
+from gearwright.render.words.flights import (
+    count_text,
+    life_text,
+    mix_notes as notes,
+    ranges,
+    totals,
+    verdict,
+    verdict_text,
+    window_verdict,
+)
 from gearwright.render.words.sizing import energy_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
-from gearwright.units import CELSIUS, KNOT, KWH, Origin, digits_apart, margin_text, shown, unit, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A flight as one self-contained HTML page: what it took, how hot it ran, what fails first and after how long.

@@ -13,15 +13,26 @@ from markupsafe import Markup
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.arrays import Floats, largest, smallest, smallest_first
-from gearwright.checks import Check, worst_first
+from gearwright.base import (
+    HOUSING,
+    Check,
+    Floats,
+    Kind,
+    Origin,
+    PartId,
+    largest,
+    margin_text,
+    smallest,
+    smallest_first,
+    text,
+    verb,
+    worst_first,
+)
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.sharing import Allocation, PlanetCounts, SharingStudy, sharing_problem, support_sweep
 from gearwright.dynamics.vibration import SpeedCase, first_meshes
-from gearwright.identity import HOUSING, Kind, PartId
 from gearwright.particulars import Particulars, Reported, particulars
-from gearwright.render import solids
-from gearwright.render import style as theme
+from gearwright.render import solids, style as theme
 from gearwright.render.figures.dynamics import (
     LIMIT,
     RING,
@@ -30,13 +41,13 @@ from gearwright.render.figures.dynamics import (
     campbell_figure,
     distribution_figure,
     one_turn,
+    orbit_figure as sharing_orbit_figure,
     planets_figure,
     published_notes,
     sharing_figure,
     support_figure,
     tornado_figure,
 )
-from gearwright.render.figures.dynamics import orbit_figure as sharing_orbit_figure
 from gearwright.render.figures.motion import (
     drawn_modes_figure,
     every_step,
@@ -55,8 +66,6 @@ from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.shape import Node, Scene, glb, scene
 from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
-from gearwright.units import Origin, margin_text, text
-from gearwright.verbs import verb
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.base import DesignError, Problem, margin_text, text
 from gearwright.render import style as theme
 from gearwright.render.grid import MARKS, Table
 from gearwright.render.html import environment
-from gearwright.render.tables.sizing import chosen_teeth
-from gearwright.units import margin_text, text
+from gearwright.render.tables.checks import review_tables
+from gearwright.render.tables.sizing import chosen_teeth, gear_table
+from gearwright.train import build_train
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A value in a few lines, as a prompt shows it: what it is, its key numbers with units, what to do next.
@@ -272,7 +273,6 @@ def _table(table: Table) -> str:
 
 def _schematic(value: Any) -> theme.Drawing:
     from gearwright.render.schematic import schematic_figure
-    from gearwright.train import build_train
 
     return schematic_figure(build_train(value) if type(value).__name__ == "Design" else value)
 
@@ -332,14 +332,10 @@ def _phase_tables(value: Any) -> tuple[Table, ...]:
 
 
 def _check_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.checks import review_tables
-
     return review_tables(value.checks)
 
 
 def _gear_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.sizing import gear_table
-
     return (gear_table(value),)
 
 

@@ -13,9 +13,8 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from gearwright.checks import Check
-from gearwright.render import live, uplot
-from gearwright.render import style as theme
+from gearwright.base import Check, Origin, margin_text, number_text, shown, unit, written
+from gearwright.render import live, style as theme, uplot
 from gearwright.render.grid import MARKS, Table
 from gearwright.render.html import environment
 from gearwright.render.vector.figure import Figure as Drawing
@@ -23,12 +22,9 @@ from gearwright.render.vector.live import Numbers, live_panels
 from gearwright.render.vector.svg import style_of
 from gearwright.render.words.design_file import Entry
 from gearwright.render.words.sizing import said_of, sizing_headline
-from gearwright.reviews import Review
-from gearwright.reviews import Verdict as Judgement
+from gearwright.reviews import Review, Verdict as Judgement
 from gearwright.sizing import Sizing
-from gearwright.spec import Design
-from gearwright.spec.read import line_in
-from gearwright.units import Origin, margin_text, number_text, shown, unit, written
+from gearwright.spec import Design, line_in
 from gearwright.version import __version__
 
 _NONE = Markup()

@@ -8,13 +8,24 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Annotated, NamedTuple
 
-from gearwright.arrays import largest_first
-from gearwright.checks import Check, Status, worst, worst_first
+from gearwright.base import (
+    CELSIUS,
+    Check,
+    Origin,
+    Quantity,
+    Status,
+    by_name,
+    largest_first,
+    margin_text,
+    text,
+    verb,
+    worst,
+    worst_first,
+)
 from gearwright.closure import REQUIREMENTS, requirement_of
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import DynamicLoad, SpeedCase, dynamic_loads
-from gearwright.errors import by_name
 from gearwright.particulars import Particulars, Reported, particulars, reported
 from gearwright.render.figures.masses import (
     aged_bearings,
@@ -50,11 +61,11 @@ from gearwright.render.tables.checks import (
     Judged,
     check_sentence,
     factor_tables,
+    judged as judged_checks,
     method_tables,
     review_tables,
     usual_table,
 )
-from gearwright.render.tables.checks import judged as judged_checks
 from gearwright.render.tables.dynamics import dynamic_table, energy_table, mode_table, motion_tables
 from gearwright.render.tables.sizing import flow_tables, mass_sentence, passing_table, path_table, tables_of
 from gearwright.render.words.design_file import entries
@@ -63,8 +74,6 @@ from gearwright.reviews import Review
 from gearwright.sizing import AskedSpeed, Sizing
 from gearwright.spec import Design, implied
 from gearwright.spec.design import RATINGS
-from gearwright.units import CELSIUS, Origin, Quantity, margin_text, text
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A review by requirements: what fails and what would help, and of every requirement its worst check.

@@ -9,9 +9,8 @@ from typing import Annotated
 import numpy as np
 from markupsafe import Markup
 
-from gearwright.arrays import smallest_first
+from gearwright.base import Origin, Quantity, SolveError, smallest_first, text
 from gearwright.enumeration import Ranking
-from gearwright.errors import SolveError
 from gearwright.optimum import Optimum
 from gearwright.particulars import Particulars
 from gearwright.render import style as theme
@@ -45,8 +44,8 @@ from gearwright.render.pages.page import (
 )
 from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.render.tables.sizing import mass_sentence
-from gearwright.render.tables.study import SHOWN_ARCHITECTURES as SHOWN
 from gearwright.render.tables.study import (
+    SHOWN_ARCHITECTURES as SHOWN,
     architectures_table,
     binding_table,
     equal_life_table,
@@ -83,13 +82,11 @@ from gearwright.sizing.arrangement import envelope
 from gearwright.spec import Design, Study
 from gearwright.spec.studies import RELIABILITY
 from gearwright.study import Table
-from gearwright.study.answers import Verdict as Outcome
-from gearwright.study.answers import sensitivity, varies, verdict
+from gearwright.study.answers import Verdict as Outcome, sensitivity, varies, verdict
 from gearwright.study.architectures import EqualLife
 from gearwright.study.cases import reviewed
 from gearwright.study.reliability import Reliability, reliability
 from gearwright.study.tables import front_table, pareto_front
-from gearwright.units import Origin, Quantity, text
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

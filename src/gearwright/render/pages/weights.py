@@ -7,13 +7,22 @@ from collections.abc import Iterator
 
 from markupsafe import Markup
 
+from gearwright.base import RPM, Origin, text
 from gearwright.catalogue import Engine, Series, all_series
 from gearwright.render.figures.masses import figure_densities, figure_mass_over_power, figure_methods
 from gearwright.render.html import environment
-from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, figure, quantity, set_page
-from gearwright.render.pages.page import Verdict as Judged
+from gearwright.render.pages.page import (
+    Figure,
+    Number,
+    Page,
+    Section,
+    Tone,
+    Verdict as Judged,
+    figure,
+    quantity,
+    set_page,
+)
 from gearwright.render.tables import weights
-from gearwright.units import RPM, Origin, text
 from gearwright.weights import (
     COLUMNS,
     Check,

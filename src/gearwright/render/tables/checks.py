@@ -9,12 +9,10 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from gearwright.checks import Check, Status
+from gearwright.base import Check, Quantity, Status, digits_apart, margin_text, shown, unit, written
 from gearwright.render.grid import Cell, Column, Table, table
-from gearwright.sizing import Beside, Influence, MeshBeside, MeshInfluences, RatedMesh
-from gearwright.sizing.insight import UsualValue
+from gearwright.sizing import Beside, Influence, MeshBeside, MeshInfluences, RatedMesh, UsualValue
 from gearwright.sizing.rating import METHODS, Factor
-from gearwright.units import Quantity, digits_apart, margin_text, shown, unit, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Checks as rows of a table, in the units of the trade, and as sentences.

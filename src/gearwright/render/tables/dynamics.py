@@ -8,7 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import place_of_largest
+from gearwright.base import Energy, Force, Frequency, Origin, Quantity, Speed, Torque, place_of_largest
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.assembly import Assumption
 from gearwright.dynamics.motion import Error
@@ -26,7 +26,6 @@ from gearwright.dynamics.vibration import (
 from gearwright.render.grid import Table, table
 from gearwright.sizing import Sizing
 from gearwright.sizing.rating import METHODS
-from gearwright.units import Energy, Force, Frequency, Origin, Quantity, Speed, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a reader wants to know of a train's dynamics beside modes and forces, as tables.

@@ -10,7 +10,25 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.arrays import largest
+from gearwright.base import (
+    CELSIUS,
+    FOOT,
+    KNOT,
+    NAUTICAL_MILE,
+    Distance,
+    Life,
+    Mass,
+    Number,
+    Origin,
+    Power,
+    Quantity,
+    Ratio,
+    Speed,
+    Time,
+    Torque,
+    largest,
+    marks_of,
+)
 from gearwright.catalogue import EngineTransient, MadeEngine, MadePropeller, RotorTrim
 from gearwright.mission import (
     Balance,
@@ -28,24 +46,6 @@ from gearwright.mission.lives import ENDLESS, USUAL_RELIABILITY, bearings_of
 from gearwright.parts.shaft_fatigue import LoadCycle, Residue
 from gearwright.render.grid import Table, table
 from gearwright.spec import Phase
-from gearwright.units import (
-    CELSIUS,
-    FOOT,
-    KNOT,
-    NAUTICAL_MILE,
-    Distance,
-    Life,
-    Mass,
-    Number,
-    Origin,
-    Power,
-    Quantity,
-    Ratio,
-    Speed,
-    Time,
-    Torque,
-    marks_of,
-)
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Tables of a flight's page: phases, losses by kind, lives of parts, bearings.

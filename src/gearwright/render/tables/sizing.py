@@ -11,6 +11,7 @@ from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
+from gearwright.base import Length, Mass, Number, Origin, Power, Quantity, Slope, Speed, shown, text, unit
 from gearwright.particulars import Particulars, UsedMaterial
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel, LifeCurve
@@ -23,7 +24,6 @@ from gearwright.sizing.result import PRELIMINARY, TeethSearch
 from gearwright.spec import Design
 from gearwright.spec.design import NOTHING_GIVEN, module_owners
 from gearwright.train import Branch
-from gearwright.units import Length, Mass, Number, Origin, Power, Quantity, Slope, Speed, shown, text, unit
 
 if TYPE_CHECKING:
     from gearwright.dynamics.sharing import PathShare

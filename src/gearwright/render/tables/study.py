@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import largest, largest_first, smallest
+from gearwright.base import Mass, Speed, largest, largest_first, margin_text, shown, smallest, text, unit, written
 from gearwright.enumeration import Candidate
 from gearwright.optimum import Best, Optimum
 from gearwright.render.grid import Cell, Column, Table, table, table_csv
@@ -20,13 +20,11 @@ from gearwright.render.tables.variants import heading, percent, spread
 from gearwright.sizing import Named
 from gearwright.sizing.mass import GROUPS, CompleteMass, Statistics
 from gearwright.spec import Axis, Study, value_at
-from gearwright.study import Row
-from gearwright.study import Table as Rows
+from gearwright.study import Row, Table as Rows
 from gearwright.study.answers import Verdict, bound
 from gearwright.study.architectures import EqualLife
 from gearwright.study.reliability import LimitState, Reliability
 from gearwright.study.tables import Limit, quantiles
-from gearwright.units import Mass, Speed, margin_text, shown, text, unit, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Tables on the page of a study: ranking, Pareto front, the spread of results, and what was varied.

@@ -6,13 +6,13 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from gearwright.base import NOISE, written
 from gearwright.render.grid import csv_text
 from gearwright.render.terminal import Grid
 from gearwright.spec.studies import value_at
 from gearwright.study import Row, Table
 from gearwright.study.answers import SECTIONS, Reduced
 from gearwright.study.tables import kind_of, quantiles
-from gearwright.units import NOISE, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The table of a study for the terminal, for files and for the page.

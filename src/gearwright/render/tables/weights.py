@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from gearwright.base import RPM, text
 from gearwright.catalogue import Engine
 from gearwright.particulars import Particulars
 from gearwright.render.grid import csv_text
@@ -16,7 +17,6 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.mass import band_of, requirement_of
 from gearwright.spec.design import CONCEPT, PRELIMINARY
 from gearwright.study import Table
-from gearwright.units import RPM, text
 from gearwright.weights import (
     COLUMNS,
     CheckedEngine,

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, install
+from gearwright.base import DesignError, Floats, Problem, install
 from gearwright.files import write_bytes, write_text
 
 # ----------------------------------------------------------------------------------------------------------------------

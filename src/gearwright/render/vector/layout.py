@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.render.vector import figure as m
 from gearwright.render.vector.figure import INK, Axes, Axis, Figure, Pen, Words
 

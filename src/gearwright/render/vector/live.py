@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.render.vector import figure as m
 from gearwright.render.vector.figure import NAMES, Axes, Axis, Figure, Parallel, Slot, css_value
 from gearwright.render.vector.layout import Frame, key_rows, laid_out, scales_of, words_overhang

@@ -14,7 +14,7 @@ from operator import itemgetter
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats
 from gearwright.render.vector import figure as m
 from gearwright.render.vector.figure import (
     DARK,

@@ -13,6 +13,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from gearwright.base import KWH, SUFFIXES, shown, text, unit, written
 from gearwright.shipped import (
     shipped_design,
     shipped_designs,
@@ -27,6 +28,7 @@ from gearwright.shipped import (
 )
 from gearwright.shipped.gallery import notebook_title
 from gearwright.spec import (
+    Design,
     Mission,
     MixFile,
     OneOf,
@@ -40,8 +42,6 @@ from gearwright.spec import (
     read_study,
     reciprocals_of,
 )
-from gearwright.spec.design import Design
-from gearwright.units import KWH, SUFFIXES, shown, text, unit, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The reference of the design, mission, mix and study files as Markdown, from the types that read them.

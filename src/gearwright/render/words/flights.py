@@ -13,7 +13,7 @@ import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.arrays import largest
+from gearwright.base import CELSIUS, GRAVITY, KWH, NAUTICAL_MILE, largest, margin_text, number_text, shown, text, unit
 from gearwright.catalogue import EngineTransient, MadeEngine, MadePropeller, PropellerLoads, RotorTrim
 from gearwright.dynamics import Trace
 from gearwright.dynamics.motion import Error, Statistics
@@ -50,7 +50,6 @@ from gearwright.render.tables.flights import (
 from gearwright.render.words.sizing import energy_text, headline, table_text
 from gearwright.reviews import Review
 from gearwright.spec import Phase
-from gearwright.units import CELSIUS, GRAVITY, KWH, NAUTICAL_MILE, margin_text, number_text, shown, text, unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Forces of a flight in words: thrust beside drag, block fuel, take-off, and what an aircraft would not fly so.

@@ -8,6 +8,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from gearwright.base import shown, text, written
 from gearwright.closure import Closed, Contradiction, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
@@ -20,7 +21,6 @@ from gearwright.render.terminal import Grid
 from gearwright.render.words.sizing import energy_text, headline, sizing_headline, table_text, unneeded_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
-from gearwright.units import shown, text, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A review in words: the verdict, every check worst first, what is open; and what a closure met, on one screen.

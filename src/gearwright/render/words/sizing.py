@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.checks import worst
+from gearwright.base import worst
 from gearwright.particulars import Particulars
 from gearwright.render.grid import MARKS, Cell, Column, Table
 from gearwright.render.tables.checks import check_sentence, factor_tables, influence_tables, method_tables, usual_table
 from gearwright.render.tables.sizing import estimated_only, flow_tables, path_table, tables_of
 from gearwright.render.tables.weights import summary
 from gearwright.render.terminal import Grid
-from gearwright.sizing import MeshBeside, MeshInfluences, RatedMesh, Sizing
-from gearwright.sizing.insight import UsualValue
+from gearwright.sizing import MeshBeside, MeshInfluences, RatedMesh, Sizing, UsualValue
 from gearwright.spec import Design, implied
 from gearwright.spec.design import CONCEPT, PRELIMINARY, STATIC
 

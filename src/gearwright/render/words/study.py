@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gearwright.arrays import largest_first, smallest_first
+from gearwright.base import SolveError, largest_first, smallest_first, text, written
 from gearwright.enumeration import Ranking, lighter
-from gearwright.errors import SolveError
-from gearwright.optimum import Optimum
+from gearwright.optimum import Optimum, hypervolume
 from gearwright.render.tables.study import chance, letter, likeliest_words, teeth_text
 from gearwright.render.tables.variants import FLAT, heading, numeric_axis, percent, reasons
 from gearwright.spec import Study
@@ -18,7 +17,6 @@ from gearwright.study import EqualLife, Row, Table
 from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict
 from gearwright.study.reliability import reliability
 from gearwright.study.tables import front_table, quantiles, violations
-from gearwright.units import text, written
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a study says in sentences: which design wins, by how much, and how sure that is.
@@ -165,8 +163,6 @@ def _sureness(study: Study, table: Table) -> Iterator[str]:
         better = 100.0 * (1.0 - 0.05 ** (1.0 / len(allowed)))
         yield f"Of all such cases {better:.2g} % at most beat the best of an objective, with 95 % confidence."
     elif study.sampling.method == "nsga2":
-        from gearwright.optimum import hypervolume  # only a search needs it
-
         signs = [1.0 if sense == "minimum" else -1.0 for sense in study.objectives.values()]
         values = np.array([[row.number(name) for name in study.objectives] for row in allowed]) * signs
         worst = values.max(axis=0)

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 from enum import Enum
 
+from gearwright.base import RPM
 from gearwright.parts.bearings import LoadFactors
 from gearwright.parts.joints import KeySection
-from gearwright.units import RPM
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The gear formulas of the EC120B "Colibri" term project, as printed and as they were executed.

@@ -13,8 +13,8 @@ from types import MappingProxyType
 from rich.console import Group
 from rich.text import Text
 
-from gearwright.catalogue import Bearing, bearings, gear_steel, key_for_shaft
-from gearwright.catalogue import bearings as catalogue_bearings
+from gearwright.base import shown, text, unit
+from gearwright.catalogue import Bearing, bearings, bearings as catalogue_bearings, gear_steel, key_for_shaft
 from gearwright.parts.bearings import (
     ISO_R281_1962,
     BearingKind,
@@ -52,7 +52,6 @@ from gearwright.replays.colibri.report import (
     straight_shaft,
     thrust,
 )
-from gearwright.units import shown, text, unit
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Correct values and design findings for the EC120B "Colibri" report, with reasons.

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from gearwright.base import RPM
 from gearwright.parts.bearings import ISO_R281_1962, LoadFactors, deep_groove_factors
 from gearwright.parts.joints import KeySection
 from gearwright.parts.shafts import PointLoads, bearing_reactions, diagram, shaft_diameter, supported
@@ -36,7 +37,6 @@ from gearwright.replays.colibri.formulas import (
     report_width,
     settled_dynamic_factor,
 )
-from gearwright.units import RPM
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What the EC120B "Colibri" term project prints: 236 numbers, what they silently assume, and what is wrong with them.

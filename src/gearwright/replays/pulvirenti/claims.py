@@ -11,14 +11,13 @@ from importlib.resources import files
 from types import MappingProxyType
 from typing import Any
 
+from gearwright.base import Role, Row, gear_part, mesh_part
 from gearwright.catalogue import engines
-from gearwright.identity import Role, Row, gear_part, mesh_part
 from gearwright.replays.replay import Verdict
 from gearwright.shipped import shipped_design, shipped_study
 from gearwright.sizing import Sizing, size
 from gearwright.spec import RATED, Study, read, read_study
-from gearwright.study.running import run
-from gearwright.study.tables import Row as StudyRow
+from gearwright.study import Row as StudyRow, run
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The runs that the claims of Pulvirenti (2023) need: shipped designs sized, shipped studies with either motor law.

@@ -12,11 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.dynamics import Samples, System, modes, simulate
-from gearwright.dynamics.equations import statics
-from gearwright.dynamics.model import Arrays
-from gearwright.identity import Kind, PartId, Role, Row, gear_part, mesh_part
+from gearwright.base import Floats, Kind, PartId, Role, Row, gear_part, mesh_part
+from gearwright.dynamics import Arrays, Samples, System, modes, simulate, statics
 from gearwright.mission import fly
 from gearwright.mission.windows import DynamicWindow, fly_window, window_outputs
 from gearwright.replays.pulvirenti.claims import sized

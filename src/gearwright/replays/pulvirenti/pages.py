@@ -13,14 +13,12 @@ from jinja2 import Environment
 from markupsafe import Markup
 from rich.text import Text
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, Row, mesh_part, unit, written
 from gearwright.dynamics import Samples
-from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render import style as theme
 from gearwright.render.html import environment
-from gearwright.render.pages.page import Number, Page, Section, Tone, set_page
-from gearwright.render.pages.page import Verdict as Judged
+from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict as Judged, set_page
 from gearwright.render.style import WIDTH
 from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Axes, Figure
@@ -38,7 +36,6 @@ from gearwright.replays.pulvirenti.flight import (
     torques,
 )
 from gearwright.replays.replay import Verdict
-from gearwright.units import unit, written
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from rich.console import RenderableType
 
-from gearwright.arrays import Floats
+from gearwright.base import Floats, Role, gear_part, verb
 from gearwright.dynamics.equations import steady_forces
 from gearwright.dynamics.sharing import (
     SIDEBANDS,
@@ -24,7 +24,6 @@ from gearwright.dynamics.sharing import (
     sharing_problem,
     tooth_cycle_means,
 )
-from gearwright.identity import Role, gear_part
 from gearwright.render.figures.dynamics import displacement_figure, one_turn, sharing_figure, single_error_figure
 from gearwright.render.grid import table
 from gearwright.render.pages.motion import ClaimRow, Drawn, Paper
@@ -33,7 +32,6 @@ from gearwright.replays.replay import Verdict
 from gearwright.sizing import Sizing, size
 from gearwright.spec import Design, Pair
 from gearwright.spec.design import ShaftLayout
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The face-gear split torque of Wang, Zhao, Tao, Jia & Guo, known by its train and its data, whatever its names are.

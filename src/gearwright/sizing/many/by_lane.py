@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Ints
+from gearwright.base import Ints
 from gearwright.catalogue import bearing_friction
 from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, each, lanes_of
 from gearwright.lanes.twins import PREFIX
@@ -19,8 +19,7 @@ from gearwright.parts.bearings import THINNEST, life_modification
 from gearwright.parts.iso6336 import endured_cycles
 from gearwright.sizing.many.twinned import gathered
 from gearwright.sizing.planets import on_rollers
-from gearwright.spec import Record
-from gearwright.spec.edit import replaced
+from gearwright.spec import Record, replaced
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What the twins of sizing do otherwise for bearings of planets: each lane takes its own of the catalogue.

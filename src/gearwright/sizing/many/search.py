@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.base import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
 from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.many.twinned import twinned
@@ -26,8 +26,7 @@ from gearwright.sizing.teeth.stage import (
     tooth_ratio,
     weighed_front,
 )
-from gearwright.spec import Design
-from gearwright.spec.edit import replaced
+from gearwright.spec import Design, replaced
 
 __all__ = ["Chosen", "Lanes"]
 

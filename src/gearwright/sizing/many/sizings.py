@@ -10,8 +10,7 @@ from typing import Any, NamedTuple, SupportsIndex
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
+from gearwright.base import Bools, DesignError, Floats, GearwrightError, Ints, Problem, Shown, near, refuse, verb
 from gearwright.lanes import Diverged, Lanes, Unsupported
 from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
 from gearwright.sizing.many.search import Rows, choose_rows
@@ -19,10 +18,8 @@ from gearwright.sizing.many.twinned import twinned
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.size import is_compared, is_settled, size
 from gearwright.sizing.teeth import Chosen
-from gearwright.spec import Design, Epicyclic, Pair, brief, edited, path_problems
+from gearwright.spec import Design, Epicyclic, Pair, brief, edited, entry_of, path_problems, replaced
 from gearwright.spec.design import given_values
-from gearwright.spec.edit import entry_of, replaced
-from gearwright.verbs import Shown, verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Many designs sized: their results as columns, and what each is refused for.

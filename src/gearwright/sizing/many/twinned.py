@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import ALIKE, Ints
-from gearwright.checks import ROUNDING, Status
+from gearwright.base import ALIKE, ROUNDING, Ints, Status
 from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, lanes_of, twin
 from gearwright.memo import Memo
 from gearwright.spec.design import stage_shifts

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.base import Kind, PartId
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, bearings
-from gearwright.identity import Kind, PartId
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.bearing_seats import PlanetBody, Seat, bearing_seats, planet_bodies, seat_forces
 from gearwright.sizing.mass.record import CROWDED, MassItem

@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.base import Problem, Role, refuse
 from gearwright.catalogue import key_for_shaft
-from gearwright.errors import Problem, refuse
-from gearwright.identity import Role
 from gearwright.parts.bevel_geometry import WEB, BevelPair, bevel_dishes, bevel_volume, lightened_web
 from gearwright.parts.gears import (
     Blank,
@@ -35,8 +34,7 @@ from gearwright.sizing.gear_geometry import (
 from gearwright.sizing.mass.bearings import PlanetBore, named_bores, planet_bores, seat_duties
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.places import BOSS, IN_LINE, Run, along_body, bells, planets_span, plates_of, runs
-from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, rating_of
-from gearwright.sizing.rating import geometry as standard_teeth
+from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, geometry as standard_teeth, rating_of
 from gearwright.sizing.result import PRELIMINARY, Body, GearSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec.design import Pair

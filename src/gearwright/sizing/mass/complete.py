@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from gearwright.base import verb
 from gearwright.sizing.casing import shell_of
 from gearwright.sizing.losses import largest_heat
 from gearwright.sizing.mass.bearings import bearing_items, planet_bores, seat_duties
@@ -13,7 +14,6 @@ from gearwright.sizing.mass.housing import housing_items
 from gearwright.sizing.mass.record import CALIBRATED, Calibration, CompleteMass, MassItem, ordered
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import holders_of, unsealed_exits
-from gearwright.verbs import verb
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Oil, and what moves, cleans and cools it: all by the heat that the gearbox makes in the case that speaks for it.

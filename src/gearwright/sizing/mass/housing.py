@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from gearwright.arrays import largest_first
+from gearwright.base import Role, largest_first
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
-from gearwright.identity import Role
 from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing.casing import (

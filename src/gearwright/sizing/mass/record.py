@@ -8,11 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, NamedTuple
 
-from gearwright.arrays import largest, largest_first
-from gearwright.errors import DesignError
+from gearwright.base import DesignError, Mass, Origin, Quantity, Ratio, Shown, largest, largest_first, text
 from gearwright.sizing.result import Sizing
-from gearwright.units import Mass, Origin, Quantity, Ratio, text
-from gearwright.verbs import Shown
 from gearwright.weights import Requirement, bands, estimate, methods
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.identity import Kind, PartId, Role, carrier_part
+from gearwright.base import Kind, PartId, Role, carrier_part
 from gearwright.parts.bevel_geometry import bevel_profile
 from gearwright.parts.gears import revolved_volume
 from gearwright.sizing.axis_order import PLATE_GAP, set_length, slots

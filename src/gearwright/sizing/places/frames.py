@@ -8,14 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import DesignError
-from gearwright.identity import Role, carrier_part
+from gearwright.base import DesignError, Floats, Role, carrier_part
 from gearwright.parts.bevel_geometry import BevelPair
 from gearwright.sizing.arrangement import NO_ANGLES, Moves, arrange
 from gearwright.sizing.axis_order import set_length, slots
-from gearwright.sizing.rating import Context
-from gearwright.sizing.rating import geometry as standard_teeth
+from gearwright.sizing.rating import Context, geometry as standard_teeth
 from gearwright.sizing.result import Arrangement, Direction, Frame, GearSizing, Point
 from gearwright.spec import GROUND
 from gearwright.spec.design import NOTHING_GIVEN

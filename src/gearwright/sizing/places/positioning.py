@@ -8,8 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from gearwright.arrays import smallest
-from gearwright.errors import DesignError
+from gearwright.base import DesignError, smallest
 from gearwright.sizing.places.bodies import Parts, placed
 from gearwright.sizing.places.frames import arrange_meshing
 from gearwright.sizing.places.room import Rules, any_into, entries, meetings, rules_of

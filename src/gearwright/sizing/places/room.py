@@ -10,9 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import smallest
-from gearwright.checks import Check
-from gearwright.identity import GEARBOX, Kind, PartId, Role
+from gearwright.base import GEARBOX, Check, Kind, PartId, Role, smallest
 from gearwright.sizing.arrangement import axles_in
 from gearwright.sizing.axis_order import Axle, best_way
 from gearwright.sizing.gear_geometry import cylindrical_gear, root_diameter

@@ -11,9 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check
-from gearwright.identity import Kind, PartId, Role
+from gearwright.base import Check, Floats, Kind, PartId, Role
 from gearwright.sizing.result import Arrangement, Body
 from gearwright.spec import GROUND
 

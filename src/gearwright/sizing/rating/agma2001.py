@@ -10,10 +10,7 @@ from typing import Annotated, ClassVar, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Floats, smallest
-from gearwright.checks import Check
-from gearwright.errors import Problem
-from gearwright.identity import PartId, Role
+from gearwright.base import Check, Floats, Origin, PartId, Problem, Quantity, Ratio, Role, Velocity, smallest
 from gearwright.parts.agma908 import HobbedPair, bending_geometry
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
@@ -47,7 +44,6 @@ from gearwright.sizing.rating.protocol import ClassDamage, Factor, Load, LoadedM
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for, untabulated
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity, Ratio, Velocity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What AGMA 2001 is told of a stage: teeth, steel, accuracy, mounting.

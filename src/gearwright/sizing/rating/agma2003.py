@@ -10,10 +10,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import PartId
+from gearwright.base import Check, DesignError, Floats, Origin, PartId, Problem, Quantity, Ratio, Velocity
 from gearwright.parts.agma2001 import greatest_velocity
 from gearwright.parts.agma2003 import (
     CONTACT,
@@ -43,7 +40,6 @@ from gearwright.sizing.rating.protocol import ClassDamage, Factor, Load, LoadedM
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import by_teeth
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity, Ratio, Velocity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What AGMA 2003 is told of a bevel stage: duty, steel, accuracy, mounting.

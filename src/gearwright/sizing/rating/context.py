@@ -10,9 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats, largest
-from gearwright.errors import Problem, refuse
-from gearwright.identity import Role
+from gearwright.base import Floats, Problem, Role, largest, refuse
 from gearwright.memo import Memo, SharedMemo
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth

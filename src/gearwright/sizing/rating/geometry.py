@@ -10,9 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem
-from gearwright.identity import Role
+from gearwright.base import Floats, Problem, Role
 from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import ISO53_A, least_teeth
 from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, Value, as_value, rim_factor, shifted_mesh

@@ -10,10 +10,7 @@ from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import PartId
+from gearwright.base import Check, DesignError, Floats, Origin, PartId, Problem, Quantity, Ratio
 from gearwright.parts.bevel_geometry import WIDEST_MODULES, BevelPair
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import RZ_OVER_RA, GearSteel, life_curves
@@ -57,7 +54,6 @@ from gearwright.sizing.rating.protocol import (
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import by_teeth
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity, Ratio
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What ISO 10300 is told of a bevel stage beside its steel: duty, flanks, roots and oil.

@@ -10,10 +10,7 @@ from typing import Annotated, NamedTuple, Protocol
 
 import numpy as np
 
-from gearwright.arrays import Floats, smallest
-from gearwright.checks import Check
-from gearwright.errors import Problem, SolveError
-from gearwright.identity import PartId, Role
+from gearwright.base import Check, Floats, Origin, PartId, Problem, Quantity, Ratio, Role, SolveError, smallest
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import (
     FASTEST,
@@ -72,7 +69,6 @@ from gearwright.sizing.rating.protocol import (
 from gearwright.sizing.rating.rules import Ask, Made, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Origin, Quantity, Ratio
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Stresses of rated gears under many loads, their safeties over a life, and Miner's parts by ISO 6336-6.

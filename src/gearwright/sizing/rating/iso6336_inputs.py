@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from gearwright.base import Angle, Check, PartId, Role, apart, text
 from gearwright.catalogue import is_cast_iron, rated_steel
-from gearwright.checks import Check
-from gearwright.identity import PartId, Role
 from gearwright.parts import Material
 from gearwright.parts.agma2001 import reliability_factor
 from gearwright.parts.iso6336 import (
@@ -38,7 +37,6 @@ from gearwright.parts.iso6336 import (
 )
 from gearwright.sizing.rating.geometry import body_inside, rim_factors
 from gearwright.sizing.rating.rules import Ask, FarGear, Rating
-from gearwright.units import Angle, apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What ISO 6336 is told of a stage: steel, quality of flanks and roots, and duty.

@@ -6,9 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Annotated, Protocol
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check
-from gearwright.identity import PartId
+from gearwright.base import CELSIUS, Check, Floats, Origin, PartId, Quantity
 from gearwright.parts.iso6336 import RZ_OVER_RA, PairRating, Treatment, mesh_springs
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
 from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting, relief_factor
@@ -25,7 +23,6 @@ from gearwright.sizing.rating.geometry import cylindrical_mesh
 from gearwright.sizing.rating.iso6336_inputs import SQUARE_MM, steels_of
 from gearwright.sizing.rating.protocol import LoadedMesh
 from gearwright.spec.design import Iso6336Rules
-from gearwright.units import CELSIUS, Origin, Quantity
 
 _FLASH = "ISO/TS 6336-20:2017"
 CLAUSES = ("ISO/TS 6336-21, eq. 14", "ISO/TS 6336-20, eq. 100")

@@ -11,10 +11,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check, stressed
-from gearwright.errors import Problem
-from gearwright.identity import PartId
+from gearwright.base import Check, Endless, Floats, Origin, PartId, Problem, Quantity, stressed
 from gearwright.parts import contact_strength
 from gearwright.parts.gears import (
     ContactAngles,
@@ -32,10 +29,8 @@ from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.protocol import ClassDamage, Factor, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import untabulated
-from gearwright.spec import GearRules
+from gearwright.spec import GearLifeRules, GearRules
 from gearwright.spec.design import Iso6336Rules
-from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Endless, Origin, Quantity
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Allowables, form factors and widths of the first sizing, and the modules that a torque per tooth asks for.

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem
+from gearwright.base import Floats, Problem
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.agma2001 import Agma2001
 from gearwright.sizing.rating.agma2003 import Agma2003

@@ -7,15 +7,11 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Protocol, TypeVar
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check
-from gearwright.errors import Problem
-from gearwright.identity import PartId
+from gearwright.base import Check, Endless, Floats, Origin, PartId, Problem, Quantity, marks_of
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.missions import GearLifeRules
-from gearwright.units import Endless, Origin, Quantity, marks_of
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Every quantity of a rating as a row: the fields of its records that say where they come from.

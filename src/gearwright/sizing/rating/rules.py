@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple, Protocol
 
+from gearwright.base import Role
 from gearwright.catalogue import level_load_factor
-from gearwright.identity import Role
 from gearwright.parts import Material
 from gearwright.parts.gears import Numbers, ToothShift
 from gearwright.spec import Design, Epicyclic, GearRules, Pair, Planetary

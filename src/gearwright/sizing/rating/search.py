@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.errors import Problem
+from gearwright.base import Floats, Problem
 from gearwright.parts.gears import FEWEST_TEETH, virtual_teeth
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.design import RATINGS

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.arrays import Floats
-from gearwright.checks import Check, not_assessed
+from gearwright.base import Check, Floats, not_assessed
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import Misalignment, face_load_factor, mesh_springs
 from gearwright.parts.shafts import BentLine, Sections, bent_line, between, critical_speed, influence, lumped_shaft

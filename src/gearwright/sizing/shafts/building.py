@@ -9,11 +9,8 @@ from functools import cached_property, partial
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.arrays import smallest_first
+from gearwright.base import Check, DesignError, Kind, PartId, Problem, apart, refuse, smallest_first, text
 from gearwright.catalogue import Bearing, key_for_shaft, next_seal_shaft, seals_for
-from gearwright.checks import Check
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Kind, PartId
 from gearwright.parts import Material
 from gearwright.parts.shafts import shaft_mass
 from gearwright.sizing.bearings import Checked, Seating, bearing_sizings, seating
@@ -46,7 +43,6 @@ from gearwright.sizing.shafts.sections import (
 from gearwright.sizing.shafts.stretches import LARGEST_BODY, SAME, Item, Stretch, Wanted, lay
 from gearwright.spec.checks import MOST_HOLLOW
 from gearwright.spec.design import NOTHING_GIVEN, Joint
-from gearwright.units import apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A shaft that is taken as the design gives it: a cylinder on which nothing grows; what does not fit is a check.

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from gearwright.arrays import largest
-from gearwright.identity import Role, carrier_part, gear_part
+from gearwright.base import Role, carrier_part, gear_part, largest
 from gearwright.parts.planetary import (
     eye_stress,
     eye_wall,

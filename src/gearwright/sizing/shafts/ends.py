@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 from typing import Literal, NamedTuple
 
+from gearwright.base import Check, Kind, PartId, not_assessed, text
 from gearwright.catalogue import (
     ELASTOMERS,
     Elastomer,
@@ -18,8 +19,6 @@ from gearwright.catalogue import (
     seals_for,
 )
 from gearwright.catalogue.standard_parts import FAST, FAST_HARDNESS, HARDNESS, PRELOAD, PROOF_STRESS, SHAFT
-from gearwright.checks import Check, not_assessed
-from gearwright.identity import Kind, PartId
 from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.iso6336 import GearSteel, Treatment
@@ -35,14 +34,13 @@ from gearwright.sizing.shafts.retention import (
     ends,
     made,
     plate,
+    ring as ring_on,
     spacer,
     span_from,
     washer_and_nut,
 )
-from gearwright.sizing.shafts.retention import ring as ring_on
 from gearwright.sizing.shafts.stretches import SHOULDER
 from gearwright.spec.design import LOCATES
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Ends of built shafts that leave the housing towards their machines: what lies beyond the outermost bearing.

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
+from gearwright.base import Check, Kind, PartId
 from gearwright.catalogue import LockNut, ThreadUndercut, thread_run_out, thread_undercut
-from gearwright.checks import Check
-from gearwright.identity import Kind, PartId
 from gearwright.parts.shaft_fatigue import Shoulder
 from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.rating import context_of

@@ -6,8 +6,8 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
+from gearwright.base import DesignError, Problem, apart, text
 from gearwright.catalogue import LENGTHS, StandardKey, key_for_shaft
-from gearwright.errors import DesignError, Problem
 from gearwright.parts import Material
 from gearwright.parts.joints import (
     LONGEST_BEARING,
@@ -29,7 +29,6 @@ from gearwright.parts.joints import (
 )
 from gearwright.sizing.shaft_results import JointSizing
 from gearwright.spec.design import Joint
-from gearwright.units import apart, text
 
 KEY_PRESSURE, SPLINE_PRESSURE = 150e6, 100e6
 """Flank pressure that is allowed where the design says nothing [Pa]."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import NamedTuple
 
+from gearwright.base import Check, Kind, PartId, Role, apart, text
 from gearwright.catalogue import (
     STEEL_DENSITY,
     CentreHole,
@@ -16,13 +17,10 @@ from gearwright.catalogue import (
     lock_nut,
     retaining_ring,
 )
-from gearwright.checks import Check
-from gearwright.identity import Kind, PartId, Role
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft
 from gearwright.sizing.shafts.stretches import SHOULDER
 from gearwright.spec.design import LOCATES
-from gearwright.units import apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What holds bearings and gears along a built shaft: shoulders within, and at both ends a retaining ring, or more.

@@ -10,9 +10,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import smallest
+from gearwright.base import DesignError, smallest
 from gearwright.catalogue import Undercut, undercut
-from gearwright.errors import DesignError
 from gearwright.parts import Material
 from gearwright.parts.shaft_fatigue import (
     CRITERIA,

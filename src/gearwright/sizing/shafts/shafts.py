@@ -8,10 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import largest, smallest
-from gearwright.checks import Check, stressed
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Kind, PartId
+from gearwright.base import Check, DesignError, Kind, PartId, Problem, largest, refuse, smallest, stressed, text
 from gearwright.parts import Material
 from gearwright.parts.shafts import (
     shaft_diameter,
@@ -39,7 +36,6 @@ from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE
 from gearwright.sizing.shafts.building import Built, build_shaft
 from gearwright.spec import Design
 from gearwright.spec.design import NOTHING_GIVEN
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Shafts that go through one another: the inner ones are sized first, the outer ones around them.

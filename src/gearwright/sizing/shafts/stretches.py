@@ -19,10 +19,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
-from gearwright.arrays import largest
+from gearwright.base import DesignError, Problem, apart, largest, text
 from gearwright.catalogue import Bearing
-from gearwright.errors import DesignError, Problem
-from gearwright.units import apart, text
 
 SHOULDER = 0.175
 """Shoulder over bore of a bearing, on the diameter, over D − d [-]."""

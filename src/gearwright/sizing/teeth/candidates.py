@@ -9,9 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError
-from gearwright.identity import Role
+from gearwright.base import Bools, DesignError, Floats, Ints, Role
 from gearwright.memo import Memo
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, nearest_positions, neighbours_clear, tip_gap

@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.base import Bools, DesignError, Floats, Problem, text
 from gearwright.sizing.teeth.front import Ban, Front, Task
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, edited
 from gearwright.spec.design import ForbiddenBand, cases_forbidding
@@ -26,7 +25,6 @@ from gearwright.train import (
     passes,
     power_flow,
 )
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Forbidden bands of frequencies in the search: which teeth of a stage pass at none, in every case that turns alike.

@@ -9,8 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.identity import SIDES
+from gearwright.base import SIDES, Bools, Floats, Ints
 from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Design, Pair, Planetary

@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Floats, Ints, largest
-from gearwright.identity import Role
+from gearwright.base import Floats, Ints, Role, largest
 from gearwright.parts.planetary import first_carrier_mass
 from gearwright.sizing.rating import (
     BEARING_GAP,

@@ -10,10 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, largest
-from gearwright.checks import ROUNDING
-from gearwright.errors import DesignError, Problem
-from gearwright.identity import SIDES, Role
+from gearwright.base import ROUNDING, SIDES, Bools, DesignError, Floats, Problem, Role, largest
 from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import PRELIMINARY, TeethSearch

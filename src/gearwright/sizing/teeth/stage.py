@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import Bools, DesignError, Floats, Ints, Problem, apart, refuse, text
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.teeth.candidates import (
     REACHES,
@@ -33,7 +32,6 @@ from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import SUN_LIMITS
 from gearwright.train import PowerFlow, Targets, gears_of, members_of, tooth_ratio_range, willis_ratio, willis_speed
-from gearwright.units import apart, text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Why a stage has no tooth numbers, and what would do.

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from gearwright.errors import Problem, near
-from gearwright.identity import SIDES
+from gearwright.base import SIDES, Problem, near, text
 from gearwright.spec.checks.epicyclics import (
     epicyclic_problems,
     load_factor_problems,
@@ -43,7 +42,6 @@ from gearwright.spec.design import (
     shares_of,
 )
 from gearwright.spec.record import NAME_RULE, Record, is_name, keys_of
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What can be wrong with load cases: who does what, who balances, how long each lasts, what is engaged.

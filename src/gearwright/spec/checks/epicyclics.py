@@ -7,8 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations, product
 
-from gearwright.errors import DesignError, Problem, near
-from gearwright.identity import SIDES, Role
+from gearwright.base import SIDES, DesignError, Problem, Role, near
 from gearwright.parts.gears import FEWEST_TEETH
 from gearwright.parts.planetary import (
     CLOSES,

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
+from gearwright.base import SIDES, DesignError, Problem, Role, gear_part, near, text
 from gearwright.catalogue import gear_steel_names, hardnesses_of, is_cast_iron, material_of, materials, rated_steel
-from gearwright.errors import DesignError, Problem, near
-from gearwright.identity import SIDES, Role, gear_part
 from gearwright.parts import Material
 from gearwright.parts.agma2001 import AgmaSteel, agma_strength
 from gearwright.parts.agma2003 import BevelSteel, bevel_strength
@@ -35,7 +34,6 @@ from gearwright.spec.design import (
     uncovered,
 )
 from gearwright.spec.record import keys_of
-from gearwright.units import text
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What can be wrong with gears beyond their teeth: axes that do not meet squarely, shared gears, rings.

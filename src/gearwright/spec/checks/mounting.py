@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
+from gearwright.base import MEMBERS, DesignError, Problem, apart, near
 from gearwright.catalogue import Bearing, bearing, bearings
-from gearwright.errors import DesignError, Problem, near
-from gearwright.identity import MEMBERS
 from gearwright.parts.joints import MODULES
 from gearwright.parts.shaft_fatigue import RELIABILITY_DEVIATES
 from gearwright.spec.design import (
@@ -21,7 +20,6 @@ from gearwright.spec.design import (
     PlanetBearing,
     given_values,
 )
-from gearwright.units import apart
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What can be wrong with bearings and joints: names that point nowhere, shafts that are not held.

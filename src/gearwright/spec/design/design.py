@@ -9,9 +9,8 @@ from typing import Any, Literal, NamedTuple, Self, TypeVar
 
 from pydantic import Field, model_validator
 
+from gearwright.base import SIDES, Mass, Problem, Role, Shown, near, suffix_unit
 from gearwright.catalogue import material_of, materials
-from gearwright.errors import Problem, near
-from gearwright.identity import SIDES, Role
 from gearwright.memo import of_latest
 from gearwright.parts import Material
 from gearwright.spec.design.duty import (
@@ -58,10 +57,7 @@ from gearwright.spec.design.shafts import (
     Support,
 )
 from gearwright.spec.design.stages import Clutch, Damper, Epicyclic, Pair, Planetary, PlanetBearing
-from gearwright.spec.record import Key as Written
-from gearwright.spec.record import Name, Record, keys_of, range_of
-from gearwright.units import Mass, suffix_unit
-from gearwright.verbs import Shown
+from gearwright.spec.record import Key as Written, Name, Record, keys_of, range_of
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a design implies that states no level: one by what stands in it, and what this level asks for.

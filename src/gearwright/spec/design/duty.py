@@ -11,8 +11,8 @@ from typing import ClassVar, Literal, NamedTuple
 
 from pydantic import ConfigDict, Field
 
+from gearwright.base import Force, Inertia, Length, Mass, Power, Ratio, Speed, Time, Torque
 from gearwright.spec.record import Record
-from gearwright.units import Force, Inertia, Length, Mass, Power, Ratio, Speed, Time, Torque
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Load cases: what each machine does, how long, and what is engaged.

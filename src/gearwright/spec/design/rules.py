@@ -13,11 +13,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from gearwright.base import Angle, Density, Frequency, Length, Mass, Ratio, Stiffness, Stress, Time
 from gearwright.catalogue import CENTRE_FITS, THICKNESS_FITS
 from gearwright.parts.bearings import Lubrication
 from gearwright.parts.losses import TURBINE_OIL
 from gearwright.spec.record import OneOf, Record
-from gearwright.units import Angle, Density, Frequency, Length, Mass, Ratio, Stiffness, Stress, Time
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Methods by which gears are rated, as design files name them: what each covers, and which rules it alone reads.

@@ -8,8 +8,8 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.base import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, Stress, Time, TorsionalStiffness
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, Stress, Time, TorsionalStiffness
 
 # ----------------------------------------------------------------------------------------------------------------------
 # How shafts and carriers are sized, what is given of single shafts, and how they are held.

@@ -7,12 +7,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from gearwright.identity import SIDES, Role
-from gearwright.parts.planetary import CompoundSet
-from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
-from gearwright.spec.record import Name, Record
-from gearwright.units import (
+from gearwright.base import (
     INCH,
+    SIDES,
     Angle,
     Force,
     Inertia,
@@ -20,12 +17,16 @@ from gearwright.units import (
     Mass,
     Ratio,
     Reciprocal,
+    Role,
     Slope,
     Stiffness,
     Stress,
     Time,
     TorsionalDamping,
 )
+from gearwright.parts.planetary import CompoundSet
+from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
+from gearwright.spec.record import Name, Record
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What joins shafts: gear pairs, planetary sets, clutches and dampers.

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
+from gearwright.base import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
 from gearwright.parts.agma2003 import (
     CROWNED,
     ONE_STRADDLE,
@@ -38,7 +39,6 @@ from gearwright.parts.iso6336 import (
     root_section,
     surface_factor,
 )
-from gearwright.units import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
 from gearwright.validate.case import Case
 
 _PSI = POUND_FORCE / INCH**2

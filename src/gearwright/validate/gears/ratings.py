@@ -9,36 +9,43 @@ from functools import cache, partial
 
 import numpy as np
 
+from gearwright.base import RPM
 from gearwright.catalogue import gear_steel
 from gearwright.parts import Material
 from gearwright.parts.agma908 import HobbedPair, bending_geometry, pitting_geometry_factor
 from gearwright.parts.gears import ISO53_D, CylindricalGear, GearPair, ball_measurement, span_measurement
 from gearwright.parts.iso6336 import (
+    BendingRating,
     Edition,
     GearSteel,
     LoadFactors,
     MeshDuty,
     MeshGeometry,
     MeshQuality,
+    PairRating,
+    PittingRating,
+    RootBody,
     RootSection,
+    RootStrengthFactors,
     ShaperCutter,
     ToothProportions,
     Treatment,
     Value,
+    bending_rating,
     notch_sensitivity_factor,
     outer_single_contact,
+    pitting_rating,
     rate_mesh,
     rate_pair,
     root_section,
     single_contact_factors,
     surface_factor,
+    zone_factor,
 )
-from gearwright.parts.iso6336.bending import BendingRating, RootBody, RootStrengthFactors, bending_rating
-from gearwright.parts.iso6336.pitting import PittingRating, pitting_rating, zone_factor
-from gearwright.parts.iso6336.rating import PairRating
 from gearwright.parts.losses import (
     OIL_DENSITY,
     Friction,
+    MeshDuty as LossDuty,
     MeshLaw,
     OilState,
     ToothContact,
@@ -48,7 +55,6 @@ from gearwright.parts.losses import (
     oil_viscosity,
     tooth_contact,
 )
-from gearwright.parts.losses import MeshDuty as LossDuty
 from gearwright.parts.material import BRINELL_PER_VICKERS
 from gearwright.parts.scuffing import (
     FlashEdition,
@@ -59,7 +65,6 @@ from gearwright.parts.scuffing import (
     lubricant_factor_scuffing,
 )
 from gearwright.parts.stiffness import MeshStiffness, mesh_stiffness_iso6336, pair_stiffness
-from gearwright.units import RPM
 from gearwright.validate.case import Case
 
 # ----------------------------------------------------------------------------------------------------------------------

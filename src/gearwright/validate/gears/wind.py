@@ -9,7 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.base import RPM
 from gearwright.parts.iso6336 import (
+    BendingRating,
+    DynamicFactor,
     Edition,
     GearSteel,
     LoadFactors,
@@ -17,23 +20,23 @@ from gearwright.parts.iso6336 import (
     MeshDuty,
     MeshGeometry,
     MeshQuality,
+    PairRating,
+    PittingRating,
+    RootBody,
     ShaperCutter,
     ToothProportions,
     Treatment,
+    bending_rating,
     dynamic_factor,
     mesh_springs,
+    pitting_rating,
     rate_mesh,
 )
-from gearwright.parts.iso6336.bending import BendingRating, RootBody, bending_rating
-from gearwright.parts.iso6336.dynamic import DynamicFactor
-from gearwright.parts.iso6336.pitting import PittingRating, pitting_rating
-from gearwright.parts.iso6336.rating import PairRating
 from gearwright.parts.material import BRINELL_PER_VICKERS
 from gearwright.parts.micropitting import FilmMesh, Micropitting, OilGrade, film_of_test, micropitting
 from gearwright.sizing import size
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.spec import parse
-from gearwright.units import RPM
 from gearwright.validate.case import Case
 from gearwright.validate.gears.ratings import PLANET_RING as WIDE_RING
 

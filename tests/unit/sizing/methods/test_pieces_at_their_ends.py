@@ -19,9 +19,13 @@ from gearwright.parts.iso6336 import (
     static_work_hardening,
 )
 from gearwright.parts.iso6336.loads import lead_allowance
-from gearwright.sizing.rating import Ask, stage_width_ratio, under_spectrum
-from gearwright.sizing.rating import iso6336_scuffing as flanks
-from gearwright.sizing.rating import iso10300 as bevels
+from gearwright.sizing.rating import (
+    Ask,
+    iso6336_scuffing as flanks,
+    iso10300 as bevels,
+    stage_width_ratio,
+    under_spectrum,
+)
 from gearwright.sizing.rating.context import Context
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso6336_inputs import _lasting, beyond_ranges, steel_of

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem, refuse
+from gearwright.base import DesignError, Problem, refuse
 from gearwright.parts.gears import (
     ISO53_A,
     BasicRack,

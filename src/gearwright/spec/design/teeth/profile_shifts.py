@@ -10,8 +10,7 @@ from functools import lru_cache
 from itertools import count, islice, pairwise, takewhile
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Role
+from gearwright.base import DesignError, Problem, Role, refuse
 from gearwright.parts.bevel_geometry import gleason_profile_shift
 from gearwright.parts.gears import (
     ISO53_A,
