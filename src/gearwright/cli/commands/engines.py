@@ -67,15 +67,8 @@ def turboshaft(
     jsonl: LinesOption = False,
 ) -> None:
     """Make the deck of a turboshaft engine from its design point; seconds of a slam, a held rotor or a start."""
-    from gearwright.catalogue import (
-        DesignPoint,
-        Slam,
-        StartRules,
-        deck_text,
-        engine_slam,
-        engine_start,
-        turboshaft as made_of,
-    )
+    from gearwright import turboshaft as made_of
+    from gearwright.catalogue import DesignPoint, Slam, StartRules, deck_text, engine_slam, engine_start
     from gearwright.render.answers.flights import turboshaft_answer
     from gearwright.render.words.flights import engine_text, transient_text
 
