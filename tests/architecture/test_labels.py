@@ -22,12 +22,8 @@ ALLOWED = {
     "exchange/rexs/files.py": "lines of JSON texts, how files of each form begin",
     "exchange/step.py": "packages in names of Open CASCADE's classes, name of a Python module",
     "study/tables.py": "numbers in the reason of a failed case",
-<<<<<<< HEAD
     "study/cases.py": "paths that a study varies",
     "study/results.py": "names of results that a study asks for",
-=======
-    "study/cases.py": "paths that a study varies, names of results that it asks for",
->>>>>>> b0fa4ad2 (Pages and lists name modules as they are)
     "shipped/gallery.py": "heading of a notebook",
     "replays/colibri/report.py": "keys and digits of the report's own table",
     "replays/colibri/pages.py": "indices of printed symbols",
