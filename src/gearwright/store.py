@@ -13,7 +13,7 @@ from importlib import import_module
 from io import BytesIO
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, TypeGuard
+from typing import Any
 
 import h5netcdf
 import h5py
@@ -513,12 +513,8 @@ def _members(value: Any) -> list[tuple[str, object]]:
     if isinstance(value, BaseModel):
         declared = [name for name in type(value).model_fields if name in value.model_fields_set]
         return [*((name, getattr(value, name)) for name in declared), *(value.model_extra or {}).items()]
-    names = [field.name for field in fields(value) if field.init] if _is_dataclass(value) else value._fields
+    names = [field.name for field in fields(value) if field.init] if is_dataclass(value) else value._fields
     return [(name, getattr(value, name)) for name in names]
-
-
-def _is_dataclass(value: object) -> TypeGuard[Any]:
-    return is_dataclass(value)
 
 
 def _array(value: Any, at: str) -> dict[str, Any]:

@@ -62,15 +62,11 @@ def extremes(values: Floats, *, most: int = MOST) -> Floats:
     """
     if len(values) <= most:
         return values
-    stretches = _stretches(values, most)
+    # Values in rows of equal length; the last row is filled with the last value.
+    length = _length(len(values), most)
+    stretches = np.pad(values, (0, -len(values) % length), mode="edge").reshape(-1, length)
     places = np.sort(np.stack([stretches.argmin(axis=1), stretches.argmax(axis=1)], axis=1), axis=1)
     return np.take_along_axis(stretches, places, axis=1).ravel()
-
-
-def _stretches(values: Floats, most: int) -> Floats:
-    """Return values in rows of equal length; the last row is filled with the last value."""
-    length = _length(len(values), most)
-    return np.pad(values, (0, -len(values) % length), mode="edge").reshape(-1, length)
 
 
 def _length(count: int, most: int) -> int:

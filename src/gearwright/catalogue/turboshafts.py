@@ -283,7 +283,7 @@ def turboshaft(
     """
     refuse(_problems(design, altitudes, machs, parts))
     engine = turboshaft_engine(design)
-    rest = steady_state(engine, _standard(), design.speed)
+    rest = steady_state(engine, Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE), design.speed)
     rows = tuple(
         row
         for altitude in altitudes
@@ -331,10 +331,6 @@ def inlet_at(altitude: float, mach: float, isa_offset: float = 0.0) -> Inlet:
     air = air_at(altitude, isa_offset)
     theta, delta = stagnation_ratios(air, mach)
     return Inlet(theta * STANDARD_TEMPERATURE, delta * STANDARD_PRESSURE, air.pressure)
-
-
-def _standard() -> Inlet:
-    return Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE)
 
 
 def highest_state(engine: Turboshaft, inlet: Inlet, hottest: float) -> tuple[float, EngineState]:

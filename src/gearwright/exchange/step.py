@@ -244,7 +244,7 @@ def _made(solid: Solid | Chamber | Fastener) -> Any:
         return _bored(made_of(solid._replace(holes=None)), solid, middles, radius)
     wires, wall = _wall(solid)
     behind = occ.BRepPrimAPI_MakeRevol(_way(solid.profile), _axis()).Shape()
-    flat = _is_flat(solid.sections[0])
+    flat = float(np.ptp(solid.sections[0].height)) < SAME
     sewn = occ.BRepBuilderAPI_Sewing(FLAT if flat else CURVED)
     sewn.Add(wall)
     sewn.Add(behind)
@@ -424,10 +424,6 @@ def _ring(behind: Any, place: Place) -> Any:
             if math.dist(found, place) < SAME:
                 return occ.BRepBuilderAPI_MakeWire(edge).Wire()
     raise NotMade(f"no circle of radius {MM * place[1]:.4g} mm where its end is")
-
-
-def _is_flat(section: Section) -> bool:
-    return float(np.ptp(section.height)) < SAME
 
 
 def _flat_end(section: Section, outer: Any, inner: Any) -> Any:

@@ -290,22 +290,19 @@ def _cells(study: Study, places: Floats) -> list[Ints]:
 def _places(study: Study, part: Part) -> Floats:
     """Return the points of a part in the unit cube, shape (points, axes)."""
     assert study.search is not None
-    places = _points(len(study.axes), study.search.seed, part)
+    # Some of a scrambled Sobol' sequence, shape (points, axes).
+    axes = len(study.axes)
+    from scipy.stats import qmc
+
+    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
+        sequence = qmc.Sobol(axes, rng=np.random.default_rng(study.search.seed))
+    if part.first:
+        sequence.fast_forward(part.first)
+    places = np.asarray(sequence.random(1 << (part.points - 1).bit_length()))[: part.points]
     ranges = [is_continuous(axis) and axis.distribution != "normal" for axis in study.axes.values()]
     apart = np.clip(APART * (places[1::2] - 0.5) + 0.5, 0.0, 1.0)
     places[1::2] = np.where(ranges, apart, places[1::2])
     return places
-
-
-def _points(axes: int, seed: int, part: Part) -> Floats:
-    """Return some of a scrambled Sobol' sequence, shape (points, axes)."""
-    from scipy.stats import qmc
-
-    with heard_after():  # its first numbers are read in C, which swallows what is raised in it
-        sequence = qmc.Sobol(axes, rng=np.random.default_rng(seed))
-    if part.first:
-        sequence.fast_forward(part.first)
-    return np.asarray(sequence.random(1 << (part.points - 1).bit_length()))[: part.points]
 
 
 def _values(path: str, axis: Axis, places: Floats) -> list[object]:

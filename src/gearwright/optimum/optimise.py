@@ -397,7 +397,7 @@ def _polished(bench: Bench, rules: Rules, course: Course) -> tuple[list[Row], in
     every = [*kept, *(Fixed(row.design, row.inputs) for row in archive.beside(count - len(kept)))]
     if not every:
         return [], number
-    rows = bench.rows([_case(number + k, start) for k, start in enumerate(every)])
+    rows = bench.rows([Case(number + k, start.design, dict(start.inputs)) for k, start in enumerate(every)])
     number += len(every)
     own = judged_rows(bench.study, rows)
     scale = np.maximum(np.ptp(archive.judged.values, axis=0), 1e-3 * np.abs(archive.judged.values).max(axis=0) + 1e-300)
@@ -417,10 +417,6 @@ def _polished(bench: Bench, rules: Rules, course: Course) -> tuple[list[Row], in
     if better:
         archive.add(list(better.values()), judged_rows(bench.study, list(better.values())))
     return [row for compass, row in better.items() if compass.start in kept], number
-
-
-def _case(number: int, start: Fixed) -> Case:
-    return Case(number, start.design, dict(start.inputs))
 
 
 def _cases(going: Sequence[Compass], tried: Sequence[Sequence[Floats]], number: int) -> tuple[list[Case], int]:

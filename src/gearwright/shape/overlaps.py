@@ -15,7 +15,7 @@ from gearwright.parts.gears import TransverseTooth, face_reach, face_thickness, 
 from gearwright.shape.bodies import Leaning, leanings
 from gearwright.shape.casings import FLANGES, SCREW
 from gearwright.shape.chambers import Chamber, depth_in
-from gearwright.shape.scene import Phases, helix_rate, phases_of
+from gearwright.shape.scene import Phases, helix_rate, phases_of, turn_about_axis
 from gearwright.shape.solids import Solid, spiral_turn
 from gearwright.shape.stands import Contact, Node, Scene, contacts_of, kind_of, stands_of
 from gearwright.sizing import GearSizing, Sizing
@@ -300,18 +300,13 @@ def _touch(contact: Contact) -> Floats:
     return np.asarray(stand.axes.origin + stand.gear.pitch_diameter / 2.0 * way)
 
 
-def _about(angle: float) -> Floats:
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
-
-
 def _space(node: Node, points: Floats, case: str, moment: float) -> Floats:
-    turned = node.axes.turned @ _about(node.phase + node.spins[case] * moment)
+    turned = node.axes.turned @ turn_about_axis(node.phase + node.spins[case] * moment)
     return np.asarray(points @ turned.T + node.axes.origin)
 
 
 def _frame(node: Node, points: Floats, case: str, moment: float) -> Floats:
-    turned = node.axes.turned @ _about(node.phase + node.spins[case] * moment)
+    turned = node.axes.turned @ turn_about_axis(node.phase + node.spins[case] * moment)
     return np.asarray((points - node.axes.origin) @ turned)
 
 

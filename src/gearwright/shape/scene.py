@@ -420,7 +420,7 @@ def _gears(task: _Task) -> Iterator[Node]:
         lean, part = task.leaning[stand.name], stand.part._replace(number=None)
         phase, axes = task.phases.turned[stand.name], stand.axes
         if _faces_back(sizing, task, stand):  # built with its tips towards −z
-            axes, phase = _flipped(axes), -phase
+            axes, phase = Axes(axes.origin, axes.turned * np.array([1.0, -1.0, -1.0])), -phase
         key = f"{stand.gear.name} {lean.hand:+.0f}" if lean.hand else stand.gear.name
         if key not in task.solids:
             task.solids[key] = gear_solid(sizing, stand, lean, task.blanks, fine=task.fine)
@@ -441,11 +441,6 @@ def _faces_back(sizing: Sizing, task: _Task, stand: Stand) -> bool:
         pinion = next(one for one in task.stands if one.gear.stage == stand.gear.stage and one.gear is not stand.gear)
         return float((pinion.axes.origin - stand.axes.origin) @ stand.axes.along) > 0.0
     return False
-
-
-def _flipped(axes: Axes) -> Axes:
-    """Return axes turned by half a turn about x, so that z looks the other way."""
-    return Axes(axes.origin, axes.turned * np.array([1.0, -1.0, -1.0]))
 
 
 def _shafts(task: _Task) -> Iterator[Node]:
@@ -779,7 +774,7 @@ def _node(
     """Return a node with its place beside its carrier, which stands unturned; turns that are known are kept."""
     turned, place = node.axes.turned, node.axes.origin
     if node.phase:
-        turned = turned @ _about(node.phase)
+        turned = turned @ turn_about_axis(node.phase)
     if node.on:
         above = scene.by_name[node.on].axes
         turned, place = above.turned.T @ turned, above.turned.T @ (place - above.origin)
@@ -795,7 +790,12 @@ def _node(
     return found
 
 
-def _about(angle: float) -> Floats:
+def turn_about_axis(angle: float) -> Floats:
+    """Return the matrix of a turn about the third axis.
+
+    Args:
+        angle: Of the turn [rad].
+    """
     cosine, sine = math.cos(angle), math.sin(angle)
     return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
 

@@ -393,10 +393,6 @@ def _states_of(drive: Drive) -> tuple[float, ...]:
             return (drive.carried / drive.stiffness,)
 
 
-def _bodies_of(drive: Drive) -> tuple[str, str | None]:
-    return (drive.first, drive.second) if isinstance(drive, ClutchDrive) else (drive.body, None)
-
-
 def _numbers_of(drive: Drive, sense: float) -> list[float]:
     match drive:
         case PropellerDrive():
@@ -420,7 +416,7 @@ def encoded(drives: Sequence[Drive], index: Mapping[str, int], speed: Floats) ->
     """
     table, start, inputs = [float(len(drives)), float(len(speed))], list[float](), list[tuple[int, Curve]]()
     for number, drive in enumerate(drives):
-        first, second = _bodies_of(drive)
+        first, second = (drive.first, drive.second) if isinstance(drive, ClutchDrive) else (drive.body, None)
         dof, second_dof = index[first], -1 if second is None else index[second]
         numbers = _numbers_of(drive, -1.0 if speed[dof] < 0.0 else 1.0)
         kind = (PropellerDrive, MachineDrive, ClutchDrive).index(type(drive))

@@ -206,7 +206,9 @@ def element(segment: Segment) -> Element:
     shear = segment.shear_coefficient * segment.area * segment.shear_modulus
     softness = 12.0 * bending / (shear * length**2)
     deflection, slope, curvature = _interpolation(length, softness)
-    sliding = _strain(length, softness)
+    # The shear strain, the same all along.
+    ends = np.array([-1.0 / length, -0.5, 1.0 / length, -0.5]) * softness / (1.0 + softness)
+    sliding = np.repeat(ends[:, None], len(_AT), axis=1)
     tilting = segment.density * segment.second_moment * _integral(slope, length)
     equal, against = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6.0, np.array([[1.0, -1.0], [-1.0, 1.0]])
     mass, polar_moment = segment.density * segment.area * length, 2.0 * segment.second_moment
@@ -242,12 +244,6 @@ def _interpolation(length: float, shear: float) -> tuple[Floats, Floats, Floats]
         6.0 * (2.0 * x - 1.0) / length, 6.0 * x - 4.0 - shear, 6.0 * (1.0 - 2.0 * x) / length, 6.0 * x - 2.0 + shear,
     ])  # fmt: skip
     return deflection / (1.0 + shear), slope / (1.0 + shear), curvature / ((1.0 + shear) * length)
-
-
-def _strain(length: float, shear: float) -> Floats:
-    """Return the shear strain, the same all along."""
-    ends = np.array([-1.0 / length, -0.5, 1.0 / length, -0.5]) * shear / (1.0 + shear)
-    return np.repeat(ends[:, None], len(_AT), axis=1)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -19,7 +19,6 @@ from gearwright.base import (
     Floats,
     Frequency,
     GearwrightError,
-    Ints,
     Kind,
     Origin,
     PartId,
@@ -59,7 +58,7 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
 )
 from gearwright.dynamics.motion import Outputs, Trace, simulate
-from gearwright.dynamics.vibration.response import UNLOADED, numbers
+from gearwright.dynamics.vibration.response import UNLOADED, numbers, series_terms
 from gearwright.sizing import MeshSizing, Sizing
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -671,16 +670,10 @@ def _exciting(system: System, tone: Tone, force: Floats) -> Complexes:
     """Return the complex force amplitude that a tone puts on each line [N or N m]."""
     arrays, exciting = system.arrays, np.zeros(len(force), dtype=np.complex128)
     for series, scale in ((arrays.variation, force), (arrays.error, -arrays.stiffness)):
-        for row, place in _terms(series.start):
+        for row, place in series_terms(series.start):
             if system.labels.tones[series.tone[place]] == tone:
                 exciting[row] += scale[row] * complex(series.cosine[place], -series.sine[place])
     return exciting
-
-
-def _terms(start: Ints) -> Iterator[tuple[int, int]]:
-    for row in range(len(start) - 1):
-        for place in range(int(start[row]), int(start[row + 1])):
-            yield row, place
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -362,14 +362,19 @@ def _exciting(system: System) -> Complexes:
     exciting = np.zeros((len(system.labels.tones), len(arrays.stiffness)), dtype=np.complex128)
     force = statics(system, balance="accelerate").force
     for series, scale in ((arrays.variation, force), (arrays.error, -arrays.stiffness)):
-        for row, place in _terms(series.start):
+        for row, place in series_terms(series.start):
             tone = int(series.tone[place])
             sign = 1.0 if arrays.tone_rate[tone] >= 0.0 else -1.0
             exciting[tone, row] += scale[row] * complex(series.cosine[place], -sign * series.sine[place])
     return exciting
 
 
-def _terms(start: Ints) -> Iterator[tuple[int, int]]:
+def series_terms(start: Ints) -> Iterator[tuple[int, int]]:
+    """Yield the row and the place of every term of the series of all lines.
+
+    Args:
+        start: Of every row among the places, and the end, shape (rows + 1,).
+    """
     for row in range(len(start) - 1):
         for place in range(int(start[row]), int(start[row + 1])):
             yield row, place

@@ -223,7 +223,11 @@ def _notes(shown: _Shown) -> Iterator[str]:
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
     yield from set_notes(sizing, cut=shown.casing is not None)
-    yield from _crowded(sizing)
+    # Bodies that stand into each other.
+    for check in sizing.checks:
+        if check.clause == CLAUSE and check.status is Status.FAILS:
+            verb = "stands" if check.part == GEARBOX else "stand"  # a keep-out names one body
+            yield f"{check.place} {verb} {check.why}: put one of them elsewhere."
     if shown.apart is not None:
         yield "B-B: by the plane through the first axis with most axes, the housing in section; other axes unfolded."
     yield from casing_notes(sizing, shown.casing if shown.apart is None else shown.apart.casing.section)
@@ -246,14 +250,6 @@ def _seals(sizing: Sizing) -> Iterator[str]:
     if others:
         names = ", ".join(leaves.machine for leaves in others)
         yield f"No seal is drawn towards {names}: gearwright review says why."
-
-
-def _crowded(sizing: Sizing) -> Iterator[str]:
-    """Yield bodies that stand into each other."""
-    for check in sizing.checks:
-        if check.clause == CLAUSE and check.status is Status.FAILS:
-            verb = "stands" if check.part == GEARBOX else "stand"  # a keep-out names one body
-            yield f"{check.place} {verb} {check.why}: put one of them elsewhere."
 
 
 def _axes(sizing: Sizing) -> Grid:

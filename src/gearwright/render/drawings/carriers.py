@@ -341,7 +341,11 @@ def pin_places(sizing: Sizing, carrier: CarrierSizing) -> PinPlaces:
     Source: Ligata, Kahraman & Singh 2009 by `gearwright.parts.planetary.pin_error_share`; zones by ISO 286-1.
     """
     set_, asked = _set_of(sizing, carrier), sizing.design.rules(carrier.stage).mesh_load_factor or 1.0
-    errors = _stated(sizing, carrier)
+    # The largest error of a pin that the design has [m].
+    count = max(gear.bodies for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET)
+    names = [str(gear_part(carrier.stage, Role.PLANET, number=k)) for k in range(1, count + 1)]
+    rows = [sizing.design.errors[name] for name in names if name in sizing.design.errors]
+    errors = max((math.hypot(row.pin_tangential, row.pin_radial) for row in rows), default=0.0)
     fits = SMALLEST < carrier.radius <= LARGEST
     zone = standard_tolerance(carrier.radius, PLACE_GRADE) if fits else None
     origin = f"IT{PLACE_GRADE} of the pin circle's radius (assumed)"
@@ -356,14 +360,6 @@ def pin_places(sizing: Sizing, carrier: CarrierSizing) -> PinPlaces:
         return PinPlaces(zone or None, origin, asked)
     floating, fixed = (_factor(set_, zone / 2.0, floating=way) for way in (True, False))
     return PinPlaces(zone, origin, asked, is_simple=True, floating=floating, fixed=fixed)
-
-
-def _stated(sizing: Sizing, carrier: CarrierSizing) -> float:
-    """Return the largest error of a pin that the design has [m]."""
-    count = max(gear.bodies for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET)
-    names = [str(gear_part(carrier.stage, Role.PLANET, number=k)) for k in range(1, count + 1)]
-    rows = [sizing.design.errors[name] for name in names if name in sizing.design.errors]
-    return max((math.hypot(row.pin_tangential, row.pin_radial) for row in rows), default=0.0)
 
 
 def _set_of(sizing: Sizing, carrier: CarrierSizing) -> _Set | None:

@@ -338,12 +338,8 @@ def ratio_of(web: Web) -> float:
     return abs(web.dish) / (web.rim - web.hub)
 
 
-def _span(gear: GearSizing) -> tuple[float, float]:
-    return 0.0, MM * gear.face_width * halves_of(gear)
-
-
 def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
-    teeth, span = cylindrical_gear(sizing, gear), _span(gear)
+    teeth, span = cylindrical_gear(sizing, gear), (0.0, MM * gear.face_width * halves_of(gear))
     internal = is_internal(sizing, gear)
     outer = MM * ring_outside(sizing, gear) if internal else MM * teeth.tip_radius
     beyond = OVERSHOOT / axis.scale

@@ -335,18 +335,14 @@ def _table(path: str, table: Mapping[str, object], info: FieldInfo) -> Iterator[
             yield Entry(where, str(value), is_given=True, meaning=info.description or "", key=name)
 
 
-def _long(value: float, dimension: str) -> str:
-    """Return a value in its usual unit, or in a larger one where that reads better."""
-    for least, larger in _LARGER.get(dimension, ()):
-        if abs(value) >= least:
-            return text(value, larger)
-    return text(value, dimension)
-
-
 def _words(value: object, info: FieldInfo) -> str:
     quantity = quantity_of(info)
     if quantity is not None and isinstance(value, int | float):
-        return _long(value, quantity.dimension)
+        # A value in its usual unit, or in a larger one where that reads better.
+        for least, larger in _LARGER.get(quantity.dimension, ()):
+            if abs(value) >= least:
+                return text(value, larger)
+        return text(value, quantity.dimension)
     if isinstance(value, list | tuple):
         return ", ".join(map(str, value))
     if isinstance(value, bool):

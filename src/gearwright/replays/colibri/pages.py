@@ -63,7 +63,7 @@ def colibri_page() -> str:
 
 def colibri_markdown() -> str:
     """Return the same as Markdown, for the documentation."""
-    return _rendered("page.md.j2")
+    return _environment().get_template("page.md.j2").render(_context())
 
 
 def indexed(written: str) -> Markup:
@@ -76,10 +76,6 @@ def indexed(written: str) -> Markup:
     'F<sub>a</sub> &lt; e'
     """
     return Markup(_INDEX.sub(r"<sub>\1</sub>", html.escape(written, quote=False)))
-
-
-def _rendered(template: str) -> str:
-    return _environment().get_template(template).render(_context())
 
 
 def _context() -> dict[str, Any]:

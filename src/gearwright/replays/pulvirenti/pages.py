@@ -78,7 +78,7 @@ def thesis_page() -> str:
 
 def thesis_markdown() -> str:
     """Return the same as Markdown, for the documentation."""
-    return _rendered("page.md.j2")
+    return _environment().get_template("page.md.j2").render(_context())
 
 
 def claims_table(judged: Sequence[Claim]) -> Grid:
@@ -141,10 +141,6 @@ def _number(value: float, dimension: str) -> str:
     if dimension == "percent":
         return f"{value:.1f} %".replace("-", "−")
     return f"{written(value, 4 if dimension == 'speed' else _DIGITS)} {unit(dimension)}".rstrip()
-
-
-def _rendered(template: str) -> str:
-    return _environment().get_template(template).render(_context())
 
 
 def _context() -> dict[str, Any]:
