@@ -3,8 +3,6 @@
 Until the commands are loaded, which takes a moment, Ctrl-C ends the process without a word.
 """
 
-from __future__ import annotations
-
 import signal
 
 

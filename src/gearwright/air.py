@@ -1,7 +1,5 @@
 """Standard atmosphere, airspeeds and Mach number, and the drag polar of an aircraft."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

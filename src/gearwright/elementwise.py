@@ -1,7 +1,5 @@
 """Functions of numbers and of arrays under one name, so that a formula stands once and takes either."""
 
-from __future__ import annotations
-
 import math
 from functools import reduce
 from types import SimpleNamespace

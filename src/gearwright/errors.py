@@ -5,8 +5,6 @@ of a file at once. What a user wrote is shown cut to a length that a reader take
 terminal would obey.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches

@@ -1,7 +1,5 @@
 """Reading of user files with a size limit, and writing of files as a whole by replacement."""
 
-from __future__ import annotations
-
 import csv
 import errno
 import math

@@ -1,7 +1,5 @@
 """Where records stand now that files of 0.1 before modules became topics name by their former modules."""
 
-from __future__ import annotations
-
 from functools import cache
 
 

@@ -1,7 +1,5 @@
 """Results that are kept by key, so that what is asked again of a computation is not computed again."""
 
-from __future__ import annotations
-
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager

@@ -3,8 +3,6 @@
 Who shows words, a command or the workbench, hears them; where nobody does, they are not said.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 

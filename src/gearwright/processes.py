@@ -5,8 +5,6 @@ when nobody is left at the other end of it, when it is dismissed, and when the p
 does.
 """
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import pickle

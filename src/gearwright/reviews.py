@@ -3,8 +3,6 @@
 What is judged and how is for the layers below: sizing, dynamics, mission. How it is shown is for `render`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum

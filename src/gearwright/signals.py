@@ -1,7 +1,5 @@
 """Signals that ask a program to end: who hears them for a while, and that what they raise arrives."""
 
-from __future__ import annotations
-
 import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator

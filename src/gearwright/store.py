@@ -1,7 +1,5 @@
 """Save and load values: runs as netCDF-4, everything else as JSON."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -5,8 +5,6 @@ asks for is told by a sentence which call makes the right thing. ``Shown`` value
 notebook; only `render` words and draws, and it is found by name when it is asked, so that no layer depends on it.
 """
 
-from __future__ import annotations
-
 import functools
 import inspect
 import sys

@@ -3,8 +3,6 @@
 Every route is one public verb and adds no number; what commands print is `cli`'s, figures and pages are `render`'s.
 """
 
-from __future__ import annotations
-
 from gearwright.app.serving import serve
 
 __all__ = ["serve"]

@@ -1,7 +1,5 @@
 """A design file as a form: keys, units and bounds, and edits that keep comments."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """Start and end of the workbench server, and the design files of its folder."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import re

@@ -1,7 +1,5 @@
 """Worker processes of the workbench: questions in order, and long jobs with progress and cancellation."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import time

@@ -5,8 +5,6 @@ Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is
 Heavy modules load inside the commands, so that ``--help`` answers at once.
 """
 
-from __future__ import annotations
-
 import errno
 import gc
 import sys

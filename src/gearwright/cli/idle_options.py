@@ -4,8 +4,6 @@ An option that only means something with another one, or nothing beside another 
 command's parameters. One with its default is not seen as given: it changes nothing anyway.
 """
 
-from __future__ import annotations
-
 import inspect
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence

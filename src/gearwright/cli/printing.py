@@ -1,7 +1,5 @@
 """Pages as PDF, printed by a browser of this machine: bookmarks, tags, heads of tables on every sheet."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """The console behind both streams: words are never broken, brackets and colons mean themselves, nothing steers it."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

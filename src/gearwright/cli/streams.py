@@ -4,8 +4,6 @@ A stream that does not know a letter gets the nearest one it knows: σ becomes s
 question mark. A control character, which could move the cursor or recolour the terminal, is shown as its code.
 """
 
-from __future__ import annotations
-
 import codecs
 import io
 import os

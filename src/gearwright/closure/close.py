@@ -1,7 +1,5 @@
 """Design closure of a design, with its mission, at written sizes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

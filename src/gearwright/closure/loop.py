@@ -1,7 +1,5 @@
 """The loop of design closure: initial design, proportioning, and confirmation of dynamic and load factors."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field

@@ -3,8 +3,6 @@
 The loop that settles a change is for `closure/loop.py`, what becomes of one change for `closure/options.py`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Least module and face width of each stage by its strengths, and their entry in the design."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple

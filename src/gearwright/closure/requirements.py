@@ -1,7 +1,5 @@
 """Requirements of design closure, its design variables and options, the closed design and gear life."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field

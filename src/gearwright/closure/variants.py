@@ -1,7 +1,5 @@
 """Requirements that no design variable meets, the conflicts behind them, and design alternatives."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace

@@ -3,8 +3,6 @@
 Solids as GLB are `shape`'s, drawings `render`'s, runs and values `store`'s.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING
 

@@ -3,8 +3,6 @@
 Both need the extra `optimisers`; whatever else asks and tells needs none of this.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -3,8 +3,6 @@
 Tessellations are `shape`'s.
 """
 
-from __future__ import annotations
-
 import cmath
 import io
 import math

@@ -3,8 +3,6 @@
 What the tables hold is `render.tables`'; tables of studies are `study`'s to write.
 """
 
-from __future__ import annotations
-
 import io
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

@@ -3,8 +3,6 @@
 What a thrust needs in power, and what that costs, is the flight's; nothing here knows gears.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Propeller maps over arrays of points: coefficients, blade angles, and the factor of compressibility."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """Result of a mission: time histories with units and sources, and energies."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Generic, NamedTuple, TypeVar

@@ -1,7 +1,5 @@
 """The verb: a mission flown quasi-steadily by a sized gearbox, alone or with others that differ by numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path

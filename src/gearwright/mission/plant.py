@@ -3,8 +3,6 @@
 Laws are in `machines`; `mission/supply` asks them in every interval.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Turbines, motors and battery in flight: power split, ratings, fuel and charge, and limits of duration."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress

@@ -1,7 +1,5 @@
 """The course of an optimisation: screening, generations, local search, and evaluation by workers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from functools import partial

@@ -1,7 +1,5 @@
 """Result of an optimisation: Pareto front, active constraints, regret and hypervolume."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

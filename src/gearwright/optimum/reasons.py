@@ -1,7 +1,5 @@
 """Active constraints, shadow prices and uncertainty of an optimum, and the reasons where none exists."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple

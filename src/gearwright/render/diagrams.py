@@ -3,8 +3,6 @@
 Each says what its keys measure; drawings of sized parts are in `render/drawings`, whose strokes these are made of.
 """
 
-from __future__ import annotations
-
 import cmath
 import itertools
 import math

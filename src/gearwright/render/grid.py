@@ -3,8 +3,6 @@
 It knows no result: what a result shows as tables is in `tables`.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable, Iterable, Mapping, Sequence

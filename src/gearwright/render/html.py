@@ -1,7 +1,5 @@
 """Where the templates of the HTML pages are, with the filters that they use."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

@@ -3,8 +3,6 @@
 To scale, with dimensions, parts are drawn in `drawings`.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

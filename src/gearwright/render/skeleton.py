@@ -1,7 +1,5 @@
 """Where the parts of a train stand on paper, and the signs of a skeleton diagram."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -3,8 +3,6 @@
 What is drawn is decided in the rooms above.
 """
 
-from __future__ import annotations
-
 import functools
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence

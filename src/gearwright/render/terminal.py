@@ -3,8 +3,6 @@
 Prose is folded between words; columns without room stand in a block below, beside the names of the rows again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from rich.box import SIMPLE_HEAD

@@ -1,7 +1,5 @@
 """The solids of gears, shafts, carriers and housings."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple

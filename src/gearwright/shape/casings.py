@@ -1,7 +1,5 @@
 """Pieces of housings that are no chambers: flanges, screws, mounts, ribs; which a housing has is for `housing`."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise

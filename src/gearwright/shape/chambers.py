@@ -1,7 +1,5 @@
 """Chambers of a housing, and what sections along a way cut out of their metal."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Where bodies and teeth that turn against each other stand into each other, and how deep."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations

@@ -1,7 +1,5 @@
 """A sized gearbox as solids, turned so that teeth mesh, with its speeds; what it weighs; its file (GLB)."""
 
-from __future__ import annotations
-
 import json
 import math
 import struct

@@ -3,8 +3,6 @@
 Which bodies a gearbox has, and where they stand, is for `shape`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Where every single gear stands, what its teeth are, which gears mesh where, and the scene that holds them."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Design, mission, mix and study files and notebooks that come with gearwright; `gearwright new` copies them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Literal

@@ -1,7 +1,5 @@
 """Notebooks that come with gearwright, as notebook files that have not been run."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import overload

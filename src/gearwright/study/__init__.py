@@ -1,7 +1,5 @@
 """Studies: the same verbs over many designs."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING
 

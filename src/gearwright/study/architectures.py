@@ -1,7 +1,5 @@
 """Architectures at equal life: each closed, and judged by an independent review of the design that was written."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace

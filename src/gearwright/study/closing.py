@@ -1,7 +1,5 @@
 """A closure whose course is kept in a journal: one that was broken off goes on where it was."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass

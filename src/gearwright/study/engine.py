@@ -1,7 +1,5 @@
 """Fit a design to another engine: power, input speed and propeller speed."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

@@ -3,8 +3,6 @@
 What is computed and when it is written is for `running`.
 """
 
-from __future__ import annotations
-
 import gc
 import json
 import sqlite3

@@ -3,8 +3,6 @@
 Only numbers: which case a point is, and which limit a column, is for `running`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Results of a study by name: flight, modes, simulation and review."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 

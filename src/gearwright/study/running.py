@@ -3,8 +3,6 @@
 A single case is computed in `cases`.
 """
 
-from __future__ import annotations
-
 import json
 import shlex
 import time

@@ -1,7 +1,5 @@
 """Worker processes and Dask clusters that compute cases, and the size of their chunks."""
 
-from __future__ import annotations
-
 import gc
 import json
 import logging

@@ -1,7 +1,5 @@
 """One published result: where it is printed, what is printed, how near gearwright must come and why so near."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Every published case that gearwright knows."""
 
-from __future__ import annotations
-
 from gearwright.base import DesignError, Problem, verb
 from gearwright.validate import engines, gearboxes, gears, shafts, trains, vibration
 from gearwright.validate.case import Case, Checked, check

@@ -1,7 +1,5 @@
 """Published engines and propellers: part load of turboshafts, and propeller maps."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import cache

@@ -3,8 +3,6 @@
 What they weigh part by part is `sizing.mass`'s; statistics over β are `weights`'s.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Published shafts and rolling bearings: Timoshenko beams, DIN 743, ISO 281 and ISO 76."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial

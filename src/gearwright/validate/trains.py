@@ -1,7 +1,5 @@
 """Published planetary stages and automatic transmissions: frequencies, ratios, losses and profile shifts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

@@ -1,7 +1,5 @@
 """Published vibration: torsional systems, whirl speeds of rotors and geared drive lines."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial

@@ -1,7 +1,5 @@
 """Mass estimating relationships for gearboxes from power and speeds, and the gear volume by Willis."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

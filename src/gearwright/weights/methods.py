@@ -1,7 +1,5 @@
 """All published mass estimating relationships, their regression, and their comparison with published masses."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 ``thesis`` and ``colibri`` are older names of two of them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Which components turn as one, their gears, where they stand and what sits on them, as tables of a design."""
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -3,8 +3,6 @@
 What the records mean for a design is not known here.
 """
 
-from __future__ import annotations
-
 import base64
 import binascii
 import csv

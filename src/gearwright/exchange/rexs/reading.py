@@ -3,8 +3,6 @@
 Nothing is written or sized here; only a file of gearwright's own is held against the sizing of its design.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Stages of a document: pairs, planetary sets and compound sets of a design."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace

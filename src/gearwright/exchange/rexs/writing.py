@@ -3,8 +3,6 @@
 Nothing is read or sized here.
 """
 
-from __future__ import annotations
-
 import codecs
 import io
 import json

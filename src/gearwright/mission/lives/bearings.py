@@ -1,7 +1,5 @@
 """Bearing life over a flight by ISO 281: loads, speeds, oil, and selection of bearings."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Load spectra of a flight, Miner sum of flanks and roots, scuffing and micropitting."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Service life of gears and bearings over a mission or a mission mix, its checks, and sizing for it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace

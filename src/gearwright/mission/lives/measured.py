@@ -1,7 +1,5 @@
 """Measured duty: a file of time, torque or power, speed and temperature, and the load spectrum that it becomes."""
 
-from __future__ import annotations
-
 import csv
 import math
 import textwrap

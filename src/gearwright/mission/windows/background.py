@@ -1,7 +1,5 @@
 """Mission quantities over time in an event window: torques, losses, air and airspeed, and their curves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import islice

@@ -1,7 +1,5 @@
 """Events of an event window: short circuit, engine failure, power slam, pitch runaway and sudden stop."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Transient simulation of event windows with propeller, governor and elastic drive train."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Answers about one design: its sizing, its motion in one run, and what a rating rests on."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple

@@ -3,8 +3,6 @@
 How a record becomes JSON is in `plain` and `described`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Annotated, Any

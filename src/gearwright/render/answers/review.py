@@ -1,7 +1,5 @@
 """Answers of a review and of a closure: every check with its value and limit, what is met, lives, masses."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated

@@ -1,7 +1,5 @@
 """Marked records as plain data for JSON, and their JSON Schema from the same marks."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import math

@@ -1,7 +1,5 @@
 """Answers of studies, of searches for the best designs and of enumerations of architectures."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Answers about masses, the catalogue of engines, published numbers, and what comes with gearwright."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 

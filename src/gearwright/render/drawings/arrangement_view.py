@@ -1,7 +1,5 @@
 """What a general arrangement draws of each part: gears, bearings, what holds them; and the view of the end."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """The general arrangement: every shaft with its gears and bearings in one plane, and a list of parts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

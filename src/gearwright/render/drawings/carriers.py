@@ -3,8 +3,6 @@
 What all drawings are made of lies in `sheet` and `views` beside this folder.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Sequence

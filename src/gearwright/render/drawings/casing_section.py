@@ -1,7 +1,5 @@
 """The housing as the arrangement's section cuts it: chambers, webs, ribs, mounts, screws, list of parts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """All drawings of a sizing by name."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 

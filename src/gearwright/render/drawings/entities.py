@@ -1,7 +1,5 @@
 """What a drawing is made of: paths, hatches, words, dimensions (ISO 129-1), symbols, tolerances (ISO 1101)."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

@@ -1,7 +1,5 @@
 """The sheet of one gear: section with dimensions, hub, end view, edges, tooth data."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Sequence

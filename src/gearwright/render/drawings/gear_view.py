@@ -1,7 +1,5 @@
 """Sections of gears along their axis by ISO 2203, cylindrical, bevel and face gears, with dimensions."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Sequence

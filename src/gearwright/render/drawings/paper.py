@@ -1,7 +1,5 @@
 """A sheet of paper: sizes, frame and title block, tables; views composed so that no line crosses a text."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set as AbstractSet

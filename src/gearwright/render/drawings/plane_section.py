@@ -1,7 +1,5 @@
 """A housing and its gearbox cut by one plane along the first shaft, and seen from the first end."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence

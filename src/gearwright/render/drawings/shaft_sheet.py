@@ -1,7 +1,5 @@
 """The sheet of one shaft: outline with lengths, fits and surfaces, keyways, splines, threads."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The outline of a shaft with what is cut into it, undercuts, marks across its axis, weights of parts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The table of tooth data beside a gear, and where gears and shafts are hardened (ISO 15787)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Figures of what shakes a train: Campbell diagram with its low end, frequency response, waterfall, orders."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import cycle

@@ -3,8 +3,6 @@
 Figures of motion without a mission are beside this folder.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import cycle

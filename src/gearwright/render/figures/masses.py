@@ -1,7 +1,5 @@
 """Figures of what weighs: the mass and the margins of a Sizing, treemap with its band, the catalogue's engines."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 

@@ -1,7 +1,5 @@
 """Figures of a Trace and of Modes: forces against time, spectra, orbits, mode shapes on the drawn train."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 Their tables are in `tables/study`.
 """
 
-from __future__ import annotations
-
 import math
 import textwrap
 from collections.abc import Mapping, Sequence

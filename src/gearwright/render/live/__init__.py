@@ -1,7 +1,5 @@
 """The scripts that make figures of pages answer a pointer; numbers come from `vector`, lines from uPlot."""
 
-from __future__ import annotations
-
 from functools import cache
 from importlib.resources import files
 

@@ -1,7 +1,5 @@
 """Pages of a flight, of a life of several missions and of a dynamic window."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 

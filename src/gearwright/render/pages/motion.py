@@ -1,7 +1,5 @@
 """The page on which the gearbox turns, and the report's chapters on dynamics."""
 
-from __future__ import annotations
-
 import json
 import math
 from base64 import b64encode

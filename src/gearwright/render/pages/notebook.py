@@ -1,7 +1,5 @@
 """A value as a prompt shows it in a few lines, and as a notebook shows it with a table and a figure."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from html import escape

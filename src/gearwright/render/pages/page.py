@@ -1,7 +1,5 @@
 """What every page has: a head with the verdict and key numbers, contents, numbered sections, appendices."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field

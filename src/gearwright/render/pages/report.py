@@ -1,7 +1,5 @@
 """Pages of one design: the report, its review, its drawings."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

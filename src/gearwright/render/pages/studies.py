@@ -1,7 +1,5 @@
 """The page of a study: which design wins, by how much, how sure that is, what it depends on, and the designs drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Annotated

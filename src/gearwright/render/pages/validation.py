@@ -1,7 +1,5 @@
 """Every published number beside what gearwright finds, as tables and as one page."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby

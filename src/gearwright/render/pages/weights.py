@@ -1,7 +1,5 @@
 """What gearboxes weigh as one self-contained HTML page: methods, band, figures, formulas, the thesis's tables."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 

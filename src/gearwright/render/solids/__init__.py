@@ -3,8 +3,6 @@
 What the page says is in `pages`; `tools/three.mjs` makes the copy.
 """
 
-from __future__ import annotations
-
 import tomllib
 from functools import cache
 from importlib.resources import files

@@ -1,7 +1,5 @@
 """Checks as rows of a table, every factor of a rated mesh, methods side by side, what moves the margins."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace

@@ -1,7 +1,5 @@
 """Tables of Modes, of a Trace and of a train's vibration, and simulated peaks beside rated loads."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import Annotated

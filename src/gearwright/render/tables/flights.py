@@ -1,7 +1,5 @@
 """Tables of what flies: phases, losses, lives of parts, mixes, duties, propellers, rotors, turboshafts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields

@@ -3,8 +3,6 @@
 How studies run is in `words`, their numbers over axes in `figures/study`.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, make_dataclass

@@ -1,7 +1,5 @@
 """The table of a study for the terminal, for files and for the page; and of one that kept no rows."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple

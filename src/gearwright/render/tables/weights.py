@@ -1,7 +1,5 @@
 """What gearboxes weigh: tables for the terminal, sentences about a sizing, rows for CSV."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from rich.console import Group, RenderableType

@@ -3,8 +3,6 @@
 `tools/uplot.mjs` makes the copy; figures that stand still are `vector`'s.
 """
 
-from __future__ import annotations
-
 import tomllib
 from functools import cache
 from importlib.resources import files

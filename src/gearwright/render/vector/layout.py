@@ -1,7 +1,5 @@
 """Where panels, legends and words stand on paper: widths of text, scales of axes, room around them, ink."""
 
-from __future__ import annotations
-
 import functools
 import json
 import math

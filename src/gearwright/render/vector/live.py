@@ -4,8 +4,6 @@ Each array is kept once, in whole steps of a 16 383rd of its range, with what li
 the still figure, but on a grid twice as fine.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 import math

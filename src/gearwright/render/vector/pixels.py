@@ -1,7 +1,5 @@
 """A figure as PNG: matplotlib sets its ink in pixels; nothing else of a figure needs it."""
 
-from __future__ import annotations
-
 import io
 from typing import Any
 

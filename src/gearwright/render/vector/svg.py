@@ -1,7 +1,5 @@
 """From a figure to ink and to SVG with real text: marks through their scales, curves as a pixel shows them."""
 
-from __future__ import annotations
-
 import base64
 import math
 import re

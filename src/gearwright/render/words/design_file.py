@@ -1,7 +1,5 @@
 """The reference of the files that users write, a file as read entry by entry, and what is shipped."""
 
-from __future__ import annotations
-
 import inspect
 import math
 import re

@@ -3,8 +3,6 @@
 Which missions are flown is words of studies; how a flight is drawn is `figures` and `pages`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

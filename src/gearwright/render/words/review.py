@@ -1,7 +1,5 @@
 """A review in words, what a closure met, and a run on one screen."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 from rich.console import Group, RenderableType

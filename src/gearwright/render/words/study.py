@@ -1,7 +1,5 @@
 """What a study, a search and an enumeration of architectures say in sentences."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

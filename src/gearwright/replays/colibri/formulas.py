@@ -1,7 +1,5 @@
 """Formulas of the EC120B "Colibri" term project for gears, shafts, bearings and keys, as executed."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """The Colibri replication as a page, as Markdown and as machine-readable output."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Mapping, Sequence

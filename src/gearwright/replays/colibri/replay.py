@@ -1,7 +1,5 @@
 """The Colibri report compared number by number with its own computation, and its tables."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

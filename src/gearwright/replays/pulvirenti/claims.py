@@ -1,7 +1,5 @@
 """Errata and claims of Pulvirenti (2023) on mass, torque and force, with the computed values."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """The dynamic model of Pulvirenti (2023) as printed, and measures of the figures in chapter 4."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

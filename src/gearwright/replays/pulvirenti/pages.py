@@ -1,7 +1,5 @@
 """Errata, claims and figures of Pulvirenti (2023) as tables and pages."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache

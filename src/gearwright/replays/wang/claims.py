@@ -1,7 +1,5 @@
 """Claims of Wang, Zhao, Tao, Jia and Guo on the face-gear split torque, with tables and figures."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -4,8 +4,6 @@ AGMA and Shigley read I and J from charts. The factors around them are held with
 charts were drawn by, is held with the charts.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Published gear ratings: ISO/TR 6336-30, AGMA 908, mesh stiffness and reports of commercial programs."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace

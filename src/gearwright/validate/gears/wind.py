@@ -1,7 +1,5 @@
 """Published rating and vibration of the second and third stage of a 5 MW wind turbine gearbox."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
