@@ -173,15 +173,6 @@ def size_unturned(design: Design) -> Sizing:
     return _lightest(design, build_train(design), given.values, still=True)
 
 
-def is_compared(design: Design) -> bool:
-    """Tell whether gears are sized on a grid, or held against all that is asked of them, so that several are compared.
-
-    Args:
-        design: As read.
-    """
-    return design.level == PRELIMINARY or any(RATINGS[design.rating(name)].table for name in design.stages)
-
-
 def is_settled(design: Design) -> bool:
     """Tell whether a design gives all teeth, and the modules of all gears that a standard rates.
 
@@ -278,7 +269,7 @@ def _failing(sizing: Sizing) -> int:
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
     looked, known = _Looked(), MESHES.now()
-    if is_compared(design):
+    if design.compares_sizes:
         _compare(design, train, given, looked, still=still)
         return _told(looked, failing=len(looked.short))
     for choice in choose_teeth(design, train):

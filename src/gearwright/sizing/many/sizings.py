@@ -16,7 +16,7 @@ from gearwright.sizing.answers import TEXT, Named, asked_results, named_results,
 from gearwright.sizing.many.search import Rows, choose_rows
 from gearwright.sizing.many.twinned import twinned
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.size import is_compared, is_settled, size
+from gearwright.sizing.size import is_settled, size
 from gearwright.sizing.teeth import Chosen
 from gearwright.spec import Design, Epicyclic, Pair, brief, edited, entry_of, path_problems, replaced
 from gearwright.spec.design import given_values
@@ -336,7 +336,7 @@ def _teeth(group: Group, place: Ints) -> Rows:
     if twinned("gearwright.spec.checks.design").reference_problems(design) or given_values(design).problems:
         raise TypeError("a design that is refused")
     train = twinned("gearwright.train").build_train(design)
-    if is_compared(design) and not is_settled(design):
+    if design.compares_sizes and not is_settled(design):
         raise Unsupported("sizes that are completed one after the other")
     return choose_rows(design, train, len(place))
 
