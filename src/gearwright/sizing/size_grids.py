@@ -32,6 +32,7 @@ from gearwright.sizing.rating import (
 )
 from gearwright.sizing.result import PRELIMINARY
 from gearwright.spec import GROUND, Epicyclic, Pair, Planetary
+from gearwright.spec.design import BUILT
 from gearwright.train import Gear, Mesh
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -200,12 +201,13 @@ def _teeth(context: Context, part: Part) -> tuple[int, int]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-LENIENT: Sequence[tuple[str, ...]] = ((), ("main resonance",), ("main resonance", "scuffing", "micropitting"))
+_SPEEDS = ("main resonance", "speed of K_V")
+LENIENT: Sequence[tuple[str, ...]] = ((), _SPEEDS, (*_SPEEDS, "scuffing", "micropitting"))
 """What is left out of what is asked, where nothing that is tried meets all of it."""
 NEAR = 1.25
 """Gears that fall short over the lightest of their kind, up to which the nearest of them is taken [-]."""
 WIDER = 1.15
-"""Face of sets over the one before that is tried for the bearings of planets [-]."""
+"""Face over the one before that is tried for the bearings of planets, and for keys in hubs of built gearboxes [-]."""
 STEEP = 0.3
 """Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
 AS_NEAR = 0.01
@@ -334,7 +336,8 @@ def _options(
             nearness = min(nearness, all_of_it)
         else:
             yield Option(tuple(own.size for own in row), mass, nearness)
-            if any(isinstance(context.design.stages[own.part.stage], Planetary) for own in row):
+            sets = any(isinstance(context.design.stages[own.part.stage], Planetary) for own in row)
+            if sets or context.design.level == BUILT:
                 _put(heap, order, tuple(_wider(own) for own in row))
 
 
@@ -358,7 +361,7 @@ def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -
 
 
 def _wider(own: _Widths) -> _Widths:
-    """Return a part at a wider face, for what turns in its planets, which no strength of teeth asks for."""
+    """Return a part at a wider face, for what its gears turn or sit on, which no strength of teeth asks for."""
     return replace(own, at=int(np.searchsorted(own.widths, WIDER * own.widths[own.at])))
 
 

@@ -388,7 +388,7 @@ class Iso6336Rating:
 
 
 CLAUSE = "ISO 6336-1, 6.5.3: N below N_S or above 1.15"
-MODE = "main resonance"
+MODE, SPEED = "main resonance", "speed of K_V"
 HELPS = "other teeth, modules or speeds lie beside it; gearwright close looks for the lightest where they are open"
 """What to do about a mesh in its main resonance."""
 
@@ -614,7 +614,8 @@ class Iso6336:
         rules = mesh.rating.rules.iso6336
         rated, rest = self._of_sizes(mesh, loads), [np.asarray(math.inf)]
         if isinstance(rated.dynamic, DynamicFactorBySpeed):
-            rest.append(np.asarray(FASTEST / rated.dynamic.characteristic)[0])
+            if SPEED not in left_out:
+                rest.append(np.asarray(FASTEST / rated.dynamic.characteristic)[0])
         elif MODE not in left_out and rules.dynamic_method != "C":
             rest.append(self._apart_of_sizes(mesh, rated))
         if static := [load for load in loads if load.static]:
@@ -783,7 +784,7 @@ def _judgements(rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]
         clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
         yield Check(
             mesh,
-            "speed of K_V",
+            SPEED,
             clause,
             speed,
             FASTEST,
