@@ -130,10 +130,10 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = {CONCEPT: (3, 6), PRELIMINARY: (3, 12), BUILT: (1, 3)}
+COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 3)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
-BEARINGS = ("life", "static safety")
+BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
 """Modes of checks of the bearings of planets, to which a wider face helps."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""

@@ -6,12 +6,15 @@ import heapq
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import count
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.base import ROUNDING, Floats, Role
+from gearwright.catalogue import bearings
+from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.planetary import Plate, first_carrier_mass, planes
 from gearwright.sizing.rating import (
@@ -185,10 +188,25 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
         widths = np.array([widest])
     else:
         mean = mean_module(teeth, module, widest, rating) if bevel else module
-        least = min(least_width(rating, mean), widest)
+        least = min(max(least_width(rating, mean), _bearing_width(context, part)), widest)
         low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
         widths = np.arange(min(low, high), high + 1) * _MM
     return widths, np.asarray(mean_module(teeth, module, widths, rating)) if bevel else np.full(len(widths), module)
+
+
+def _bearing_width(context: Context, part: Part) -> float:
+    """Return the narrowest planet in which a bearing of the catalogue has room, where the design asks for one [m]."""
+    stage = context.design.stages[part.stage]
+    asked = stage.planet_bearing if isinstance(stage, Planetary) else None
+    if asked is None or not asked.is_fitted or asked.width is not None or asked.designation is not None:
+        return 0.0
+    return asked.side_by_side * _narrowest_roller()
+
+
+@cache
+def _narrowest_roller() -> float:
+    """Return the width of the narrowest cylindrical roller bearing of the catalogue [m]."""
+    return min(size.width for size in bearings().values() if size.kind is BearingKind.CYLINDRICAL)
 
 
 def _teeth(context: Context, part: Part) -> tuple[int, int]:
