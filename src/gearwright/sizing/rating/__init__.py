@@ -4,6 +4,7 @@ The formulas are in `parts`. `protocol` says what a method does, `methods` has a
 """
 
 from gearwright.sizing.rating.context import (
+    REST,
     Context,
     Demand,
     Known,
@@ -82,6 +83,7 @@ __all__ = [
     "LEAST_RING",
     "LEAST_TORQUE",
     "METHODS",
+    "REST",
     "RIM",
     "RIMMED",
     "STANDARD_MODULES",
