@@ -130,7 +130,7 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 3)}
+COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
 BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
@@ -321,7 +321,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
     enough, most = COMPLETED[design.level]
     heapq.heapify(queue)
     while queue or waiting:
-        tried, passes = len(looked.whole) + len(looked.refused) // 2, bool(looked.passing)
+        spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
+        tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
         if tried >= (max(enough, design.teeth.sized) if passes else most):
             break
         while waiting:

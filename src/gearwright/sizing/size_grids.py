@@ -19,6 +19,7 @@ from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.planetary import Plate, first_carrier_mass, planes
 from gearwright.sizing.rating import (
     AROUND,
+    REST,
     STANDARD_MODULES,
     Context,
     Demand,
@@ -220,10 +221,12 @@ def _teeth(context: Context, part: Part) -> tuple[int, int]:
 
 
 _SPEEDS = ("main resonance", "speed of K_V")
-LENIENT: Sequence[tuple[str, ...]] = ((), _SPEEDS, (*_SPEEDS, "scuffing", "micropitting"))
-"""What is left out of what is asked, where nothing that is tried meets all of it."""
+LENIENT: Sequence[tuple[str, ...]] = ((), _SPEEDS, (*_SPEEDS, "scuffing", "micropitting"), (REST,))
+"""What is left out of what is asked, where nothing that is tried meets all of it; at last all but roots and flanks."""
 NEAR = 1.25
 """Gears that fall short over the lightest of their kind, up to which the nearest of them is taken [-]."""
+STRENGTHS = ("pitting", "tooth root")
+"""Modes of the checks of flanks and roots against fatigue."""
 WIDER = 1.15
 """Face over the one before that is tried for the bearings of planets, and for keys in hubs of built gearboxes [-]."""
 STEEP = 0.3
@@ -331,7 +334,7 @@ def _best(
                 best = max(option.nearness for option in found)
                 yield next(option for option in found if option.nearness >= best - AS_NEAR)
             return
-    yield _strongest(context, parts, units)
+    yield _strongest(context, parts, units, demands)
 
 
 def _options(
@@ -454,15 +457,20 @@ def _near(
         for check in method.checks(rated, mesh.part, gears):
             if check.ratio is not None and check.name not in context.design.waivers:
                 every = min(every, check.ratio)
-                asked = asked if check.mode in left_out else min(asked, check.ratio)
+                counts = check.mode in STRENGTHS if REST in left_out else check.mode not in left_out
+                asked = min(asked, check.ratio) if counts else asked
     return every, asked
 
 
-def _strongest(context: Context, parts: Sequence[Part], units: Sequence[float]) -> Option:
-    """Return the sizes at which the weakest part comes nearest to its strengths."""
+def _strongest(
+    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
+) -> Option:
+    """Return the sizes at which the weakest part comes nearest to its strengths; without arrays, the widest."""
     rows = list(zip(*(_tried(context, part, units, LENIENT[-1]) for part in parts), strict=True))
+    near = list[float]()
     for row in rows:
         for own in row:
-            own.at = int(np.argmax(own.near)) if np.isfinite(own.near).any() else len(own.near) - 1
-    best = max(rows, key=lambda row: min(own.near[own.at] for own in row))
-    return Option(tuple(own.size for own in best), _mass(best), float(min(own.near[own.at] for own in best)))
+            own.at = int(np.argmax(own.near)) if own.is_array else len(own.near) - 1
+        near.append(min(_near(context, own, demands, LENIENT[-1])[1] for own in row))
+    best = rows[int(np.argmax(near))]
+    return Option(tuple(own.size for own in best), _mass(best), max(near))

@@ -180,7 +180,8 @@ def _divided(context: Context, demands: Mapping[str, Demand]) -> tuple[dict[str,
             if first in plain:
                 closed |= _closed_form(context, first, needed[first] if given is None else given)
                 continue
-            parts = [part for owner in sorted(some) for part in _parts(context, owner, needed[owner] / needed[first])]
+            ratios = {owner: 1.0 if owner == first else needed[owner] / needed[first] for owner in sorted(some)}
+            parts = [part for owner, ratio in ratios.items() for part in _parts(context, owner, ratio)]
             unit = _unit(context, first, needed[first]) if given is None else given
             open_.append(_Open(tuple(parts), unit, given is None))
     for name in context.design.epicyclics:

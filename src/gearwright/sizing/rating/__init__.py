@@ -5,6 +5,7 @@ The formulas are in `parts`. `protocol` says what a method does, `methods` has a
 
 from gearwright.sizing.rating.context import (
     MESHES,
+    REST,
     Context,
     Demand,
     Known,
@@ -82,6 +83,7 @@ __all__ = [
     "LEAST_TORQUE",
     "MESHES",
     "METHODS",
+    "REST",
     "RIM",
     "RIMMED",
     "STANDARD_MODULES",

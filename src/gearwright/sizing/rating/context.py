@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -14,7 +14,7 @@ from gearwright.base import Floats, Problem, Role, largest, refuse
 from gearwright.memo import Memo, SharedMemo
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth
-from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, Unloaded
+from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, SizesNear, Unloaded
 from gearwright.sizing.rating.rules import Ask, FarGear, Rating, rating_of
 from gearwright.spec import Design, Epicyclic, levels_of, shares_of
 from gearwright.spec.design import GROUND, RATINGS, Given, case_named
@@ -390,6 +390,8 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+REST = "all but roots and flanks"
+"""Among what is not asked of sizes: all that is no strength against fatigue."""
 AT_WAIVERS = ("main resonance",)
 """Modes of checks of meshes that no size is held against where the design waives them."""
 _CREEP = 1e-3
@@ -437,7 +439,7 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
 
 
 def sizes_near(
-    context: Context, mesh: Mesh, modules: Floats, face_widths: Floats, left_out: Collection[str] = ()
+    context: Context, mesh: Mesh, modules: Floats, face_widths: Floats, left_out: Sequence[str] = ()
 ) -> Floats | None:
     """Return the least value over limit that the method finds for arrays of sizes of a row, but for what films ask [-].
 
@@ -454,8 +456,15 @@ def sizes_near(
     if isinstance(loaded, Unloaded):
         return None
     waived = [mode for mode in AT_WAIVERS if f"{mesh.part} {mode}" in context.design.waivers]
-    found = method_for(loaded.rating).of_sizes(loaded, (*waived, *left_out))
-    return None if found is None else np.minimum(*found)
+    asked = (*waived, *left_out)
+    sizes = modules.tobytes(), face_widths.tobytes()
+    found: SizesNear | None = once(
+        context, loaded.rating, ("sizes", *sizes, asked, *loaded[3:]),
+        lambda: method_for(loaded.rating).of_sizes(loaded, asked),
+    )  # fmt: skip
+    if found is None:
+        return None
+    return found.strength if REST in left_out else np.asarray(np.minimum(*found))
 
 
 def _loaded(
