@@ -153,6 +153,8 @@ def _safety(strains: list[Strain], curve: LifeCurve) -> float:
 
 _BESIDE = 1.01
 """Stresses over those of a size by which it is told how steeply Miner's sum grows with them [-]."""
+_NONE = 1e-100
+"""Cycles for none, so that what is divided by them is finite [-]."""
 _FLAT = 3.0
 """Least power of the stress with which it is taken to grow [-]."""
 
@@ -166,7 +168,8 @@ def _room_of_sizes(factor: Floats, cycles: Floats, curve: LifeCurve) -> Floats:
         curve: S-N curve.
     """
     total, beside = (
-        np.clip(np.sum(cycles / endured_cycles(curve, part * factor), axis=0), 1e-30, 1e30) for part in (1.0, _BESIDE)
+        np.clip(np.sum(cycles / np.maximum(endured_cycles(curve, part * factor), _NONE), axis=0), 1e-30, 1e30)
+        for part in (1.0, _BESIDE)
     )
     slope = np.maximum(np.log(beside / total) / math.log(_BESIDE), _FLAT)
     return np.asarray(total ** (-1.0 / slope))
