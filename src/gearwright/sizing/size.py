@@ -26,7 +26,7 @@ from gearwright.sizing.answers import locking_checks
 from gearwright.sizing.bearing_seats import named_room
 from gearwright.sizing.bearings import planet_lives
 from gearwright.sizing.losses import dipping
-from gearwright.sizing.mass import as_made, refuse_dishes
+from gearwright.sizing.mass import as_made, complete_mass, refuse_dishes
 from gearwright.sizing.places import (
     beside_checks,
     coaxial_checks,
@@ -251,8 +251,10 @@ class _Looked:
             raise self.refused[0]
         fewest = min(map(_failing, self.whole))
         among = [sizing for sizing in self.whole if _failing(sizing) == fewest]
-        least = min(sizing.mass for sizing in among)
-        return next(sizing for sizing in among if sizing.mass <= least * (1.0 + EQUAL))
+        if len(among) == 1:
+            return among[0]
+        masses = [complete_mass(sizing).total for sizing in among]
+        return next(sizing for sizing, mass in zip(among, masses, strict=True) if mass <= min(masses) * (1.0 + EQUAL))
 
 
 def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
@@ -328,7 +330,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         while waiting:
             course = waiting.pop()
             if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
-                heapq.heappush(queue, (gears.estimate, next(order), course._replace(gears=gears)))
+                first = len(looked.whole) == 1  # of which the gears of the least diameters come next
+                heapq.heappush(queue, (0.0 if first else gears.estimate, next(order), course._replace(gears=gears)))
         if not queue:
             break
         _, _, course = heapq.heappop(queue)

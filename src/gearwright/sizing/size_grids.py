@@ -14,6 +14,7 @@ import numpy as np
 
 from gearwright.base import ROUNDING, Floats, Role
 from gearwright.catalogue import bearings
+from gearwright.catalogue.materials import housing_materials
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.planetary import Plate, first_carrier_mass, planes
@@ -115,6 +116,22 @@ def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> Fl
     )  # fmt: skip
 
 
+def _shell(context: Context, part: Part, modules: Floats, widths: Floats) -> Floats:
+    """Return about what a housing around the gears of a part weighs, by the thinnest casting [kg]."""
+    design = context.design
+    if not design.housing.own or design.housing.mass is not None:
+        return np.zeros(len(modules))
+    teeth = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears]
+    rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
+    pair = isinstance(design.stages[part.stage], Pair) and not rings
+    length, across = (sum(teeth[:2]), max(teeth)) if pair else (max(rings or [teeth[0] + 2 * teeth[1]]),) * 2
+    material = housing_materials()[design.housing.material]
+    wall = design.housing.wall or material.least_wall
+    long, wide = length * modules, across * modules
+    area = 2.0 * wide * (long - (1.0 - math.pi / 4.0) * wide) + 2.0 * (long + (math.pi / 2.0 - 1.0) * wide) * widths
+    return np.asarray(RIBBED * material.density * wall * area)
+
+
 def _weight(context: Context, gear: Gear) -> float:
     rating, teeth = context.ratings[gear.stage], context.teeth[gear.name]
     rules, shift = rating.rules, rating.shift_of(gear).profile_shift if rating.kind == "cylindrical" else 0.0
@@ -126,6 +143,11 @@ def _weight(context: Context, gear: Gear) -> float:
         square *= made_share(gear.role, teeth, rules) if context.design.level == PRELIMINARY else 1.0
     deep = len(planes(stage.compound)[gear.own]) if isinstance(stage, Epicyclic) else 1
     return gear.bodies * deep * rating.material.density * math.pi / 4.0 * square
+
+
+RIBBED = 3.0
+"""Mass of ribs, flanges, bosses, bearings and oil with the shell, over that of the shell alone [-]: about what complete
+gearboxes have; for the ranking of sizes alone."""
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -320,21 +342,33 @@ def _unit_of(context: Context, part: Part, size: StageSize) -> float:
 def _best(
     context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
 ) -> Iterator[Option]:
-    """Yield the options that pass, the lightest first; where none does, the nearest of those that pass most of it."""
+    """Yield the options that pass, the lightest first, then the smallest module; where none does, the nearest to it."""
     for left_out in LENIENT:
-        found = list[Option]()
+        found, smallest = list[Option](), None
         for option in _options(context, parts, units, demands, left_out=left_out):
             if left_out and found and option.mass > NEAR * found[0].mass:
                 break
             found.append(option)
-            if not left_out:
+            if not left_out and option != smallest:
                 yield option
+            if not left_out and len(found) == 1 and len(units) > 1:
+                smallest = _smallest(context, parts, units, demands)
+                if smallest is not None and smallest != option:
+                    yield smallest
         if found:
             if left_out:
                 best = max(option.nearness for option in found)
                 yield next(option for option in found if option.nearness >= best - AS_NEAR)
             return
     yield _strongest(context, parts, units, demands)
+
+
+def _smallest(
+    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
+) -> Option | None:
+    """Return the lightest with the smallest unit that passes, whose gears have the least diameter; None where none."""
+    alone = (next(_options(context, parts, (unit,), demands, left_out=()), None) for unit in sorted(units))
+    return next((option for option in alone if option is not None), None)
 
 
 def _options(
