@@ -8,7 +8,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from gearwright.base import BEYOND_SIZING, Check, DesignError, Kind, PartId, accepted, refuse, unknown_waivers, verb
+from gearwright.base import (
+    BEYOND_SIZING,
+    Check,
+    DesignError,
+    Kind,
+    PartId,
+    accepted,
+    largest,
+    refuse,
+    unknown_waivers,
+    verb,
+)
 from gearwright.machines import (
     LENGTH_RATIO,
     motor_diameter,
@@ -73,9 +84,9 @@ def machine_checks(context: Context) -> Iterator[Check]:
     """
     for name, machine in context.design.machines.items():
         if isinstance(machine, Rotor):
-            case, speed = max(
+            case, speed = largest(
                 ((case, abs(flow.speeds[machine.shaft])) for case, flow in context.flows.items()),
-                key=lambda turning: turning[1],
+                lambda turning: turning[1],
             )
             yield Check(
                 PartId(Kind.MACHINE, name), "tip speed", "UH-1H: 248 m/s, Mach 0.73", speed * machine.diameter / 2.0,
