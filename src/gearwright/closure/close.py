@@ -126,8 +126,6 @@ BORE_PER_LOAD = 0.5
 """Power of what a bearing must bear more with which its bore grows [-]: C goes with about the square of the bore."""
 TOOTH_SPACE = 2.5
 """Pitch diameter less that of the roots, over the module [-] (ISO 53), without profile shift."""
-RESTLESS = "convergence of the closure in flight"
-"""Mode of the check that fails where flights ask for more after the last round."""
 LONGER = 1.02
 """Factor on the life that a flight asks of a bearing, for the same reason [-]."""
 
@@ -165,10 +163,11 @@ class Wanted(NamedTuple):
         return "; ".join(words + ([] if self.oil is None else [f"oil of {self.oil:g} °C"]))
 
 
-def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tuple[Settled, list[Check]]:
+def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tuple[Settled, tuple[Check, ...]]:
     """Return a design whose gears and bearings live through their flights, rated with the oil as warm as it gets.
 
-    At most eight flights; if what the closure may change does not live then, a check of the convergence fails.
+    At most eight flights; if what the closure may change does not live then, a check of the convergence comes with it,
+    which fails.
 
     Args:
         state: From the loop.
@@ -184,14 +183,14 @@ def lived(state: Settled, asked: OnMission, tell: Callable[[str], None]) -> tupl
         checks = wanted(flight_checks(flight, durability(flight)), state.task.wishes.left_out)
         more = _wanted(state, flight, [check for check in checks if check.status is Status.FAILS])
         if not more.words:
-            return state, checks
+            return state, ()
         if number == MOST_ROUNDS:
             break
         state = _again(state, more, tell)
     short = [*more.gears, *more.planets, *more.seats, *more.shafts]
     clause = f"{MOST_ROUNDS} flights: {', '.join(short)} live through them"
     least = min([1.0 / factor for factor in more.gears.values()], default=1.0 / ABOVE_FLIGHT)
-    return state, [*checks, Check(GEARBOX, RESTLESS, clause, least, 1.0, exponent=None)]
+    return state, (Check(GEARBOX, "convergence of the closure in flight", clause, least, 1.0, exponent=None),)
 
 
 def _again(state: Settled, more: Wanted, tell: Callable[[str], None]) -> Settled:
@@ -383,12 +382,11 @@ def _close(asked: _Asked, start: Design | None, course: Course) -> Closed:
     state, written, checks = _simulated(state, asked)
     if asked.on_mission is not None:
         before = state.proportioned
-        state, lived_checks = lived(state, asked.on_mission, say)
+        state, restless = lived(state, asked.on_mission, say)
         state = named(state)
         if state.proportioned is not before:
             state, written, checks = _simulated(state, asked)
         flight = fly(written.sizing, asked.on_mission.mission, folder=asked.on_mission.folder)
-        restless = [check for check in lived_checks if check.mode == RESTLESS]
         checks = [*checks, *wanted(flight_checks(flight, durability(flight)), asked.wishes.left_out), *restless]
     return _closed(asked, state, written, checks)
 

@@ -137,7 +137,6 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 
 
 @verb
-@np.errstate(all="ignore")  # what overflows or is no number does not pass the gate
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
@@ -150,15 +149,9 @@ def size(design: Design) -> Sizing:
     Raises:
         DesignError: If speeds, teeth or torques cannot be had; with the path and what would do.
     """
-    given = given_values(design)
-    refuse(given.problems)
-    train = build_train(design)
-    if design.level == PRELIMINARY and design.teeth.sized == 1:
-        return _of_nearest_gears(design, train, given.values)
-    return _lightest(design, train, given.values)
+    return _sized(design)
 
 
-@np.errstate(all="ignore")
 def size_unturned(design: Design) -> Sizing:
     """Return a sizing whose open axes stand where they stand first: masses to compare, no room to rely on.
 
@@ -168,10 +161,16 @@ def size_unturned(design: Design) -> Sizing:
     Raises:
         DesignError: As `size`.
     """
+    return _sized(design, still=True)
+
+
+@np.errstate(all="ignore")  # what overflows or is no number does not pass the gate
+def _sized(design: Design, *, still: bool = False) -> Sizing:
+    """Return the transmission of the teeth that are taken at the level of a design."""
     given = given_values(design)
     refuse(given.problems)
     of = _of_nearest_gears if design.level == PRELIMINARY and design.teeth.sized == 1 else _lightest
-    return of(design, build_train(design), given.values, still=True)
+    return of(design, build_train(design), given.values, still=still)
 
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
