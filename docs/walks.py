@@ -70,7 +70,7 @@ WALKS = (
         "A stage's module to its S_H, of the same design",
         _contact_safety,
         frozenset({
-            "modules", "module_for", "rate_mesh", "load_distribution", "pitting_rating", "stage_sizes", "rate_row",
+            "modules", "module_for", "rate_mesh", "load_distribution", "pitting_rating", "combinations", "rate_row",
             "Iso6336.rate", "factor_tables",
         }),
     ),

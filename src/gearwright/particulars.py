@@ -113,7 +113,7 @@ def particulars(sizing: Sizing) -> Particulars:
 
     >>> import gearwright as gw
     >>> round(particulars(gw.size(gw.read("star"))).complete.total, 1)
-    125.9
+    87.2
     """
     design, flows, complete = sizing.design, sizing.flows, complete_mass(sizing)
     return Particulars(

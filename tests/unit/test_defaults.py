@@ -34,12 +34,12 @@ FACTORS_OF_ONE = """
     PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
     PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure TransverseTooth.side
     TeethSearch.sized Proportions.share Run.piece MeshDeviations.relief_term MeshQuality.blank mesh_springs.blank
-    MovingBody.meshes Rating.load_factor ScuffingMesh.mates Task.fastest Task.steady
+    MovingBody.meshes Rating.load_factor ScuffingMesh.mates Task.fastest Task.steady Part.ratio
 """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
-    Chosen.gear_mass Trying.at Trying.looked
+    Chosen.gear_mass Geared.ranked _Looked.sized
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
     CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
@@ -72,7 +72,7 @@ NOTHINGS = """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
 NO = """
-    Groove.is_thread
+    Groove.is_thread Part.static Iso6336._of_sizes.once
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
     ShaftSection.hard_surface rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
@@ -89,7 +89,7 @@ PAIRS_OF_NO = "AgmaBevelDuty.is_reversed Ask.idlers Ask.held"
 PAIRS_OF_NOTHING = """
     BevelTooth.thickness_shifts HobbedPair.profile_shifts ScuffingMesh.reliefs ToothContact.path
     theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
-    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked scuffing_ratio.asked
+    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash rate_row.asked
 """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 QUICK = {
-    "edit": "questions",
-    "flow": "questions",
-    "form": "questions",
-    "influences": "questions",
-    "meaning": "questions",
-    "model": "questions",
-    "schematic": "questions",
-    "size": "questions",
+    "edit": "verbs",
+    "flow": "verbs",
+    "form": "verbs",
+    "influences": "verbs",
+    "meaning": "verbs",
+    "model": "verbs",
+    "schematic": "verbs",
+    "size": "verbs",
 }
 """What answers at once."""
 BESIDE = {"form": "form", "meaning": "form", "influences": "influences"}
@@ -40,14 +40,14 @@ LIMITS = {"form": 60.0, "influences": 900.0}
 LONG = {
     "campbell": "motions",
     "close": "trials",
-    "export": "questions",
+    "export": "verbs",
     "fly": "motions",
     "mission": "motions",
     "modes": "motions",
     "moved": "trials",
-    "report": "questions",
+    "report": "verbs",
     "resume": "trials",
-    "review": "questions",
+    "review": "verbs",
     "rows": "trials",
     "runup": "motions",
     "simulate": "motions",

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.base import Bools, Problem, refuse
+from gearwright.base import Bools, Floats, Problem, refuse
 from gearwright.parts.gears import GearPair, half_angle_at, involute
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -858,3 +858,51 @@ def plate_shear_stress(torque: float, hub_diameter: float, thickness: float) -> 
         2023, §2.4 leaves out.
     """
     return 2.0 * torque / (math.pi * hub_diameter**2 * thickness)
+
+
+_HUB = 2.16
+"""Diameter of a shaft as it is sized by its torque over ∛(T/σ) [-]."""
+
+
+class Plate(NamedTuple):
+    """Of what and how the plates of carriers are made."""
+
+    allowable: float
+    """Stress of pins and plate [Pa]."""
+    density: float
+    """[kg/m³]"""
+    ratio: float
+    """Thickness over the face width of the planets, at least [-]."""
+    fill: float
+    """Share of the plate that is not cut out [-]."""
+    turns: bool
+    """Whether a shaft stands in the plate, 2.16 ∛(T/σ) thick as it is sized."""
+
+
+def first_carrier_mass(
+    loads: Sequence[tuple[float, float]], radius: Floats, face_width: Floats, *, planet: Floats, planets: int,
+    plate: Plate,
+) -> Floats:  # fmt: skip
+    """Return about what the carriers of arrays of simple sets weigh, to rank them: pins and one plate [kg].
+
+    The ring around the plate and the bearings on the pins are left out.
+
+    Args:
+        loads: Torque [N m], K_γ included, and speed [rad/s] of the carrier in every case.
+        radius: Of the circle of pins [m].
+        face_width: Of the planets [m].
+        planet: Mass of one planet [kg].
+        planets: Their number [-].
+        plate: Of the carrier.
+
+    Source: as `pin_diameter`, `hole_pressure`, `plate_shear_stress`, `eye_wall` and `plate_mass`.
+    """
+    allowable = plate.allowable
+    forces = [np.hypot(torque / (planets * radius), planet * radius * speed**2) for torque, speed in loads]
+    force = np.maximum.reduce(forces)
+    pin = np.cbrt(16.0 * force * face_width / (math.pi * allowable))
+    hub = 4.0 / (math.pi * _HUB**2) * math.cbrt(max(torque for torque, _ in loads) / allowable) if plate.turns else 0.0
+    thickness = np.maximum(np.maximum(plate.ratio * face_width, hub), force / (pin * allowable))
+    wall = np.maximum(force / (thickness * allowable), LEAST_EYE * pin)
+    disc = math.pi * (radius + pin / 2.0 + wall) ** 2 * thickness * plate.fill
+    return np.asarray(plate.density * (planets * math.pi / 4.0 * pin**2 * face_width + disc))

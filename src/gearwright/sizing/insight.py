@@ -21,9 +21,9 @@ from gearwright.sizing.rating import (
     Unloaded,
     context_of,
     factor_rows,
+    least_width,
     load_sharing,
     method_for,
-    overlap_width,
     rate_row,
     rating_of,
 )
@@ -672,7 +672,7 @@ class Trial:
             stage: Of cylindrical gears.
             module: m_n [m].
         """
-        return overlap_width(self.rating(stage), module)
+        return least_width(self.rating(stage), module)
 
     def checks(self, stage: str, module: float, width: float) -> Iterator[Check]:
         """Yield what the method of a stage says of its meshes at a size, those of strength and of the oil film.

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import heapq
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from itertools import count
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,7 +37,7 @@ from gearwright.sizing.answers import locking_checks
 from gearwright.sizing.bearing_seats import named_room
 from gearwright.sizing.bearings import planet_lives
 from gearwright.sizing.losses import dipping
-from gearwright.sizing.mass import as_made, refuse_dishes
+from gearwright.sizing.mass import as_made, complete_mass, refuse_dishes
 from gearwright.sizing.places import (
     beside_checks,
     coaxial_checks,
@@ -50,10 +53,12 @@ from gearwright.sizing.rating import MESHES, Context, Known
 from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.bending import face_load_checks
-from gearwright.sizing.stages import Geared, geared
-from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, Trying, choose_teeth, stage_teeth
-from gearwright.spec import Airscrew, Design, ElectricMachine, Machine, Turbine
-from gearwright.spec.design import Given, Rotor, given_values
+from gearwright.sizing.size_grids import StageSize
+from gearwright.sizing.stages import Geared, geared, gearings
+from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
+from gearwright.sizing.teeth.candidates import is_given, planet_counts
+from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
+from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
 from gearwright.train import Train, build_train
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -136,12 +141,21 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
+"""Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
+at most, where none passes so far [-]."""
+BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
+"""Modes of checks of the bearings of planets, to which a wider face helps."""
+SIZED = 12
+"""Choices of teeth that are sized at most [-]."""
+
+
 @verb
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
-    Of several choices of teeth that are sized in full the lightest is taken that passes its checks, if any does; at a
-    preliminary level that with the lightest gears that pass theirs, or come nearest to it.
+    Of several choices of teeth, modules and widths that are completed the lightest is taken that passes its checks, or
+    where none does, of which the fewest fail.
 
     Args:
         design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
@@ -169,71 +183,192 @@ def _sized(design: Design, *, still: bool = False) -> Sizing:
     """Return the transmission of the teeth that are taken at the level of a design."""
     given = given_values(design)
     refuse(given.problems)
-    of = _of_nearest_gears if design.level == PRELIMINARY and design.teeth.sized == 1 else _lightest
-    return of(design, build_train(design), given.values, still=still)
+    return _lightest(design, build_train(design), given.values, still=still)
+
+
+def is_settled(design: Design) -> bool:
+    """Tell whether a design gives all teeth, and the modules of all gears that a standard rates.
+
+    Args:
+        design: As read.
+    """
+    given = given_values(design).values
+    if not all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
+        return False
+    for name, owner in {**{name: name for name in design.epicyclics}, **module_owners(design)}.items():
+        stage = design.stages[name]
+        keys = stage.toothed if isinstance(stage, Epicyclic) else ()
+        paths = [f"{owner}.module", f"{owner}.outer_module", *(f"{name}.{gear}.module" for gear in keys)]
+        if RATINGS[design.rating(name)].table and not any(path in given for path in paths):
+            return False
+    return True
+
+
+@dataclass
+class _Looked:
+    """What came of the gears that were looked at."""
+
+    sized: int = 0
+    """Choices of teeth whose gears came out [-]."""
+    short: list[Geared] = field(default_factory=list)
+    """Gears of those that fall short of what is asked of them."""
+    refused: list[DesignError] = field(default_factory=list)
+    whole: list[Sizing] = field(default_factory=list)
+    """Transmissions that are completed."""
+
+    def complete(self, gears: Geared, given: Mapping[str, Given], *, still: bool) -> None:
+        """Add the transmission of some gears, or why there is none."""
+        try:
+            self.whole.append(completed(gears, given, still=still))
+        except DesignError as error:
+            self.refused.append(error)
+
+    def is_too_narrow(self, gears: Geared) -> bool:
+        """Tell whether planets of a set are no larger and no wider than some that have no bearing which lasts.
+
+        Args:
+            gears: Of a transmission that is not completed yet.
+        """
+        return any(
+            check.fails and check.mode in BEARINGS and check.part.name in gears.sizes
+            and _is_within(gears.sizes[check.part.name], sizing, check.part.name)
+            for sizing in self.whole for check in sizing.checks
+        )  # fmt: skip
+
+    @property
+    def passing(self) -> list[Sizing]:
+        """Those that pass all their checks."""
+        return [sizing for sizing in self.whole if not _failing(sizing)]
+
+    def is_enough(self, completed: int) -> bool:
+        """Tell whether no more choices of teeth are sized: one more passes than is completed, or many fall short.
+
+        Args:
+            completed: Transmissions that are completed [-].
+        """
+        return self.sized - len(self.short) > completed or self.sized >= SIZED
+
+    @property
+    def nearest(self) -> Geared | None:
+        """Of the gears that fall short those that come nearest to what is asked, of equals the lightest; None: none."""
+        best: Geared | None = None
+        for gears in self.short:
+            ahead = 0.0 if best is None else gears.nearness - best.nearness
+            if best is None or ahead > EQUAL or (ahead >= -EQUAL and gears.estimate < best.estimate * (1.0 - EQUAL)):
+                best = gears
+        return best
+
+    def best(self) -> Sizing:
+        """Return the lightest that passes, or of which the fewest checks fail; of equals the first."""
+        if not self.whole:
+            raise self.refused[0]
+        fewest = min(map(_failing, self.whole))
+        among = [sizing for sizing in self.whole if _failing(sizing) == fewest]
+        if len(among) == 1:
+            return among[0]
+        masses = [complete_mass(sizing).total for sizing in among]
+        return next(sizing for sizing, mass in zip(among, masses, strict=True) if mass <= min(masses) * (1.0 + EQUAL))
+
+
+def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
+    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission."""
+    gear = next(gear for gear in sizing.gears if gear.stage == stage)
+    return size.module <= gear.module and size.face_width <= gear.face_width
+
+
+def _failing(sizing: Sizing) -> int:
+    """Return how many checks fail [-]."""
+    return sum(check.fails for check in sizing.checks)
 
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return of all choices of teeth that are sized in full the lightest that passes, or the lightest of all."""
-    best = dict[bool, Sizing]()
-    masses: Mapping[bool, list[float]] = {True: [], False: []}
-    refused, known = list[DesignError](), MESHES.now()
+    """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
+    looked, known = _Looked(), MESHES.now()
+    if design.compares_sizes:
+        _compare(design, train, given, looked, still=still)
+        return _told(looked, failing=len(looked.short))
     for choice in choose_teeth(design, train):
         try:
-            sizing = completed(geared(design, train, choice, given=given, known=known), given, still=still)
+            gears = geared(design, train, choice, given=given, known=known)
         except DesignError as error:
-            refused.append(error)
+            looked.refused.append(error)
             continue
-        passes = _passes(sizing)
-        masses[passes].append(sizing.mass)
-        if passes not in best or sizing.mass < best[passes].mass * (1.0 - EQUAL):
-            best[passes] = sizing
-    if not best:
-        raise refused[0]
-    taken, alike = best.get(True) or best[False], masses[True] or masses[False]
-    sized = len(masses[True]) + len(masses[False])
-    if taken.search is None or sized + len(refused) == 1:
-        return taken
+        looked.complete(gears, given, still=still)
+    looked.sized = len(looked.whole)
+    masses = sorted(sizing.mass for sizing in looked.passing or looked.whole)
+    failing = len(looked.whole) - len(looked.passing)
+    return _told(looked, failing=failing, following=masses[1] if len(masses) > 1 else math.inf)
+
+
+def _told(looked: _Looked, *, failing: int, following: float = math.inf) -> Sizing:
+    """Return the best with what was looked at."""
+    best = looked.best()
+    if best.search is None or looked.sized + len(looked.refused) == 1:
+        return best
     search = replace(
-        taken.search,
-        sized=sized,
-        failing=len(masses[False]),
-        refused=len(refused),
-        next_sized_mass=sorted(alike)[1] if len(alike) > 1 else math.inf,
+        best.search,
+        sized=looked.sized,
+        failing=failing,
+        refused=len(looked.refused),
+        next_sized_mass=following,
     )
-    return replace(taken, search=search)
+    return replace(best, search=search)
 
 
-def _passes(sizing: Sizing) -> bool:
-    """Tell whether nothing fails."""
-    return not any(check.fails for check in sizing.checks)
+class _Course(NamedTuple):
+    """A choice of teeth, or gears with them and, after them, those of other sizes."""
+
+    place: int
+    """Of the choice of teeth [-]."""
+    gears: Geared | None = None
+    """None where they are not sized yet."""
+    others: Iterator[Geared] = iter(())
 
 
-def _of_nearest_gears(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return the transmission of the teeth whose gears come nearest to meeting everything, the lightest of equals."""
-    choices = choose_teeth(considering(design), train)
-    trying = Trying(lambda place: stage_teeth(train, choices[place]), [choice.gear_mass for choice in choices])
-    known, refused, found = MESHES.now(), list[DesignError](), dict[int, Geared]()
-    while (place := trying.next()) is not None:
-        try:
-            gears = geared(design, train, choices[place], given=given, known=known)
-        except DesignError as error:
-            refused.append(error)
+def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
+    """Size choices of teeth and complete gears with them, always what weighs least by the estimate, until it is enough.
+
+    None with teeth of a stage that fell short before.
+    """
+    choices, known, poor = choose_teeth(considering(design), train), MESHES.now(), set[StageTeeth]()
+    queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
+    order, waiting = count(len(queue)), list[_Course]()
+    enough, most = COMPLETED[design.level]
+    heapq.heapify(queue)
+    while queue or waiting:
+        spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
+        tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
+        if tried >= (max(enough, design.teeth.sized) if passes else most):
+            break
+        while waiting:
+            course = waiting.pop()
+            if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
+                first = len(looked.whole) == 1  # of which the gears of the least diameters come next
+                heapq.heappush(queue, (0.0 if first else gears.estimate, next(order), course._replace(gears=gears)))
+        if not queue:
+            break
+        _, _, course = heapq.heappop(queue)
+        if course.gears is not None:
+            if not looked.is_too_narrow(course.gears):
+                looked.complete(course.gears, given, still=still)
+            waiting.append(course)
+        elif looked.is_enough(max(enough, design.teeth.sized)):
             continue
-        found[place] = gears
-        trying.note(place, gears.nearness, gears.heaviness, mass=gears.mass)
-    for tried in trying.ranked():
-        try:
-            sizing = completed(found[tried.place], given, still=still)
-        except DesignError as error:
-            refused.append(error)
-            continue
-        if sizing.search is None:
-            return sizing
-        failing = sum(one.nearness < 1.0 for one in trying.tried)
-        search = replace(sizing.search, sized=len(found), failing=failing, refused=len(refused))
-        return replace(sizing, search=search)
-    raise refused[0]
+        elif not (teeth := stage_teeth(train, choices[course.place])) & poor:
+            try:
+                others = gearings(design, train, choices[course.place], given=given, known=known)
+                gears = next(others)
+            except DesignError as error:
+                looked.refused.append(error)
+                continue
+            looked.sized += 1
+            if gears.passes:
+                heapq.heappush(queue, (gears.estimate, next(order), _Course(course.place, gears, others)))
+            else:
+                looked.short.append(gears)
+                poor |= {own for own in teeth if own[0] in gears.failing}
+    if not looked.whole and (nearest := looked.nearest) is not None:
+        looked.complete(nearest, given, still=still)
 
 
 def considering(design: Design) -> Design:
@@ -242,7 +377,8 @@ def considering(design: Design) -> Design:
     Args:
         design: As read.
     """
-    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": CONSIDERED})})
+    sized = max(design.teeth.sized, CONSIDERED)
+    return design.model_copy(update={"teeth": design.teeth.model_copy(update={"sized": sized})})
 
 
 def sized_with(

@@ -2,40 +2,19 @@
 
 from __future__ import annotations
 
+import heapq
 import math
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from gearwright.base import DesignError, Problem, Role, refuse
 from gearwright.catalogue import LEAST_SHARING
-from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.iso6336 import mesh_springs
 from gearwright.parts.planetary import clocking_load_factor, path_stiffness, tolerance_load_factor
-from gearwright.sizing.rating import (
-    CORRECTIONS,
-    JUST,
-    Context,
-    Demand,
-    Gap,
-    bevel_module,
-    bevel_pair,
-    bevel_width,
-    cone_ratio,
-    cylindrical_mesh,
-    load_sharing,
-    mean_module,
-    narrowest,
-    next_standard,
-    overlap_width,
-    row_reserve,
-    scuffing_ratio,
-    strong_enough,
-    under_spectrum,
-    whole,
-)
+from gearwright.sizing.rating import Context, Demand, bevel_pair, cylindrical_mesh, load_sharing
 from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.sizing.result import GearSizing, MeshSizing
+from gearwright.sizing.size_grids import Option, Part, StageSize, options
 from gearwright.spec import Epicyclic, Pair, Planetary
 from gearwright.spec.design import module_owners, relative_modules, split_levels
 from gearwright.train import INTERNAL, Mesh
@@ -78,31 +57,30 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Module and face width of every stage: what its meshes ask, rounded as its rules say, or as the user gives them.
+# Module and face width of every stage: the lightest that pass, or as the user gives them.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class StageSize(NamedTuple):
-    """Size of one stage."""
+class _Open(NamedTuple):
+    """Parts that are sized together by a standard."""
 
-    module: float
-    """m_n, of bevel gears m_mn [m]."""
-    face_width: float
-    """b, as far as it can carry [m]."""
-    asked_width: float
-    """b as the user gives it, which may be more than a bevel gear can have [m]."""
+    parts: tuple[Part, ...]
+    unit: float
+    """Given, or what the heaviest case asks for at the widest face [m]."""
+    is_open: bool
 
-    def planes(self, count: int) -> StageSize:
-        """Return the size of a gear that lies in several planes of one face width each.
+    def kind(self, context: Context, demands: Mapping[str, Demand]) -> object:
+        """Return what is the same of parts that do the same, such as the stages of equal engines."""
+        rows = [
+            (context.ratings[part.stage], part.ratio, part.width,
+             [(context.asks[mesh.name], demands[mesh.name]) for mesh in part.meshes])
+            for part in self.parts
+        ]  # fmt: skip
+        return repr((self.unit, self.is_open, rows))
 
-        Args:
-            count: Planes [-].
-        """
-        return self._replace(face_width=count * self.face_width)
 
-
-def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
-    """Return module and face width of every stage: the largest that a mesh of its group asks for.
+def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
+    """Return module and face width of every stage and group of a compound set: the lightest that pass.
 
     Args:
         context: What gear sizing reads.
@@ -111,6 +89,79 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
     Raises:
         DesignError: If nothing loads a stage, or its standard does not cover it.
     """
+    closed, open_ = _divided(context, demands)
+    found = _lightest(context, tuple(open_), demands) if open_ else ()
+    for one, sizes in zip(open_, found, strict=True):
+        closed |= {part.name: size for part, size in zip(one.parts, sizes, strict=True)}
+    return closed
+
+
+def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tuple[dict[str, StageSize], float]]:
+    """Yield the same in combinations of sizes that pass, the lightest first, and what they weigh by an estimate [kg].
+
+    What follows in closed form is not in the estimate.
+
+    Args:
+        context: What gear sizing reads.
+        demands: Mesh row -> what it asks for.
+    """
+    closed, open_ = _divided(context, demands)
+    alike = dict[object, list[_Open]]()
+    for one in open_:
+        alike.setdefault(one.kind(context, demands), []).append(one)
+    courses = [_Course(options(context, *ones[0][:2], demands, is_open=ones[0].is_open), []) for ones in alike.values()]
+    start, smallest = (0,) * len(courses), (1,) * len(courses)
+    heap, seen = [(0.0, start)], {start}
+    if all(course.at(1) is not None for course in courses):
+        heap.append((0.0, smallest))  # the gears of the least diameters come second, whatever they weigh alone
+        seen.add(smallest)
+    while heap:
+        _, places = heapq.heappop(heap)
+        taken = [course.at(place) for course, place in zip(courses, places, strict=True)]
+        sizes, mass = dict(closed), 0.0
+        for ones, option in zip(alike.values(), taken, strict=True):
+            assert option is not None
+            mass += len(ones) * option.mass
+            for one in ones:
+                sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
+        yield sizes, mass
+        for k, course in enumerate(courses):
+            after = (*places[:k], places[k] + 1, *places[k + 1 :])
+            if after not in seen and course.at(after[k]) is not None:
+                seen.add(after)
+                found = zip(alike.values(), courses, after, strict=True)
+                heavier = sum(len(ones) * own.mass_at(place) for ones, own, place in found)
+                heapq.heappush(heap, (heavier, after))
+
+
+class _Course(NamedTuple):
+    """Options as far as they are looked at."""
+
+    left: Iterator[Option]
+    found: list[Option]
+
+    def at(self, place: int) -> Option | None:
+        """Return an option; None where there are not so many."""
+        while len(self.found) <= place:
+            if (option := next(self.left, None)) is None:
+                return None
+            self.found.append(option)
+        return self.found[place]
+
+    def mass_at(self, place: int) -> float:
+        """Return what an option weighs that there is [kg]."""
+        return self.found[place].mass
+
+
+def _lightest(
+    context: Context, open_: tuple[_Open, ...], demands: Mapping[str, Demand]
+) -> tuple[tuple[StageSize, ...], ...]:
+    """Return the lightest size of all that is open."""
+    return tuple(next(options(context, *one[:2], demands, is_open=one.is_open)).sizes for one in open_)
+
+
+def _divided(context: Context, demands: Mapping[str, Demand]) -> tuple[dict[str, StageSize], list[_Open]]:
+    """Return the sizes that follow in closed form, and what a standard sizes, with all that is tied to it."""
     group = module_owners(context.design)
     needed: dict[str, float] = {}
     for mesh in context.train.meshes:
@@ -120,21 +171,64 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
         needed[owner] = max(needed.get(owner, 0.0), *demands[mesh.name][2:])
     _align(context, needed, group)
     refuse_idle_stages(context, needed)
-    for tied in _tied(context, group):
-        _bear_together(context, needed, tied)
-    sizes = {owner: _size(context, owner, value, demands) for owner, value in needed.items()}
-    return {stage: _like(context, stage, owner, sizes[owner]) for stage, owner in group.items()}
+    tied = _tied(context, group)
+    closed, open_ = dict[str, StageSize](), list[_Open]()
+    for owners in (*({owner} for owner in needed if not any(owner in owners for owners in tied)), *tied):
+        modules = {owner: _module_given(context, owner) for owner in owners}
+        plain = [owner for owner in owners if context.ratings[owner].proportions is None]
+        apart = len(owners) > 1 and (plain or any(module is not None for module in modules.values()))
+        for some in [{owner} for owner in sorted(owners)] if apart else [owners]:
+            first = min(some)
+            given = needed[first] if apart and modules[first] is None else modules[first]
+            if first in plain:
+                closed |= _closed_form(context, first, needed[first] if given is None else given)
+                continue
+            ratios = {owner: 1.0 if owner == first else needed[owner] / needed[first] for owner in sorted(some)}
+            parts = [part for owner, ratio in ratios.items() for part in _parts(context, owner, ratio)]
+            unit = _unit(context, first, needed[first]) if given is None else given
+            open_.append(_Open(tuple(parts), unit, given is None))
+    for name in context.design.epicyclics:
+        own = _set(context, name, demands)
+        if isinstance(own, _Open):
+            open_.append(own)
+        else:
+            closed |= own
+    return closed, open_
 
 
-def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSize:
-    """Return the size of a stage that has its owner's module, and its own face width."""
-    if stage == owner:
-        return size
-    width = context.width_ratios[stage] * size.module
-    if context.ratings[stage].width_is_open:  # a gear of both is as wide as its owner's
-        width = min(width, size.face_width)
-    width = context.given.get(f"{stage}.face_width", width)
-    return StageSize(size.module, width, width)
+def _unit(context: Context, owner: str, needed: float) -> float:
+    """Return the module that a stage asks for, of bevel gears the outer one [m]."""
+    rating = context.ratings[owner]
+    if rating.kind != "bevel":
+        return needed
+    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == owner)
+    teeth = context.teeth[mesh.gears[0]], context.teeth[mesh.gears[1]]
+    return float(bevel_pair(teeth, needed, context.width_ratios[owner] * needed, rating).outer_module)
+
+
+def _module_given(context: Context, owner: str) -> float | None:
+    """Return the module that a stage is given, of bevel gears the outer one [m]; None where it is open."""
+    return context.given.get(f"{owner}.module", context.given.get(f"{owner}.outer_module"))
+
+
+def _closed_form(context: Context, owner: str, module: float) -> dict[str, StageSize]:
+    """Return the sizes of stages of one module whose method has a closed form: faces of λ modules."""
+    sizes = dict[str, StageSize]()
+    for stage, own in module_owners(context.design).items():
+        if own == owner:
+            width = context.given.get(f"{stage}.face_width", context.width_ratios[stage] * module)
+            sizes[stage] = StageSize(module, width, width)
+    return sizes
+
+
+def _parts(context: Context, owner: str, ratio: float) -> list[Part]:
+    """Return a stage and those that have its module, whose gears mesh with its own and are no wider."""
+    stages = [stage for stage, own in module_owners(context.design).items() if own == owner != stage]
+    rows = {stage: tuple(mesh for mesh in context.train.meshes if mesh.stage == stage) for stage in (*stages, owner)}
+    return [
+        Part(stage, stage, meshes, ratio, context.given.get(f"{stage}.face_width"), "" if stage == owner else owner)
+        for stage, meshes in rows.items()
+    ]
 
 
 def _align(context: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
@@ -166,169 +260,13 @@ def _tied(context: Context, group: Mapping[str, str]) -> list[set[str]]:
     return found
 
 
-def _bear_together(context: Context, needed: dict[str, float], tied: set[str]) -> None:
-    """Scale the modules of stages on common axes until all bear their loads with whole millimetres of width."""
-    if any(context.ratings[stage].proportions is None or f"{stage}.module" in context.given for stage in tied):
-        return
-    for number in range(2 * CORRECTIONS):
-        sizes = ((stage, needed[stage], _widest(context, stage, needed[stage])) for stage in sorted(tied))
-        least = min(_of_group(context, stage, _gap)(module, width) for stage, module, width in sizes)
-        # Down at first, too; then up alone, as a width that loses a millimetre may lose what is asked.
-        factor = 1.0 / math.cbrt(least) if number < CORRECTIONS else max(1.0, math.sqrt(1.0 / least))
-        for stage in tied:
-            needed[stage] = needed[stage] * factor
-
-
-def _widest(context: Context, stage: str, module: float) -> float:
-    """Return the face width of a stage at its most [m]."""
-    return context.given.get(f"{stage}.face_width", _most(context, stage, module))
-
-
-def _most(context: Context, stage: str, module: float) -> float:
-    """Return the greatest face width of a stage of cylindrical gears, in whole millimetres where it is open [m]."""
-    widest = context.width_ratios[stage] * module
-    return whole(widest) if context.ratings[stage].width_is_open else widest
-
-
 def _span(context: Context, stage: str) -> float:
     """Return a pair's working centre distance over its normal module, (z_1 ± z_2) / (2 cos β) without shift [-]."""
     if (centre := context.ratings[stage].shifts.centre) is not None:
         return centre
-    pinion, wheel = _teeth(context, stage)
     mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
+    pinion, wheel = (context.teeth[gear] for gear in mesh.gears)
     return abs(pinion - mesh.sign * wheel) / (2.0 * math.cos(context.ratings[stage].helix_angle))
-
-
-def _teeth(context: Context, stage: str) -> tuple[int, int]:
-    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
-    return context.teeth[mesh.gears[0]], context.teeth[mesh.gears[1]]
-
-
-def _size(context: Context, stage: str, needed: float, demands: Mapping[str, Demand]) -> StageSize:
-    rating, given, ratio = context.ratings[stage], context.given, context.width_ratios[stage]
-    if rating.proportions is None:
-        module = given.get(f"{stage}.module", needed)
-        width = given.get(f"{stage}.face_width", ratio * module)
-        return StageSize(module, width, width)
-    if rating.kind != "bevel" and {f"{stage}.module", f"{stage}.face_width"} <= given.keys():
-        width = given[f"{stage}.face_width"]
-        return StageSize(given[f"{stage}.module"], width, width)
-    bevel, gap = rating.kind == "bevel", _of_group(context, stage, _gap)
-    made = partial(_outer_module if bevel else _made_module, context, stage)
-    on_axes = any(stage in tied for tied in _tied(context, module_owners(context.design)))
-    module = made(needed if on_axes else under_spectrum(needed, ratio, gap, made))
-    if bevel:
-        return _bevel_size(context, stage, module, ratio)
-    size = _cylinder(context, stage, _strong(context, stage, module, gap), ratio)
-    return _against_scuffing(context, stage, size, demands) if rating.width_is_open else size
-
-
-def _strong(context: Context, stage: str, module: float, gap: Gap) -> float:
-    """Return a module of a stage, or a larger one that meets what is asked; one that is given or tied stays [m]."""
-    rules, tied = context.ratings[stage].proportions, any(stage in links for links in _links(context))
-    if rules is None or tied or f"{stage}.module" in context.given:
-        return module
-    return strong_enough(
-        module, lambda tried: gap(tried, _most(context, stage, tried)), standard=rules.standard_modules
-    )
-
-
-def _gap(context: Context, stage: str, module: float, width: float) -> float:
-    """Return by what factor the loads of a stage could grow [-]; 1 where nothing loads it."""
-    rows = [mesh for mesh in context.train.meshes if mesh.stage == stage]
-    reserves = [row_reserve(context, mesh, module, width) for mesh in rows]
-    return min((reserve for reserve in reserves if reserve is not None), default=1.0)
-
-
-def _of_group(context: Context, stage: str, alone: Callable[[Context, str, float, float], float]) -> Gap:
-    """Return the gap of a stage and of those that have its module, whose gears mesh with its own."""
-    others = [name for name, owner in module_owners(context.design).items() if owner == stage != name]
-
-    def gap(module: float, width: float) -> float:
-        size = StageSize(module, width, width)
-        rest = (alone(context, name, module, _like(context, name, stage, size).face_width) for name in others)
-        return min(alone(context, stage, module, width), *rest)
-
-    return gap if others else partial(alone, context, stage)
-
-
-def _room(context: Context, stage: str, module: float, width: float) -> float:
-    """Return the same as far as it tells whether a stage bears its loads: the first row that does not is enough [-]."""
-    least = math.inf
-    for mesh in context.train.meshes:
-        if mesh.stage == stage and (reserve := row_reserve(context, mesh, module, width)) is not None:
-            least = min(least, reserve)
-            if least < 1.0:
-                break
-    return least
-
-
-def _against_scuffing(context: Context, stage: str, size: StageSize, demands: Mapping[str, Demand]) -> StageSize:
-    """Return a size that neither scuffs nor is too weak: wider, or of a larger module; as it is where none is near."""
-
-    def alone(_: Context, name: str, module: float, width: float) -> float:
-        rows = (mesh for mesh in context.train.meshes if mesh.stage == name)
-        return min(scuffing_ratio(context, mesh, module, width, demands[mesh.name][2:]) for mesh in rows)
-
-    if f"{stage}.face_width" in context.given or (cool := _of_group(context, stage, alone))(*size[:2]) >= 1.0:
-        return size
-    bears = _of_group(context, stage, _gap)
-    module = _strong(context, stage, size.module, lambda *tried: min(bears(*tried), cool(*tried)))
-    widest = _most(context, stage, module)
-    if min(bears(module, widest), cool(module, widest)) < 1.0 - JUST:
-        return size
-    own = _cylinder(context, stage, module, context.width_ratios[stage])
-    width = narrowest(own.face_width, widest, partial(cool, module))
-    return StageSize(module, width, width)
-
-
-def _made_module(context: Context, stage: str, needed: float) -> float:
-    """Return the module of a stage of cylindrical gears: given, or the standard one that is needed [m]."""
-    return context.given.get(f"{stage}.module", rounded(context, stage, needed))
-
-
-def _cylinder(context: Context, stage: str, module: float, ratio: float) -> StageSize:
-    """Return a module and the whole millimetres of face width that meet the safeties with it."""
-    rating, width = context.ratings[stage], ratio * module
-    if rating.width_is_open:
-        width = narrowest(overlap_width(rating, module), width, partial(_of_group(context, stage, _room), module))
-    width = context.given.get(f"{stage}.face_width", width)
-    return StageSize(module, width, width)
-
-
-def rounded(context: Context, stage: str, needed: float) -> float:
-    """Return the next standard module where the rules ask for one; pairs on common axes keep theirs [m].
-
-    Args:
-        context: What gear sizing reads.
-        stage: Whose rules they are.
-        needed: Module that its meshes ask for [m].
-    """
-    rules = context.ratings[stage].proportions
-    if any(stage in links for links in _links(context)) or rules is None or not rules.standard_modules:
-        return needed
-    return next_standard(needed)
-
-
-def _outer_module(context: Context, stage: str, needed: float) -> float:
-    """Return the outer module of a bevel stage: given, or the standard one that is needed [m]."""
-    outer = context.given.get(f"{stage}.outer_module")
-    if outer is not None:
-        return outer
-    rating, wide = context.ratings[stage], context.width_ratios[stage] * needed
-    return rounded(context, stage, bevel_pair(_teeth(context, stage), needed, wide, rating).outer_module)
-
-
-def _bevel_size(context: Context, stage: str, outer: float, ratio: float) -> StageSize:
-    """Return mean normal module and face width of a bevel stage of an outer module."""
-    rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
-    gap = partial(_gap, context, stage)
-    if f"{stage}.outer_module" not in given:
-        outer = bevel_module(teeth, outer, ratio, rating, gap)
-    width = bevel_width(teeth, outer, ratio, rating, gap)
-    asked = given.get(f"{stage}.face_width", width)
-    width = min(asked, min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * outer)
-    return StageSize(mean_module(teeth, outer, width, rating), width, asked)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -336,20 +274,8 @@ def _bevel_size(context: Context, stage: str, outer: float, ratio: float) -> Sta
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def compound_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
-    """Return module and face width of every group of gears of every compound set, by the label of the group.
-
-    Args:
-        context: What gear sizing reads.
-        demands: Mesh row -> what it asks for.
-
-    Raises:
-        DesignError: If nothing loads a set whose modules are not given.
-    """
-    return {key: size for name in context.design.epicyclics for key, size in _set(context, name, demands).items()}
-
-
-def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
+def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str, StageSize] | _Open:
+    """Return the sizes of the groups of a compound set, or what of them is open."""
     epicyclic = context.design.epicyclics[name]
     ratios = relative_modules(epicyclic)
     rows: dict[str, list[Mesh]] = {}
@@ -362,52 +288,31 @@ def _set(context: Context, name: str, demands: Mapping[str, Demand]) -> dict[str
         if f"{name}.{gear}.module" in context.given
     }
     unit = next((module / ratios[group] for group, module in given.items()), None)
-    if unit is None:
-        unit = _unit(context, name, rows, ratios, demands)
-    modules = {group: given.get(group, unit * ratio) for group, ratio in ratios.items()}
-    return {meshes[0].sized: _compound_size(context, meshes, modules[group]) for group, meshes in rows.items()}
-
-
-def _unit(
-    context: Context, name: str, rows: Mapping[str, list[Mesh]], ratios: Mapping[str, float],
-    demands: Mapping[str, Demand],
-) -> float:  # fmt: skip
-    """Return the module of the first group with which every mesh of the set is strong enough [m]."""
     needed = max(max(demands[mesh.name][2:]) / ratios[group] for group, meshes in rows.items() for mesh in meshes)
-    if needed <= 0.0:
-        path = next(iter(context.design.epicyclics[name].planets))
+    if unit is None and needed <= 0.0:
+        path = next(iter(epicyclic.planets))
         message = "no load case sends power through this set, so that strength asks for no module; write module_mm = 2"
         raise DesignError([Problem(f"{context.design.table(name)}.planets.{path}", message)])
-    rating, width_ratio = context.ratings[name], context.width_ratios[name]
-    if rating.proportions is None:
-        return needed
+    if context.ratings[name].proportions is None:
+        unit, ratio = needed if unit is None else unit, context.width_ratios[name]
+        modules = {group: given.get(group, unit * own) for group, own in ratios.items()}
+        widths = {group: _width_given(context, meshes) or ratio * modules[group] for group, meshes in rows.items()}
+        return {
+            meshes[0].sized: StageSize(modules[group], widths[group], widths[group]) for group, meshes in rows.items()
+        }
+    parts = [
+        Part(meshes[0].sized, name, tuple(meshes), given[group] / unit if unit and group in given else ratios[group],
+             _width_given(context, meshes))
+        for group, meshes in rows.items()
+    ]  # fmt: skip
+    return _Open(tuple(parts), needed if unit is None else unit, unit is None)
 
-    def gap(unit: float, width_of: Callable[[float], float] = lambda width: width) -> float:
-        modules = ((meshes, unit * ratios[group]) for group, meshes in rows.items())
-        return min(_compound_gap(context, meshes, module, width_of(width_ratio * module)) for meshes, module in modules)
 
-    for _ in range(CORRECTIONS):
-        needed /= math.cbrt(gap(needed))
-    bears = partial(gap, width_of=whole) if rating.width_is_open else gap
-    return strong_enough(rounded(context, name, needed), bears, standard=rating.proportions.standard_modules)
-
-
-def _compound_size(context: Context, meshes: list[Mesh], module: float) -> StageSize:
-    """Return a group's size: its module, and the width that is given, or the least that serves."""
-    stage = meshes[0].stage
-    rating, width = context.ratings[stage], context.width_ratios[stage] * module
-    if rating.width_is_open:
-        width = narrowest(module, width, partial(_compound_gap, context, meshes, module))
+def _width_given(context: Context, meshes: Sequence[Mesh]) -> float | None:
+    """Return the least face width that gears of some meshes are given [m]."""
     names = {gear for mesh in meshes for gear in mesh.gears}
     given = [context.given[f"{gear}.face_width"] for gear in names if f"{gear}.face_width" in context.given]
-    width = min(given, default=width)
-    return StageSize(module, width, width)
-
-
-def _compound_gap(context: Context, meshes: list[Mesh], module: float, width: float) -> float:
-    """Return by what factor the loads of some meshes could grow [-]; 1 where nothing loads them."""
-    reserves = [row_reserve(context, mesh, module, width) for mesh in meshes]
-    return min((reserve for reserve in reserves if reserve is not None), default=1.0)
+    return min(given, default=None)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

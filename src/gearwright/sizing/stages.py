@@ -8,9 +8,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from operator import attrgetter
 
-from gearwright.base import Check, Kind, PartId, Problem, Role, accepted, gear_part, not_assessed, refuse, text
+from gearwright.base import (
+    Check,
+    DesignError,
+    Kind,
+    PartId,
+    Problem,
+    Role,
+    accepted,
+    gear_part,
+    not_assessed,
+    refuse,
+    text,
+)
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, least_cutter_radius
 from gearwright.parts.gears import (
     ISO53_A,
@@ -48,12 +61,16 @@ from gearwright.sizing.rating import (
     context_of,
     demands_of,
     fewest_virtual_teeth,
+    load_sharing,
+    made_share,
     method_for,
     rate_row,
+    shared,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, StageSize, compound_sizes, sharing_of_sizes, stage_sizes
-from gearwright.sizing.teeth import Chosen, made_share, refuse_contradictions
+from gearwright.sizing.size_grids import StageSize
+from gearwright.sizing.stage_sizes import ROUNDS, STILL, all_sizes, combinations, sharing_of_sizes
+from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
 from gearwright.spec.design import NOTHING_GIVEN, ForbiddenBand, Given, allowed_in_case, cases_forbidding
@@ -320,7 +337,7 @@ def gear_checks(
         context: What sizing reads.
         gears: From `size_gears`.
         meshes: From `size_meshes`.
-        sizes: From `stage_sizes`.
+        sizes: From `all_sizes`.
     """
     by_name = {gear.name: gear for gear in gears}
     for mesh in meshes:
@@ -490,34 +507,34 @@ class Geared:
     sizes: Mapping[str, StageSize]
     demands: Mapping[str, Demand]
     choice: Chosen
+    ranked: float = 0.0
+    """What those weigh with their shafts and carriers that are sized on a grid, to rank them [kg]."""
+    gridded: frozenset[str] = frozenset()
+    """Those stages."""
 
-    @property
-    def heaviness(self) -> dict[str, float]:
-        """Stage -> b m_n² of its gears over that of the module and width that its heaviest case asks for [-]."""
-        needed = dict[str, float]()
-        for mesh in self.context.train.meshes:
-            if mesh.sized in self.sizes:
-                needed[mesh.sized] = max(needed.get(mesh.sized, 0.0), *self.demands[mesh.name][2:])
-        ratios = self.context.width_ratios
-        return {
-            stage: self.sizes[stage].face_width * self.sizes[stage].module ** 2 / (ratios[stage] * module**3)
-            for stage, module in needed.items()
-            if stage in ratios
-        }
-
-    @property
-    def nearness(self) -> dict[str, float]:
-        """Stage -> least value over limit of all that is asked of its gears, but for what is waived [-]."""
+    @cached_property
+    def failing(self) -> Mapping[str, float]:
+        """Stage whose gears fall short of what is asked -> their least value over limit, but for what is waived [-]."""
         least = dict[str, float]()
         for check in accepted(self.checks, self.context.design.waivers):
-            if check.ratio is not None and not check.waiver:
-                least[check.part.name] = min(least.get(check.part.name, math.inf), check.ratio)
+            if check.fails:
+                least[check.part.name] = min(least.get(check.part.name, math.inf), check.ratio or 0.0)
         return least
 
     @property
-    def mass(self) -> float:
-        """What the gears weigh with rims, webs and bores by the estimate of the search [kg]."""
-        return sum(_mass(self.context, gear) for gear in self.gears)
+    def nearness(self) -> float:
+        """Least value over limit of all that is asked of them, at most 1 [-]."""
+        return min(self.failing.values(), default=1.0)
+
+    @property
+    def passes(self) -> bool:
+        """Whether they meet all that is asked of them."""
+        return not self.failing
+
+    @property
+    def estimate(self) -> float:
+        """What the gears weigh with rims, webs and bores by the estimate of the search, to rank them [kg]."""
+        return self.ranked + sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in self.gridded)
 
 
 def _mass(context: Context, gear: GearSizing) -> float:
@@ -541,6 +558,58 @@ def geared(
     Raises:
         DesignError: If torques contradict each other, machines have too little power, or teeth are not covered.
     """
+    context, sharing = _with_teeth(design, train, choice, given=given, known=known), dict[str, float]()
+    for _ in range(ROUNDS):
+        demands = demands_of(context)
+        sizes = all_sizes(context, demands)
+        found = _with_sizes(context, sizes, demands, choice)
+        before, sharing = sharing, dict(sharing_of_sizes(context, found.gears, found.meshes))
+        if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
+            break
+        context = shared(context, sharing)
+    return _held_against(found)
+
+
+def gearings(
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None
+) -> Iterator[Geared]:
+    """Yield the gears of chosen teeth in sizes that pass, those first that weigh least by an estimate.
+
+    Where loads are shared by the sizes of gears, the lightest alone.
+
+    Args:
+        design: As read.
+        train: Its graph.
+        choice: Teeth, and numbers of planets that the design leaves open.
+        given: Path -> value that the user gives instead of the computed one.
+        known: What meshes of the design have given with other teeth, and are to give.
+
+    Raises:
+        DesignError: As `geared`.
+    """
+    if any(load_sharing(design, name).by_size for name in design.stages):
+        yield geared(design, train, choice, given=given, known=known)
+        return
+    context = _with_teeth(design, train, choice, given=given, known=known)
+    demands = demands_of(context)
+    refused, came_out = list[DesignError](), False
+    gridded = frozenset(stage for stage, rating in context.ratings.items() if rating.proportions is not None)
+    for sizes, mass in combinations(context, demands):
+        try:
+            found = _held_against(_with_sizes(context, sizes, demands, choice))
+        except DesignError as error:  # bores and reliefs for which these sizes have no room
+            refused.append(error)
+            continue
+        came_out = True
+        yield replace(found, ranked=mass, gridded=gridded)
+    if not came_out:
+        raise refused[0]
+
+
+def _with_teeth(
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None
+) -> Context:
+    """Return what gear sizing reads with chosen teeth."""
     teeth = choice.teeth
     if choice.planets:
         design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})
@@ -548,19 +617,22 @@ def geared(
     flows = power_flows(design, Turning(design, train, teeth), efficiency=design.efficiencies)
     refuse_contradictions(design, flows)
     refuse_beyond(design, flows)
-    sharing: Mapping[str, float] = {}
-    for _ in range(ROUNDS):
-        context = context_of(design, train, teeth, flows, given, known=known, sharing=sharing)
-        demands = demands_of(context)
-        sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
-        gears = size_gears(context, sizes)
-        meshes = size_meshes(context, gears, demands)
-        before, sharing = sharing, sharing_of_sizes(context, gears, meshes)
-        if all(abs(factor - before.get(stage, 0.0)) < STILL for stage, factor in sharing.items()):
-            break
+    return context_of(design, train, teeth, flows, given, known=known)
+
+
+def _with_sizes(
+    context: Context, sizes: Mapping[str, StageSize], demands: Mapping[str, Demand], choice: Chosen
+) -> Geared:
+    """Return gears and meshes of sizes."""
+    gears = size_gears(context, sizes)
+    return Geared(context, gears, size_meshes(context, gears, demands), (), sizes, demands, choice)
+
+
+def _held_against(found: Geared) -> Geared:
+    """Return gears with their checks."""
+    context, gears, meshes = found.context, found.gears, found.meshes
     refuse((*bores_beyond_roots(context, gears), *_reliefs(context, gears, meshes)))
-    checks = (*gear_checks(context, gears, meshes, sizes), *pass_checks(context))
-    return Geared(context, gears, meshes, checks, sizes, demands, choice)
+    return replace(found, checks=(*gear_checks(context, gears, meshes, found.sizes), *pass_checks(context)))
 
 
 def _reliefs(context: Context, gears: Sequence[GearSizing], meshes: Sequence[MeshSizing]) -> Iterator[Problem]:

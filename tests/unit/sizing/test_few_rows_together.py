@@ -41,7 +41,8 @@ def test_a_row_among_few_has_the_bits_of_its_design_alone(name):
     text, axes = CASES[name]
     design = parse(text)
     sizings = size_many(design, axes)
-    assert sizings.together.sum() >= ROWS // 2
+    compared = name.endswith("a standard rates")  # whose rows complete several sizes, each alone
+    assert not sizings.together.any() if compared else sizings.together.sum() >= ROWS // 2
     for row in range(0, ROWS, 3):
         changes = {path: values[row] for path, values in axes.items()}
         try:

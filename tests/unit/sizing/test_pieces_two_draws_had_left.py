@@ -163,7 +163,7 @@ def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told
     monkeypatch.setattr(module, "choose_teeth", lambda *_: iter(outcomes))
     monkeypatch.setattr(module, "geared", geared)
     monkeypatch.setattr(module, "completed", lambda choice, given, **_: Weighed(*choice, search))
-    monkeypatch.setattr(module, "_passes", lambda sizing: sizing.passes)
+    monkeypatch.setattr(module, "_failing", lambda sizing: int(not sizing.passes))
     taken = size(parse(PAIR))
     assert taken.mass == 3.0 and taken.search.next_sized_mass == 4.0
     assert (taken.search.sized, taken.search.failing, taken.search.refused) == (4, 1, 1)

@@ -12,7 +12,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.base import DesignError, Origin, Problem, Quantity
+from gearwright.base import DesignError, Floats, Origin, Problem, Quantity
 from gearwright.parts.iso6336.geometry import Value, as_value
 from gearwright.parts.material import STEEL_DENSITY, STEEL_MODULUS, STEEL_POISSON
 
@@ -330,6 +330,23 @@ def endurable_cycles(curve: LifeCurve, factor: float) -> float:
             exponent = longer * math.log(greatest / factor) / weaker
             return start * math.exp(exponent) if exponent < ENDLESS else math.inf
     return math.inf
+
+
+def endured_cycles(curve: LifeCurve, factor: Floats) -> Floats:
+    """Return the same as `endurable_cycles` of an array of life factors, to rounding [-].
+
+    Args:
+        curve: S-N curve.
+        factor: Life factors that stresses ask for [-].
+
+    Source: ISO 6336-6:2019, clause 5.
+    """
+    left, cycles = factor <= curve.factors[0], np.where(factor > curve.factors[0], 0.0, np.inf)
+    for start, greatest, least, longer, weaker in curve.lines:
+        own = left & (factor > least)
+        cycles = np.where(own, start * np.exp(longer * np.log(greatest / factor) / weaker), cycles)
+        left = left & ~own
+    return cycles
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -20,9 +20,9 @@ from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
 from gearwright.sizing import Body, BuiltShaft, MachineSizing, Passing, ShaftSizing, Sizing
 from gearwright.sizing.losses import ORIGINS, Loss, LossBalance
 from gearwright.sizing.mass import CompleteMass, Statistics
-from gearwright.sizing.result import PRELIMINARY, TeethSearch
+from gearwright.sizing.result import TeethSearch
 from gearwright.spec import Design
-from gearwright.spec.design import NOTHING_GIVEN, module_owners
+from gearwright.spec.design import NOTHING_GIVEN, RATINGS, module_owners
 from gearwright.train import Branch
 
 if TYPE_CHECKING:
@@ -180,12 +180,12 @@ def chosen_teeth(sizing: Sizing) -> str:
     if search is None:
         return ""
     proof = "proven" if search.proven else "not proven: too many to hold"
+    if sizing.design.compares_sizes:
+        return _looked_at(sizing, search, proof)
     if search.sized + search.refused == 1:
         following = _next(search.gear_mass, search.next_mass)
         return f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
     refused = f", {search.refused} refused" if search.refused else ""
-    if sizing.level == PRELIMINARY and sizing.design.teeth.sized == 1:
-        return _looked_at(search, proof)
     none, some = search.sized == search.failing, 0 < search.failing < search.sized
     failing = ", none of which passes its checks" if none else f", {search.failing} fail checks" if some else ""
     sized = f"{search.sized} sized in full{failing}{refused}{_next(sizing.mass, search.next_sized_mass)}"
@@ -193,13 +193,17 @@ def chosen_teeth(sizing: Sizing) -> str:
     return f"the lightest {'that passes its checks ' if some else ''}of {lightest}: {sized}"
 
 
-def _looked_at(search: TeethSearch, proof: str) -> str:
-    """Return how a preliminary sizing came to its teeth."""
+def _looked_at(sizing: Sizing, search: TeethSearch, proof: str) -> str:
+    """Return how a sizing that compares several sizes came to its teeth, and what it did not look for."""
     fall = f", {search.failing} of them fall short" if search.failing else ""
     refused = f", {search.refused} refused" if search.refused else ""
-    nearest = "nearest to what is asked of gears" if search.failing == search.sized else "the lightest gears that pass"
-    lightest = f"those with the lightest gears of {search.combinations:,.0f} combinations ({proof})"
-    return f"{nearest} among {lightest}: gears of {search.sized} sized{fall}{refused}"
+    fails = any(check.fails for check in sizing.checks)
+    taken = "the fewest failing checks" if fails else "the lightest that passes"
+    lightest = f"the lightest gears of {search.combinations:,.0f} combinations ({proof})"
+    design = sizing.design
+    closed = [name for name in design.stages if not RATINGS[design.rating(name)].table]
+    left = f"; module and width of {', '.join(closed)} by their method, not searched" if closed else ""
+    return f"{taken} among those with {lightest}: gears of {search.sized} sized{fall}{refused}{left}"
 
 
 def _next(mass: float, heavier: float) -> str:

@@ -16,6 +16,7 @@ from gearwright.catalogue import bearing_friction
 from gearwright.lanes import Diverged, Lanes, Unsupported, change_twins, chosen, each, lanes_of
 from gearwright.lanes.twins import PREFIX
 from gearwright.parts.bearings import THINNEST, life_modification
+from gearwright.parts.iso6336 import endured_cycles
 from gearwright.sizing.many.twinned import gathered
 from gearwright.sizing.planets import on_rollers
 from gearwright.spec import Record, replaced
@@ -375,21 +376,12 @@ def _about_one(loads: Any, reference: Any, curve: Any, start: Any, *, steps: int
     at, value, moved = np.log(last[0]), np.zeros(last.shape[1]), np.ones(last.shape[1])
     slope = np.full(last.shape[1], max((longer / weaker for *_, longer, weaker in curve.lines), default=1.0))
     for step in range(steps):
-        before, value = value, np.log((cycles / _endured(np.exp(at) * stress, curve)).sum(axis=0))
+        before, value = value, np.log((cycles / endured_cycles(curve, np.exp(at) * stress)).sum(axis=0))
         moves = (value != before) & (step > 0)
         slope = np.where(moves, (value - before) / np.where(moved == 0.0, 1.0, moved), slope)
         moved = np.where(value == 0.0, 0.0, -value / slope)
         at = at + moved
     return Lanes(np.exp(at))
-
-
-def _endured(factor: Any, curve: Any) -> Any:
-    """Return the cycles that are endured at a life factor, to rounding [-]."""
-    left, cycles = factor <= curve.factors[0], np.where(factor > curve.factors[0], 0.0, np.inf)
-    for start, greatest, least, longer, weaker in curve.lines:
-        own = left & (factor > least)
-        cycles, left = np.where(own, start * np.exp(longer * np.log(greatest / factor) / weaker), cycles), left & ~own
-    return cycles
 
 
 def _orders(module: ModuleType) -> None:
@@ -468,11 +460,6 @@ def _alone_known(module: ModuleType) -> None:
     module.once = lambda _context, _rating, _key, computed: computed()  # type: ignore[attr-defined]
 
 
-def _whole(module: ModuleType) -> None:
-    """Rate all rows of a stage: lanes differ in which of them does not bear its loads."""
-    module._room = module._gap  # type: ignore[attr-defined]
-
-
 def _unordered(module: ModuleType) -> None:
     """Leave parts as they came: their order differs from lane to lane, their sums are rounded once."""
     module.ordered = tuple  # type: ignore[attr-defined]
@@ -480,7 +467,7 @@ def _unordered(module: ModuleType) -> None:
 
 change_twins((
     ("gearwright.sizing.rating.context", _alone_known),
-    ("gearwright.sizing.stage_sizes", _whole),
+    ("gearwright.sizing.stage_sizes", _in_each_lane("_lightest")),
     ("gearwright.sizing.axis_order", _orders),
     ("gearwright.sizing.places.room", _rooms),
     ("gearwright.sizing.places.solids", _unproven),

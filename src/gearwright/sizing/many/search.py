@@ -1,24 +1,20 @@
-"""Search for the tooth numbers of many designs with the same structure, and their preliminary sizings."""
+"""Search for the tooth numbers of many designs with the same structure."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwright.base import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
-from gearwright.sizing.many.by_lane import holds_lanes, of_lane
+from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.rating import ELEMENTWISE
-from gearwright.sizing.teeth import StageTeeth, Trying, stage_teeth
 from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
 from gearwright.sizing.teeth.forbidden import clear
-from gearwright.sizing.teeth.front import EQUAL, Front, Needs, needs_of, ranks_of, states_of
+from gearwright.sizing.teeth.front import EQUAL, Front, Needs, needs_of, states_of
 from gearwright.sizing.teeth.masses import aligned
 from gearwright.sizing.teeth.search import MANY, Chosen, carried_over, is_ready
 from gearwright.sizing.teeth.stage import (
@@ -181,19 +177,6 @@ class Rows(NamedTuple):
     """Rows whose teeth are chosen; the others are to be searched alone."""
 
 
-class Considered(NamedTuple):
-    """Combinations of teeth of many designs, one after the other, those of a design together, its lightest first."""
-
-    teeth: dict[str, Ints]
-    """Gear -> tooth number in every combination."""
-    planets: dict[str, Ints]
-    """Planetary set whose number of planets is open -> that number in every combination."""
-    mass: Floats
-    """What the gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
-    row: Ints
-    """Design that each is of."""
-
-
 def choose_rows(design: Design, train: Any, count: int) -> Rows:
     """Return the teeth of every row of a design whose numbers are lanes.
 
@@ -205,59 +188,24 @@ def choose_rows(design: Design, train: Any, count: int) -> Rows:
     Raises:
         Unsupported: If its rows have to be searched one by one.
     """
-    every = consider_rows(design, train, count, kept=1)
-    found = np.bincount(every.row, minlength=count) > 0
-    place = np.zeros(count, dtype=np.int64)
-    place[every.row] = np.arange(len(every.row))
-    teeth, planets = ({name: values[place] for name, values in of.items()} for of in (every.teeth, every.planets))
-    return Rows(teeth, planets, found)
-
-
-def consider_rows(design: Design, train: Any, count: int, *, kept: int) -> Considered:
-    """Return so many of the lightest combinations of teeth of every row of a design whose numbers are lanes.
-
-    Args:
-        design: With lanes.
-        train: Its graph.
-        count: Rows [-].
-        kept: How many of each [-].
-
-    Raises:
-        Unsupported: If its rows have to be searched one by one.
-    """
     search = twinned("gearwright.sizing.teeth.search")
     if all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
         teeth = search.given_teeth(design)
-        return Considered(
-            {gear: rows_of(number, count) for gear, number in teeth.items()}, {}, np.zeros(count), np.arange(count)
-        )
+        return Rows({gear: rows_of(number, count) for gear, number in teeth.items()}, {}, np.ones(count, dtype=bool))
     given = batch_of(design, train, count, search)
     fronts = []
     for first in range(0, count, AT_ONCE):
         row = np.arange(first, min(first + AT_ONCE, count))
         start = Front({ROW: row}, {shaft: given.speeds[shaft][row] for shaft in given.kept}, {}, {})
-        fronts.append(_searched(given, start, kept))
-    return _considered(given, search, fronts[0].joined(fronts[1:]), kept=kept, count=count)
-
-
-def _considered(given: Batch, search: Any, front: Front, *, kept: int, count: int) -> Considered:
-    """Return of every row its lightest choices, the first of those that are as light as any before the others."""
-    mass, row = aligned(front, given.design).mass, front.teeth[ROW]
-    first = _first_lightest(row, mass, count)
-    order = first[first >= 0]
-    if kept > 1:
-        leads = np.ones(len(row), dtype=bool)
-        leads[order] = False
-        ordered = np.lexsort((ranks_of(mass), leads, row))
-        begin = np.flatnonzero(np.diff(row[ordered], prepend=-1))
-        order = ordered[np.arange(len(row)) - np.repeat(begin, np.diff(begin, append=len(row))) < kept]
-    taken = front.take(order)
+        fronts.append(_searched(given, start))
+    front = fronts[0].joined(fronts[1:])
+    place = _first_lightest(front.teeth[ROW], aligned(front, given.design).mass, count)
+    taken = front.take(np.maximum(place, 0))
     teeth = {name: values for name, values in taken.teeth.items() if name != ROW}
-    compound = search.compound_teeth(given.design)
-    teeth |= {gear: rows_of(number, count)[taken.teeth[ROW]] for gear, number in compound.items()}
+    teeth |= {gear: rows_of(number, count) for gear, number in search.compound_teeth(given.design).items()}
     left_out = {name for name, stage in given.design.planetaries.items() if stage.planets_given is None}
     planets = {name: values for name, values in taken.planets.items() if name in left_out}
-    return Considered(teeth, planets, mass[order], taken.teeth[ROW])
+    return Rows(teeth, planets, place >= 0)
 
 
 def _first_lightest(row: Ints, mass: Floats, count: int) -> Ints:
@@ -272,7 +220,7 @@ def _first_lightest(row: Ints, mass: Floats, count: int) -> Ints:
     return place
 
 
-def _searched(given: Batch, front: Front, kept: int) -> Front:
+def _searched(given: Batch, front: Front) -> Front:
     """Return whole combinations of every row, as far as they are found here."""
     later = list(given.tasks)
     front = carried_over(given.design, front)
@@ -281,7 +229,7 @@ def _searched(given: Batch, front: Front, kept: int) -> Front:
         if task is None:
             raise Unsupported("stages to which no known speed leads")
         later.remove(task)
-        front = _extended(given, front, task, needs_of(later, given.design, kept=kept), last=not later)
+        front = _extended(given, front, task, needs_of(later, given.design), last=not later)
         front = carried_over(given.design, _not_too_many(front))
     return front
 
@@ -330,28 +278,11 @@ def _grown(given: Batch, front: Front, task: Any, reach: Reach) -> Front | None:
     if not good.all():
         grown, small, large = grown.take(good), small[good], large[good]
     own = given.task(task, grown)
-    if task.rating.proportions is None:
-        grown = weighed_front(grown, own, given.design, small, large)
-    elif task.rating.method in ELEMENTWISE and task.rating.kind != "bevel" and not holds_lanes(task.rating):
-        grown = weighed_front(grown, replace(own, row=grown.teeth[ROW]), given.design, small, large)
-    else:
-        grown = _weighed_by_rows(given, grown, task, small, large)
+    grown = weighed_front(grown, own, given.design, small, large)
     if not own.bans:
         return grown
     good = clear(grown, given.task(task, grown))
     return grown.take(good) if good.any() else None
-
-
-def _weighed_by_rows(given: Batch, front: Front, task: Any, small: Ints, large: Ints) -> Front:
-    """Add a stage that a standard rates, whose modules are found for the loads of each row."""
-    row, parts = front.teeth[ROW], list[Front]()
-    starts = np.flatnonzero(np.r_[True, row[1:] != row[:-1]])
-    for first, end in zip(starts, [*starts[1:], len(row)], strict=True):
-        part = front.take(np.arange(first, end))
-        parts.append(
-            weighed_front(part, given.row(task, int(row[first])), given.design, small[first:end], large[first:end])
-        )
-    return parts[0].joined(parts[1:])
 
 
 def _speeds_hold(given: Batch, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:
@@ -369,8 +300,6 @@ def _speeds_hold(given: Batch, task: Any, speeds: Mapping[str, Floats], row: Int
 def _lightest(front: Front, needs: Needs, *, last: bool) -> Front:
     """Return the lightest of the choices of each row that leave the same to the stages after them."""
     mass = front.mass
-    if needs.kept > 1:
-        return _several(front, states_of(front, needs._replace(gears=needs.gears | {ROW})), mass, needs.kept)
     if last and not needs.gears and not needs.groups:
         place = _first_lightest(front.teeth[ROW], mass, int(front.teeth[ROW].max()) + 1)
         return front.take(place[place >= 0])
@@ -380,99 +309,3 @@ def _lightest(front: Front, needs: Needs, *, last: bool) -> Front:
     light = np.flatnonzero(mass <= least[state] * (1.0 + EQUAL))
     chosen = np.sort(light[np.unique(state[light], return_index=True)[1]])
     return front if len(chosen) == len(front) else front.take(chosen)
-
-
-def _several(front: Front, state: Ints, mass: Floats, kept: int) -> Front:
-    """Return so many of the lightest of every state."""
-    order = np.lexsort((mass, state))
-    begin = np.flatnonzero(np.diff(state[order], prepend=-1))
-    light = np.arange(len(order)) - np.repeat(begin, np.diff(begin, append=len(order))) < kept
-    return front if light.all() else front.take(np.sort(order[light]))
-
-
-# ----------------------------------------------------------------------------------------------------------------------
-# Preliminary sizings of many rows: each looks at its lightest combinations as one design does, all of them at once.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-class Looked(NamedTuple):
-    """What came of one combination of some rows."""
-
-    nearness: Mapping[str, Any]
-    """Stage -> least value over limit of its checks, in lanes [-]."""
-    heaviness: Mapping[str, Any]
-    """Stage -> volume of its gears over that by which they were found, in lanes [-]."""
-    mass: Any
-    """What the gears weigh, in lanes [kg]."""
-
-
-Look = Callable[[Ints, Rows], Iterator[tuple[Ints, Looked]]]
-"""Some rows and their teeth -> what came of them, of those that can be computed at once."""
-
-
-def _teeth_at(train: Any, considered: Considered, first: int, place: int) -> frozenset[StageTeeth]:
-    """Return the teeth of the stages of a combination of a row."""
-    at = first + place
-    teeth = {gear: int(numbers[at]) for gear, numbers in considered.teeth.items()}
-    planets = {stage: int(counts[at]) for stage, counts in considered.planets.items()}
-    return stage_teeth(train, Chosen(teeth, planets))
-
-
-def nearest_rows(train: Any, considered: Considered, look: Look, *, count: int) -> Rows:
-    """Return the teeth of every row whose gears come nearest to meeting everything, the lightest of equals.
-
-    Args:
-        train: Graph of the design.
-        considered: Combinations of every row.
-        look: What sizes the gears of one combination of some rows.
-        count: Rows [-].
-    """
-    first = np.searchsorted(considered.row, np.arange(count + 1))
-    courses = [
-        Trying(partial(_teeth_at, train, considered, start), considered.mass[start:end].tolist())
-        for start, end in pairwise(first.tolist())
-    ]
-    left = np.arange(count)
-    while len(left):
-        places = [courses[row].next() for row in left.tolist()]
-        going = np.array([place is not None for place in places], dtype=bool)
-        left = left[going]
-        at = np.array([place for place in places if place is not None], dtype=np.int64)
-        lost = np.ones(len(left), dtype=bool)
-        for some, looked in look(left, _rows(considered, first[left] + at)):
-            _note(courses, left[some], at[some], looked)
-            lost[some] = False
-        for row in left[lost].tolist():
-            courses[row].tried.clear()
-        left = left[~lost]
-    found = np.array([bool(course.tried) for course in courses], dtype=bool)
-    best = [course.ranked()[0].place if course.tried else 0 for course in courses]
-    return _rows(considered, np.minimum(first[:-1] + best, len(considered.row) - 1))._replace(found=found)
-
-
-def _rows(considered: Considered, place: Ints) -> Rows:
-    """Return the teeth of some combinations."""
-    return Rows(
-        {gear: numbers[place] for gear, numbers in considered.teeth.items()},
-        {stage: counts[place] for stage, counts in considered.planets.items()},
-        np.ones(len(place), dtype=bool),
-    )
-
-
-def _note(courses: Sequence[Trying], rows: Ints, places: Ints, looked: Looked) -> None:
-    """Note what came of a combination of every row."""
-    count = len(rows)
-    nearness, heaviness = (_columns(ratios, count) for ratios in (looked.nearness, looked.heaviness))
-    mass = _column(looked.mass, count)
-    for k, (row, place) in enumerate(zip(rows.tolist(), places.tolist(), strict=True)):
-        near, heavy = ({stage: ratios[k] for stage, ratios in of.items()} for of in (nearness, heaviness))
-        courses[row].note(place, near, heavy, mass=mass[k])
-
-
-def _columns(lanes: Mapping[str, Any], count: int) -> dict[str, list[float]]:
-    return {name: _column(values, count) for name, values in lanes.items()}
-
-
-def _column(values: Any, count: int) -> list[float]:
-    column: list[float] = np.broadcast_to(lanes_of(values).data, (count,)).tolist()
-    return column

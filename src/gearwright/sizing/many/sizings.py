@@ -13,11 +13,11 @@ import numpy as np
 from gearwright.base import Bools, DesignError, Floats, GearwrightError, Ints, Problem, Shown, near, refuse, verb
 from gearwright.lanes import Diverged, Lanes, Unsupported
 from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
-from gearwright.sizing.many.search import Looked, Rows, choose_rows, consider_rows, nearest_rows
+from gearwright.sizing.many.search import Rows, choose_rows
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.result import PRELIMINARY, Sizing
-from gearwright.sizing.size import size
-from gearwright.sizing.teeth import CONSIDERED, Chosen
+from gearwright.sizing.result import Sizing
+from gearwright.sizing.size import is_settled, size
+from gearwright.sizing.teeth import Chosen
 from gearwright.spec import Design, Epicyclic, Pair, brief, edited, entry_of, path_problems, replaced
 from gearwright.spec.design import given_values
 
@@ -336,14 +336,9 @@ def _teeth(group: Group, place: Ints) -> Rows:
     if twinned("gearwright.spec.checks.design").reference_problems(design) or given_values(design).problems:
         raise TypeError("a design that is refused")
     train = twinned("gearwright.train").build_train(design)
-    if design.level != PRELIMINARY or design.teeth.sized != 1:
-        return choose_rows(design, train, len(place))
-    considered = consider_rows(design, train, len(place), kept=CONSIDERED)
-
-    def look(rows: Ints, teeth: Rows) -> Iterator[tuple[Ints, Looked]]:
-        yield from _at_once(teeth, partial(_looked, group, place[rows]), _price(group.design))
-
-    return nearest_rows(train, considered, look, count=len(place))
+    if design.compares_sizes and not is_settled(design):
+        raise Unsupported("sizes that are completed one after the other")
+    return choose_rows(design, train, len(place))
 
 
 def _in_lanes(group: Group, place: Ints, rows: Rows, planets: Mapping[str, int], some: Ints) -> tuple[Any, Any, Any]:
@@ -352,14 +347,6 @@ def _in_lanes(group: Group, place: Ints, rows: Rows, planets: Mapping[str, int],
     design = group.lanes(place[some], base)
     train = twinned("gearwright.train").build_train(design)
     return design, train, Chosen({gear: Lanes(numbers[some]) for gear, numbers in rows.teeth.items()}, {})  # type: ignore[misc]
-
-
-def _looked(group: Group, place: Ints, rows: Rows, planets: Mapping[str, int], some: Ints) -> Looked:
-    """Return what comes of the gears of some of the rows with some teeth."""
-    design, train, choice = _in_lanes(group, place, rows, planets, some)
-    geared = twinned("gearwright.sizing.stages").geared
-    gears = geared(design, train, choice, given=given_values(design).values)
-    return Looked(gears.nearness, gears.heaviness, gears.mass)
 
 
 def _numbers(

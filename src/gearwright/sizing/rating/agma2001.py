@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Annotated, ClassVar, Protocol
@@ -372,6 +372,9 @@ class Agma2001:
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads [-]."""
         return self.reserve(self.rate(mesh))
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+        """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2001 in each class."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, ClassVar
@@ -284,6 +284,9 @@ class Agma2003:
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads [-]."""
         return self.reserve(self.rate(mesh))
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+        """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts, with the stresses and the stress cycle factors of AGMA 2003 in each class."""

@@ -6,17 +6,15 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.base import Problem, Role, largest, refuse
+from gearwright.base import Floats, Problem, Role, largest, refuse
 from gearwright.memo import Memo, SharedMemo
-from gearwright.sizing.rating.iso6336 import Iso6336Rating
-from gearwright.sizing.rating.iso6336_scuffing import scuffing_safeties
+from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.methods import method_for, modules, stage_width_ratio, uncovered_teeth
-from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, Unloaded
+from gearwright.sizing.rating.protocol import LEAST_TORQUE, WEAR, Load, LoadedMesh, MeshRating, SizesNear, Unloaded
 from gearwright.sizing.rating.rules import Ask, FarGear, Rating, rating_of
 from gearwright.spec import Design, Epicyclic, levels_of, shares_of
 from gearwright.spec.design import GROUND, RATINGS, Given, case_named
@@ -33,8 +31,6 @@ _ALIKE = 0.9
 """Part of its own load from which on another mesh of a gear on the same flank counts as its equal [-]."""
 
 
-NO_SHARING: Mapping[str, float] = MappingProxyType({})
-"""Where no K_γ follows from sizes."""
 Known = Memo[tuple[Any, ...], list[tuple[Rating, Any]]]
 """Load, teeth and size of a mesh -> what it gave, by the rules that it gave it for."""
 MESHES = SharedMemo[tuple[Any, ...], list[tuple[Rating, Any]]](200_000)
@@ -155,7 +151,7 @@ def worn_torque(design: Design, loads: Mapping[str, tuple[float, float]]) -> flo
 
 def context_of(
     design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given],
-    *, known: Known | None = None, sharing: Mapping[str, float] = NO_SHARING,
+    *, known: Known | None = None,
 ) -> Context:  # fmt: skip
     """Return what gear sizing reads, with the rules of every stage resolved.
 
@@ -166,12 +162,21 @@ def context_of(
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth; left out: what sizings share here.
-        sharing: Stage -> K_γ by the sizes of its gears [-].
     """
     ratings = {name: rating_of(design, name, teeth) for name in design.stages}
-    ratings |= {name: replace(ratings[name], load_factor=factor) for name, factor in sharing.items()}
     values = {path: entry.value for path, entry in given.items()}
     return Context(design, train, teeth, flows, values, ratings, MESHES.now() if known is None else known)
+
+
+def shared(context: Context, sharing: Mapping[str, float]) -> Context:
+    """Return what gear sizing reads where stages share their loads otherwise.
+
+    Args:
+        context: As it was.
+        sharing: Stage -> K_γ by the sizes of its gears [-].
+    """
+    ratings = {name: replace(context.ratings[name], load_factor=factor) for name, factor in sharing.items()}
+    return replace(context, ratings={**context.ratings, **ratings})
 
 
 def once(context: Context, rating: Rating, key: tuple[Any, ...], computed: Callable[[], Any]) -> Any:
@@ -385,6 +390,10 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+REST = "all but roots and flanks"
+"""Among what is not asked of sizes: all that is no strength against fatigue."""
+AT_WAIVERS = ("main resonance",)
+"""Modes of checks of meshes that no size is held against where the design waives them."""
 _CREEP = 1e-3
 """Speed of gears that a limit load finds at rest [rad/s]."""
 _NONE_ASKED = (0.0, 0.0)
@@ -429,27 +438,37 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
     return reserve
 
 
-def scuffing_ratio(
-    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
-) -> float:
-    """Return the least safety of a row against scuffing over the asked one [-]; ∞ where its method has none.
+def sizes_near(
+    context: Context, mesh: Mesh, modules: Floats, face_widths: Floats, left_out: Sequence[str] = ()
+) -> Floats | None:
+    """Return the least value over limit that the method finds for arrays of sizes of a row, but for what films ask [-].
+
+    None where nothing loads it, and where its method takes sizes one by one.
 
     Args:
         context: What sizing reads.
         mesh: A row of the train.
-        module: m_n [m].
-        face_width: b [m].
-        asked: As for `rate_row`, so that a size that is kept is not rated again [m].
+        modules: m_n, of bevel gears m_mn [m].
+        face_widths: b, of the same shape [m].
+        left_out: Modes of checks that are not asked for, with those that are waived.
     """
-    rated = rate_row(context, mesh, module, face_width, asked=asked)
-    if not isinstance(rated, Iso6336Rating):
-        return math.inf
-    safeties = (safety for safety in scuffing_safeties(rated) if safety is not None)
-    return min(safeties, default=math.inf) / rated.scuffing_asked
+    loaded = _loaded(context, mesh, modules, face_widths)
+    if isinstance(loaded, Unloaded):
+        return None
+    waived = [mode for mode in AT_WAIVERS if f"{mesh.part} {mode}" in context.design.waivers]
+    asked = (*waived, *left_out)
+    sizes = modules.tobytes(), face_widths.tobytes()
+    found: SizesNear | None = once(
+        context, loaded.rating, ("sizes", *sizes, asked, *loaded[3:]),
+        lambda: method_for(loaded.rating).of_sizes(loaded, asked),
+    )  # fmt: skip
+    if found is None:
+        return None
+    return found.strength if REST in left_out else np.asarray(np.minimum(*found))
 
 
 def _loaded(
-    context: Context, mesh: Mesh, module: float, face_width: float, asked: tuple[float, float] = _NONE_ASKED
+    context: Context, mesh: Mesh, module: Numbers, face_width: Numbers, asked: tuple[float, float] = _NONE_ASKED
 ) -> LoadedMesh | Unloaded:
     """Return one mesh of a row with all that its life consists of."""
     rating, (case, per_tooth) = context.rating(mesh), worst_case(context, mesh)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +15,7 @@ from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import ISO53_A, least_teeth
 from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, Value, as_value, rim_factor, shifted_mesh
 from gearwright.sizing.rating.rules import Rating
-from gearwright.spec.design import working_angle
+from gearwright.spec.design import GearRules, working_angle
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The geometry of gears as standards see it, from a stage's rules: cylindrical meshes, bevel pairs by their mean cone.
@@ -105,13 +106,13 @@ def fewest_virtual_teeth(rating: Rating) -> float:
     return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
 
 
-def mean_module(teeth: tuple[int, int], outer_module: float, face_width: float, rating: Rating) -> float:
+def mean_module(teeth: tuple[int, int], outer_module: float, face_width: Any, rating: Rating) -> Any:
     """Return the mean normal module m_mn of a bevel pair [m].
 
     Args:
         teeth: z_1, z_2 [-].
         outer_module: Outer transverse module m_et [m].
-        face_width: b [m].
+        face_width: b, a number or an array [m].
         rating: Resolved rules.
 
     Source: ISO 23509:2016, m_mn = m_et cos β_m R_m/R_e.
@@ -304,6 +305,37 @@ def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
+# What gears as they are made weigh over discs and annuli, before anything is known that they sit on.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+RIM = 1.25 + 1.2 * 2.25
+"""Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
+of 1.2 tooth heights (AGMA 2001-D04)."""
+AROUND = 1.8
+"""Shafts and carriers of compound sets over the cube of the diameter of the largest gear [kg/m³], to rank their sizes;
+fitted to sizes of sets at random."""
+BEARING_GAP = 0.5
+"""Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
+
+
+def made_share(role: Role, teeth: int, rules: GearRules) -> float:
+    """Return what a gear as it is made weighs over its disc or annulus, by the estimate of the search [-].
+
+    Args:
+        role: Of the gear.
+        teeth: Its number [-].
+        rules: Of its stage.
+    """
+    room = max(teeth - 2.0 * RIM, 0.0)
+    inside = room * room / (teeth * teeth)
+    if role is Role.PLANET:
+        return 1.0 - BEARING_GAP * inside
+    webbed = role is Role.WHEEL and rules.web_ratio == 1.0
+    return 1.0 - (1.0 - rules.web_thickness_ratio) * inside if webbed else 1.0
+
+
+# ----------------------------------------------------------------------------------------------------------------------
 # How large gears are made that a standard rates: standard modules, face widths, what a load spectrum asks of them.
 #
 # The sizing asks it once for every stage, the search for teeth once for every pair of tooth numbers of bevel gears.
@@ -393,15 +425,16 @@ def _least(weak: float, strong: float, gap: Callable[[float], float]) -> float:
     return strong
 
 
-def overlap_width(rating: Rating, module: float) -> float:
-    """Return the face width that gives the asked overlap ratio [m]; one module for straight teeth.
+def least_width(rating: Rating, module: float) -> float:
+    """Return the least face width that is chosen [m]: no less than usual, of helical teeth with the asked overlap.
 
     Args:
         rating: Resolved rules.
         module: m_n [m].
     """
-    lean = math.sin(rating.helix_angle)
-    return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
+    lean, rules = math.sin(rating.helix_angle), rating.proportions
+    usual = module if rules is None else rules.narrowest_modules * module
+    return max(rating.rules.overlap_ratio * math.pi * module / lean, usual) if lean else usual
 
 
 def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> float:
@@ -443,7 +476,7 @@ def bevel_module(teeth: tuple[int, int], outer: float, ratio: float, rating: Rat
     """
 
     def bears(tried: float) -> float:
-        width = _widest_bevel(teeth, tried, ratio, rating)
+        width = widest_bevel(teeth, tried, ratio, rating)
         width = whole(width) if rating.width_is_open else width
         return gap(mean_module(teeth, tried, width, rating), width)
 
@@ -463,14 +496,21 @@ def bevel_width(teeth: tuple[int, int], outer: float, ratio: float, rating: Rati
         rating: Resolved rules.
         gap: Of the stage.
     """
-    width = _widest_bevel(teeth, outer, ratio, rating)
+    width = widest_bevel(teeth, outer, ratio, rating)
     if not rating.width_is_open:
         return width
-    least = overlap_width(rating, mean_module(teeth, outer, width, rating))
+    least = least_width(rating, mean_module(teeth, outer, width, rating))
     return narrowest(least, width, lambda tried: gap(mean_module(teeth, outer, tried, rating), tried))
 
 
-def _widest_bevel(teeth: tuple[int, int], outer: float, ratio: float, rating: Rating) -> float:
-    """Return the widest face of a bevel pair of an outer module [m]."""
+def widest_bevel(teeth: tuple[int, int], outer: float, ratio: float, rating: Rating) -> float:
+    """Return the widest face of a bevel pair of an outer module [m].
+
+    Args:
+        teeth: z_1, z_2 [-].
+        outer: Outer transverse module m_et [m].
+        ratio: λ = b/m_mn of the widest [-].
+        rating: Resolved rules.
+    """
     cone = float(cone_ratio(*teeth)) * outer
     return ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)

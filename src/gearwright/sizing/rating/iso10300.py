@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Annotated, ClassVar, NamedTuple
@@ -395,6 +395,9 @@ class Iso10300:
         every = [_rated(mesh.rating, load, mesh.module, mesh.face_width) for load in mesh.loads]
         pitting, bending = safeties([_strains(rated) for rated in every], (steel, steel))
         return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+        """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 10300-2 and -3 in each class."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, NamedTuple, Protocol
@@ -25,6 +25,7 @@ from gearwright.parts.iso6336 import (
     StressBin,
     Value,
     damage_part,
+    endured_cycles,
     life_curves,
     outer_single_contact,
     rate_mesh,
@@ -61,6 +62,7 @@ from gearwright.sizing.rating.protocol import (
     LoadedMesh,
     Making,
     MeshSpectrum,
+    SizesNear,
     factor_rows,
     steel_rows,
 )
@@ -149,6 +151,30 @@ def _safety(strains: list[Strain], curve: LifeCurve) -> float:
     return spectrum_damage(bins, 1.0, curve).safety
 
 
+_BESIDE = 1.01
+"""Stresses over those of a size by which it is told how steeply Miner's sum grows with them [-]."""
+_NONE = 1e-100
+"""Cycles for none, so that what is divided by them is finite [-]."""
+_FLAT = 3.0
+"""Least power of the stress with which it is taken to grow [-]."""
+
+
+def _room_of_sizes(factor: Floats, cycles: Floats, curve: LifeCurve) -> Floats:
+    """Return about by how much stresses could grow, 1 and more where Miner's sum of a size is at most 1 [-].
+
+    Args:
+        factor: Stress over its limit at a life factor of 1, shape (loads, sizes) [-].
+        cycles: Of the same shape [-].
+        curve: S-N curve.
+    """
+    total, beside = (
+        np.clip(np.sum(cycles / np.maximum(endured_cycles(curve, part * factor), _NONE), axis=0), 1e-30, 1e30)
+        for part in (1.0, _BESIDE)
+    )
+    slope = np.maximum(np.log(beside / total) / math.log(_BESIDE), _FLAT)
+    return np.asarray(total ** (-1.0 / slope))
+
+
 def _parts(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> list[float]:
     """Miner's part of every class; the limits differ from class to class by the film factors."""
     stresses, limits = (np.broadcast_to(values, len(cycles)).tolist() for values in strain[:2])
@@ -200,13 +226,19 @@ def worst_static(mesh: LoadedMesh, rated: Sequence[tuple[str, PairRating]]) -> S
         mesh: As loaded.
         rated: Every static case and the mesh under it, K_A = 1.
     """
-    rules, steels = mesh.rating.rules.iso6336, steels_of(mesh.rating, mesh.heaviest.ask.roles)
-    asked = rules.static_pitting_safety, rules.static_bending_safety, rules.yielding_safety
+    steels = steels_of(mesh.rating, mesh.heaviest.ask.roles)
+    asked = _static_asked(mesh.rating)
     cases = []
     for case, pair in rated:
         first, second = (static_strength(pair.pitting, pair.bending, steels, gear) for gear in (0, 1))
         cases.append(StaticCase(case, (first, second)))
     return smallest(cases, lambda case: _margin(case, asked)) if cases else None
+
+
+def _static_asked(rating: Rating) -> tuple[float, float, float]:
+    """Return the least S_H, S_F and S_y against static cases [-]."""
+    rules = rating.rules.iso6336
+    return rules.static_pitting_safety, rules.static_bending_safety, rules.yielding_safety
 
 
 def static_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:
@@ -359,7 +391,7 @@ class Iso6336Rating:
 
 
 CLAUSE = "ISO 6336-1, 6.5.3: N below N_S or above 1.15"
-MODE = "main resonance"
+MODE, SPEED = "main resonance", "speed of K_V"
 HELPS = "other teeth, modules or speeds lie beside it; gearwright close looks for the lightest where they are open"
 """What to do about a mesh in its main resonance."""
 
@@ -553,7 +585,7 @@ class Iso6336:
             scuffing_asked=rules.scuffing_safety,
             scuffing_by=rules.scuffing_method,
             micropitting_asked=rules.micropitting_safety,
-            static_asked=(rules.static_pitting_safety, rules.static_bending_safety, rules.yielding_safety),
+            static_asked=_static_asked(rating),
             module_bending=mesh.asked[0],
             module_contact=mesh.asked[1],
             bending_stress=max(float(root.stress) for root in roots),
@@ -577,6 +609,74 @@ class Iso6336:
         every = [strains_of(self._rated(mesh, mesh.heaviest))] if alone else self._strains(mesh)
         pitting, bending = safeties(every, steels_of(mesh.rating, mesh.heaviest.ask.roles))
         return min(min(bending) / rules.bending_safety, (min(pitting) / rules.pitting_safety) ** 2)
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str] = ()) -> SizesNear:
+        """Return how near every size comes to what roots, flanks, resonance and static strength ask."""
+        life = mesh.loads[0].life  # cases without a share count for resonance alone
+        loads = (*mesh.loads, *(load._replace(life=life) for load in mesh.others))
+        rules = mesh.rating.rules.iso6336
+        rated, rest = self._of_sizes(mesh, loads), [np.asarray(math.inf)]
+        if isinstance(rated.dynamic, DynamicFactorBySpeed):
+            if SPEED not in left_out:
+                rest.append(np.asarray(FASTEST / rated.dynamic.characteristic)[0])
+        elif MODE not in left_out and rules.dynamic_method != "C":
+            rest.append(self._apart_of_sizes(mesh, rated))
+        if static := [load for load in loads if load.static]:
+            rest.append(self._static_of_sizes(mesh, static))
+        strength = self._strength_of_sizes(mesh, rated)
+        return SizesNear(strength, np.asarray(np.minimum.reduce(np.broadcast_arrays(strength, *rest)[1:])))
+
+    def _of_sizes(self, mesh: LoadedMesh, loads: Sequence[Load], *, once: bool = False) -> PairRating:
+        """Rate every size of a mesh under some loads, in arrays of shape (loads, sizes); K_A = 1 of those that come
+        once."""
+        torques, speeds, lives = (
+            np.stack([np.atleast_1d(np.asarray(number, dtype=float)) for number in column])
+            for column in zip(*((load.torque, load.ask.speed, load.life) for load in loads), strict=True)
+        )
+        ask = loads[0].ask
+        duty = duty_of(mesh.rating, torques, speeds, life=lives, ask=ask)
+        duty = replace(duty, application_factor=1.0) if once else duty
+        return self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)
+
+    def _strength_of_sizes(self, mesh: LoadedMesh, rated: PairRating) -> Floats:
+        """Return about by what factor the loads could grow, 1 and more where Miner's sum is met [-]."""
+        rules, steels = mesh.rating.rules.iso6336, steels_of(mesh.rating, mesh.heaviest.ask.roles)
+        asked, count, near = (rules.pitting_safety, rules.bending_safety), len(mesh.loads), list[Floats]()
+        for mode, both in enumerate(strains_of(rated)):
+            for strain, steel in zip(both, steels, strict=True):
+                stress, endurance, permissible, cycles = (column[:count] for column in np.broadcast_arrays(*strain))
+                if count == 1:
+                    room = permissible[0] / (asked[mode] * stress[0])
+                else:
+                    room = _room_of_sizes(asked[mode] * stress / endurance, cycles, life_curves(steel)[mode])
+                near.append(room if mode else room**2)  # the contact stress grows with the root of the load
+        return np.asarray(np.minimum.reduce(near))
+
+    def _apart_of_sizes(self, mesh: LoadedMesh, rated: PairRating) -> Floats:
+        """Return how far off its main resonance every size runs, over the least distance, in the nearest case [-]."""
+        counting = self._resonating(mesh)
+        if not counting:
+            return np.array(math.inf)
+        specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
+        assert not isinstance(rated.dynamic, DynamicFactorBySpeed)
+        ratio, begins = np.broadcast_arrays(rated.dynamic.resonance_ratio, resonance_begins(specific))
+        least = np.where(ratio < 1.0, 1.0 - begins, RESONANCE_ENDS - 1.0)
+        return np.asarray(np.min((np.abs(1.0 - ratio) / least)[counting], axis=0))
+
+    def _static_of_sizes(self, mesh: LoadedMesh, loads: Sequence[Load]) -> Floats:
+        """Return the least static safety over the asked one of every size [-]."""
+        rated, steels = self._of_sizes(mesh, loads, once=True), steels_of(mesh.rating, mesh.heaviest.ask.roles)
+        asked = _static_asked(mesh.rating)
+        strengths = [static_strength(rated.pitting, rated.bending, steels, gear) for gear in (0, 1)]
+        near = [
+            np.min(np.asarray(safety) / least, axis=0)
+            for found in strengths
+            for safety, least in zip(
+                (found.contact_safety, found.bending_safety, found.yielding_safety), asked, strict=True
+            )
+            if safety is not None
+        ]
+        return np.asarray(np.minimum.reduce(near))
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
@@ -638,21 +738,29 @@ class Iso6336:
     def _resonances(self, mesh: LoadedMesh) -> tuple[MeshResonance, ...]:
         """Return N in every case with at least one per cent of the damage or of the life; without shares in all."""
         loads = [*mesh.loads, *mesh.others]
-        whole = sum(load.life for load in mesh.loads)
-        wear = [load.life * float(np.asarray(load.ask.speed)) * load.torque**WEAR for load in loads]
-        counting = dict[str, Load]()
-        for load, worn in zip(loads, wear, strict=True):
-            counts = load in mesh.others or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
-            if counts and not load.static:
-                counting.setdefault(load.case, load)
+        counting = [loads[place] for place in self._resonating(mesh)]
         if not counting or mesh.rating.rules.iso6336.dynamic_method == "C":
             return ()
-        rated = self._together(mesh, tuple(counting.values()))
+        rated = self._together(mesh, counting)
         specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
         assert not isinstance(rated.dynamic, DynamicFactorBySpeed)
         columns = (rated.dynamic.resonance_ratio, resonance_begins(specific))
         ratios, begins = (np.broadcast_to(column, len(counting)).tolist() for column in columns)
-        return tuple(map(MeshResonance, counting, ratios, begins))
+        return tuple(map(MeshResonance, [load.case for load in counting], ratios, begins))
+
+    def _resonating(self, mesh: LoadedMesh) -> list[int]:
+        """Return the places of loads, one of each case, with one per cent of damage or life; all without shares."""
+        loads = [*mesh.loads, *mesh.others]
+        if len(loads) == 1:
+            return [] if loads[0].static else [0]
+        whole = sum(load.life for load in mesh.loads)
+        wear = [load.life * float(np.mean(load.ask.speed)) * float(np.mean(load.torque)) ** WEAR for load in loads]
+        counting = dict[str, int]()
+        for place, (load, worn) in enumerate(zip(loads, wear, strict=True)):
+            counts = place >= len(mesh.loads) or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
+            if counts and not load.static:
+                counting.setdefault(load.case, place)
+        return list(counting.values())
 
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
         steels, quality = steels_of(rating, ask.roles), mesh_quality(rating, ask, module)
@@ -679,7 +787,7 @@ def _judgements(rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]
         clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
         yield Check(
             mesh,
-            "speed of K_V",
+            SPEED,
             clause,
             speed,
             FASTEST,

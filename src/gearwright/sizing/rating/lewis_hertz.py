@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import MappingProxyType
@@ -271,6 +271,9 @@ class LewisHertz:
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads [-]."""
         return self.reserve(self.rate(mesh))
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> None:
+        """Return nothing: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts by ISO 6336 with the mission's steel: Lewis and Hertz know no life."""

@@ -33,9 +33,6 @@ METHODS: dict[str, Method[Any]] = {
 }
 """Name -> method."""
 
-ELEMENTWISE = frozenset({"iso6336", "iso6336-2006", "din3990"})
-"""Methods that find the modules of an array of choices entry by entry, whatever stands beside them."""
-
 
 def method_for(rating: Rating) -> Method[Any]:
     """Return the method that rates a stage.

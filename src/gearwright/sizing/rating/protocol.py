@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Protocol, TypeVar
@@ -104,7 +104,7 @@ class Load(NamedTuple):
     """One load case as a mesh feels it."""
 
     case: str
-    torque: float
+    torque: Any
     """On the first gear, of one mesh, load factor included [N m]."""
     ask: Ask
     life: float
@@ -118,9 +118,9 @@ class LoadedMesh(NamedTuple):
 
     rating: Rating
     """Rules of its stage."""
-    module: float
-    """m_n, of bevel gears m_mn [m]."""
-    face_width: float
+    module: Any
+    """m_n, of bevel gears m_mn; a number, or an array where `nearness` is asked [m]."""
+    face_width: Any
     """b [m]."""
     heaviest: Load
     """The heaviest case over the whole life."""
@@ -130,6 +130,15 @@ class LoadedMesh(NamedTuple):
     """Modules that bending and contact ask for [m]."""
     others: tuple[Load, ...] = ()
     """Cases that last but of which no share is said: they count for resonance alone."""
+
+
+class SizesNear(NamedTuple):
+    """How near arrays of sizes come to what is asked of a mesh."""
+
+    strength: Floats
+    """By what factor the loads could grow, about; 1 and more where strengths are met [-]."""
+    rest: Floats
+    """Least value over limit of all else [-]."""
 
 
 class MeshSpectrum(NamedTuple):
@@ -269,6 +278,9 @@ class Method(Protocol[R]):
 
     def reserve_of(self, mesh: LoadedMesh) -> float:
         """Return the same of a mesh whose record nobody reads, as sizes are tried [-]."""
+
+    def of_sizes(self, mesh: LoadedMesh, left_out: Collection[str]) -> SizesNear | None:
+        """Return how near arrays of sizes come to what is asked, but for films; None: sizes are taken one by one."""
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[ClassDamage, ClassDamage]:
         """Return Miner's parts of both gears."""

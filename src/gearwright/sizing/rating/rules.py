@@ -108,6 +108,10 @@ class Proportions(Protocol):
         """Largest face width over the normal module [-]."""
 
     @property
+    def narrowest_modules(self) -> float:
+        """Least face width over the normal module that is chosen [-]: 6, as faces of 6 to 12 modules are usual."""
+
+    @property
     def standard_modules(self) -> bool:
         """Modules come from series I and II of ISO 54."""
 

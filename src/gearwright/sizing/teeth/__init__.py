@@ -4,8 +4,7 @@ How large the teeth become is for `stages`.
 """
 
 from gearwright.sizing.teeth.front import EQUAL
-from gearwright.sizing.teeth.masses import made_share
-from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, Trying, choose_teeth, stage_teeth
+from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.stage import refuse_contradictions
 
 __all__ = [
@@ -13,9 +12,7 @@ __all__ = [
     "EQUAL",
     "Chosen",
     "StageTeeth",
-    "Trying",
     "choose_teeth",
-    "made_share",
     "refuse_contradictions",
     "stage_teeth",
 ]

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.base import SIDES, Bools, Floats, Ints
+from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import ForbiddenBand, StageShifts, module_owners
@@ -63,6 +64,19 @@ class Front:
         return Front(*({name: made([part[name] for part in same]) for name in same[0]} for same in parts))
 
 
+class Part(NamedTuple):
+    """A part of the life of a stage, or a limit load, beside its largest load."""
+
+    case: str
+    torque: float
+    """Over the largest [-]."""
+    speed: float
+    """Rolling speed over that of the largest load [-]."""
+    life: float
+    """How long it lasts [s]; 0 of a case that counts for resonance alone."""
+    static: bool = False
+
+
 class Ban(NamedTuple):
     """A forbidden band of frequencies as one stage is held against it."""
 
@@ -97,17 +111,21 @@ class Task:
     """z_r − (z_s + 2 z_p) of a ring that is chosen [-]."""
     bans: tuple[Ban, ...] = ()
     """Bands of frequencies at which nothing of it passes."""
-    row: Ints | None = None
-    """Of many designs, that which every choice belongs to; torque, speed and rolling are then those of every choice."""
     factors: Mapping[int, float] = field(default_factory=dict)
     """Number of planets that is looked at -> its K_γ [-]; empty of pairs."""
     steady: float = 1.0
     """Load for which tips are relieved over the largest one [-]."""
     fastest: float = 1.0
     """Greatest rolling speed over the one at the largest load [-]."""
-    known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
-    """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
-    [-] at nominal load, as far as found."""
+    parts: tuple[Part, ...] = ()
+    """Its life, where a standard sizes it on a grid."""
+    carried: tuple[tuple[float, float], ...] = ()
+    """Torque over the largest on the reference gear and speed [rad/s] of the carrier of a set in every case."""
+    plate: Plate | None = None
+    """Of that carrier; None of pairs, and where nothing loads a set."""
+    known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
+    and what the carrier weighs over m_n³ [kg/m³] at nominal load, as far as found."""
     closed: dict[tuple[int, int, int], StageShifts | None] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of sun, planet and ring -> shifts that close them, as far as looked for; None where none do."""
 

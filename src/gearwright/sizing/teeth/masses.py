@@ -5,12 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from gearwright.base import Floats, Ints, Role, largest
+from gearwright.parts.planetary import first_carrier_mass
 from gearwright.sizing.rating import (
+    BEARING_GAP,
     LEAST_TORQUE,
+    RIM,
+    STANDARD_MODULES,
     Ask,
     Load,
     LoadedMesh,
@@ -29,7 +34,7 @@ from gearwright.sizing.rating import (
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary, case_named
-from gearwright.spec.design import GROUND, GearRules, module_owners
+from gearwright.spec.design import GROUND, module_owners
 from gearwright.train import Mesh, PowerFlow, gears_of
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -104,13 +109,7 @@ def _with_teeth(load: Load, teeth: tuple[int, int], ratio: float) -> Load:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-RIM = 1.25 + 1.2 * 2.25
-"""Wall of a gear from its pitch circle to the inside of its rim, over the module [-]: the tooth's root, and a backing
-of 1.2 tooth heights (AGMA 2001-D04)."""
-_TEETH = 1 << 16
-"""More than any gear has [-]."""
-_BEARING_GAP = 0.5
-"""Part of the room inside a planet's rim that neither its bearing nor its pin fills [-], an estimate."""
+_MM = 1e-3
 
 
 def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -> Front:
@@ -143,13 +142,13 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     ask = _relieved(ask, task)
     if rating.proportions is None:
         cube = _cubes(ask, task)
-    elif task.row is not None:
-        cube = _cubes_of_rows(ask, task, task.row, reference, planets=planets) * (task.speed / speed)
     else:
-        cube, width_ratio = _known_sizes(ask, task, reference, speed, planets=planets)
+        cube, width_ratio, around = _known_sizes(ask, task, reference, speed, planets=planets, discs=discs)
+        discs = discs + around / width_ratio
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
-    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
+    volume = width_ratio * discs
+    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + volume}
     counts = {task.name: np.full(len(small), planets)} if isinstance(stage, Planetary) else {}
     weighed = Front({**front.teeth, **names}, front.speeds, cubes, volumes, {**front.planets, **counts})
     return replace(weighed, tally=tallied(front.tally, weighed.mass - front.mass))
@@ -170,11 +169,9 @@ def _torque(task: Task, planets: int) -> float:
     return task.torque * task.factors.get(planets, task.rating.load_factor) / task.rating.load_factor
 
 
-def _relieved(ask: Ask, task: Task, among: Ints | None = None) -> Ask:
-    """Return what is asked with the load for which tips are relieved and the greatest speed, of all choices or some."""
-    steady, fastest = (values if among is None or not np.ndim(values) else values[among]
-                       for values in (np.asarray(task.steady), np.asarray(task.fastest)))  # fmt: skip
-    return ask._replace(relieved=steady * np.asarray(ask.per_tooth), fastest=fastest * np.asarray(ask.speed))
+def _relieved(ask: Ask, task: Task) -> Ask:
+    """Return what is asked with the load for which tips are relieved and the greatest speed."""
+    return ask._replace(relieved=task.steady * np.asarray(ask.per_tooth), fastest=task.fastest * np.asarray(ask.speed))
 
 
 def _cubes(ask: Ask, task: Task) -> Floats:
@@ -214,22 +211,13 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
     return stage.pinion_bore, stage.wheel_bore
 
 
-def _cubes_of_rows(ask: Ask, task: Task, row: Ints, reference: Ints, *, planets: int) -> Floats:
-    """Return the same at nominal load where a standard rates many designs: of each pair of teeth of a design once."""
-    small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    keys = (row * _TEETH + small) * _TEETH + large
-    _, first, place = np.unique(keys, return_index=True, return_inverse=True)
-    nominal = ask._replace(
-        per_tooth=np.asarray(_torque(task, planets))[first] / reference[first] / planets,
-        speed=np.asarray(task.rolling)[first],
-        teeth=(small[first], large[first]),
-        width_ratio=np.asarray(ask.width_ratio)[first],
-    )
-    return np.asarray(_cubes(_relieved(nominal, task, first), task)[place])
+def _known_sizes(
+    ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Return m_n³, λ and the carrier over m_n³ where a standard rates the stage: of each pair of tooth numbers once.
 
-
-def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int) -> tuple[Floats, Floats]:
-    """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
+    Scaled by m³ ∝ T.
+    """
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     load = task.speed / speed
     pairs = zip(small.tolist(), large.tolist(), strict=True)
@@ -240,20 +228,149 @@ def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats, *, planet
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )
-        task.known.update(zip([keys[k] for k in missing], _sizes(_relieved(new, task), task), strict=True))
-    cubes, widths = np.array([task.known[key] for key in keys]).reshape(-1, 2).T
-    return cubes * load, widths
+        sizes = _sizes(_relieved(new, task), task, np.asarray(discs)[missing], planets=planets)
+        task.known.update(zip([keys[k] for k in missing], sizes, strict=True))
+    cubes, widths, around = np.array([task.known[key] for key in keys]).reshape(-1, 3).T
+    return cubes * load, widths, around
 
 
-def _sizes(ask: Ask, task: Task) -> Iterator[tuple[float, float]]:
-    """Yield m_n³ [m³] and λ of every choice: of bevel pairs as sizing makes them, of others before they are rounded."""
+def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
+    """Yield m_n³ [m³], λ and the carrier over m_n³ [kg/m³] of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
             module, width = bevel_size(task.rating, task.rows, teeth, ratio)
-            yield module * module * module, width / module
-    else:
-        yield from zip(_cubes(ask, task).tolist(), ratios, strict=True)
+            yield module * module * module, width / module, 0.0
+        return
+    needed = np.cbrt(_cubes(ask, task))
+    found = _on_grid(ask, task, needed, discs, planets=planets) if task.rating.width_is_open else None
+    modules, widths = (needed, np.asarray(ask.width_ratio) * needed) if found is None else found
+    around = _around(ask, task, discs, modules, widths, planets=planets)
+    yield from zip(*(column.tolist() for column in (modules**3, widths / modules, around / modules**3)), strict=True)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Standard modules and whole millimetres of width of many choices at once, by one or two ratings of each module.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_TRIED = 11
+"""Standard modules that are tried of each choice [-]."""
+_BELOW = 3
+"""How many of them are smaller than what it needs at the widest face in its heaviest case [-]."""
+_ROUNDS = 3
+"""Ratings by which the face width of each is found [-]."""
+_KEPT = 4
+"""Modules of each choice that are rated more than once [-]."""
+_SLOPES = (0.5, 8.0)
+"""Powers of the width with which the load may grow that a size bears [-]."""
+_SHORT = 10.0
+"""Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
+
+
+def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int) -> tuple[Floats, Floats] | None:
+    """Return module and face width of every choice of which its gearbox weighs least [m]; None: no arrays are rated.
+
+    Args:
+        ask: Of choices.
+        task: The stage.
+        needed: Module that each needs with its widest face [m].
+        discs: What its bodies weigh over b m_n² [kg/m³].
+        planets: Of a planetary set [-].
+    """
+    modules = _modules(task, needed)
+    asks = (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
+    ratio = np.asarray(ask.width_ratio)[:, None]
+    widths = np.clip(ratio * needed[:, None] ** 3 / modules**2, _narrow(task, modules), ratio * modules)
+    before, slope = None, np.ones_like(modules)
+    for round_ in range(_ROUNDS):
+        count, wide = modules.shape[1], ratio * modules
+        near = [_near(task, _repeated(own, count), modules, widths) for own in asks]
+        if any(one is None for one in near):
+            return None
+        strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
+        now = np.log(widths), np.log(np.maximum(strength, 1e-6))
+        if before is not None:
+            moved = np.where(now[0] == before[0], 1.0, now[0] - before[0])
+            slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
+        wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
+        widths = np.clip(wanted, np.minimum(_narrow(task, modules), wide), wide)
+        short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
+        each = _repeated(ask, count), task, np.repeat(discs, count)
+        around = _around(*each, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
+        masses = np.where(short, _SHORT, 1.0) * (discs[:, None] * widths * modules**2 + around)
+        kept = np.argsort(masses, axis=1, kind="stable")[:, : _KEPT if round_ < _ROUNDS - 1 else 1]
+        modules, widths, slope, *before = (
+            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, slope, *now)
+        )
+    return modules[:, 0], widths[:, 0]
+
+
+def _modules(task: Task, needed: Floats) -> Floats:
+    """Return the modules that are tried of every choice, shape (choices, modules) [m]."""
+    rules = task.rating.proportions
+    assert rules is not None
+    if not rules.standard_modules:
+        return needed[:, None] * np.asarray(1.12 ** np.arange(-_BELOW, _TRIED - _BELOW))
+    series = [_MM * module for module in STANDARD_MODULES]
+    while series[-1] < needed.max(initial=0.0):
+        series.append(1.1 * series[-1])
+    table = np.array(series + [series[-1] * 1.1 ** (k + 1) for k in range(_TRIED)])
+    first = np.maximum(np.searchsorted(table, needed * (1.0 - 1e-9)) - _BELOW, 0)
+    return np.asarray(table[first[:, None] + np.arange(_TRIED)])
+
+
+def _narrow(task: Task, modules: Floats) -> Floats:
+    """Return the narrowest faces that are tried [m]."""
+    lean = math.sin(task.rating.helix_angle)
+    return np.asarray(modules * (task.rating.rules.overlap_ratio * math.pi / lean if lean else 1.0))
+
+
+def _repeated(ask: Ask, count: int) -> Ask:
+    """Return what is asked of choices, each so many times."""
+
+    def each(value: Any) -> Any:
+        numbers = np.asarray(value)
+        return np.repeat(numbers, count) if numbers.ndim else value
+
+    return ask._replace(
+        teeth=(each(ask.teeth[0]), each(ask.teeth[1])),
+        per_tooth=each(ask.per_tooth),
+        width_ratio=each(ask.width_ratio),
+        speed=each(ask.speed),
+        relieved=each(ask.relieved),
+        fastest=each(ask.fastest),
+    )
+
+
+def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
+    """Return how near sizes come to what all cases ask of a mesh; None: no arrays are rated."""
+    torque, speed = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0]), np.asarray(ask.speed)
+    loads = [
+        Load(part.case, part.torque * torque, ask._replace(speed=part.speed * speed), part.life, part.static)
+        for part in task.parts
+    ]
+    alone = Load("", torque, ask, task.rating.service.life)
+    lasting = tuple(load for load in loads if load.life > 0.0) or (alone,)
+    others = tuple(load for load in loads if load.life <= 0.0)
+    mesh = LoadedMesh(task.rating, modules.ravel(), widths.ravel(), alone, lasting, (0.0, 0.0), others)
+    return method_for(task.rating).of_sizes(mesh, ())
+
+
+def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats, *, planets: int) -> Floats:
+    """Return about what the carrier of a set weighs with sizes [kg]; nothing of a pair, whose shafts change little."""
+    if not isinstance(task.stage, Planetary) or task.plate is None:
+        return np.zeros(len(modules))
+    small, large = (np.asarray(teeth) for teeth in ask.teeth)
+    planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
+    return first_carrier_mass(
+        [(ratio * _torque(task, planets), speed) for ratio, speed in task.carried],
+        0.5 * (small + large) * modules,
+        widths,
+        planet=task.rating.material.density * math.pi / 4.0 * planet * widths * modules**2,
+        planets=planets,
+        plate=task.plate,
+    )
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:
@@ -266,7 +383,7 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
         ring = ring_teeth(task, small, large)
         annulus = _annulus(ring, wall)
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
-        planet = large**2 - _BEARING_GAP * _inside(large) if task.made else large**2
+        planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
         return teeth, np.asarray(disc * (small**2 + planets * planet + annulus), dtype=np.float64)
     pinion, wheel = gears_of(task.name, stage)
     wheel_square = (
@@ -285,22 +402,6 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
 def _inside(teeth: Ints) -> Floats:
     """Return (d_i/m)² inside the rim of a gear whose wall is as thick as teeth and their backing ask [-]."""
     return np.asarray(np.maximum(teeth - 2.0 * RIM, 0.0) ** 2, dtype=np.float64)
-
-
-def made_share(role: Role, teeth: int, rules: GearRules) -> float:
-    """Return what a gear as it is made weighs over its disc or annulus, by the estimate of the search [-].
-
-    Args:
-        role: Of the gear.
-        teeth: Its number [-].
-        rules: Of its stage.
-    """
-    room = max(teeth - 2.0 * RIM, 0.0)
-    inside = room * room / (teeth * teeth)
-    if role is Role.PLANET:
-        return 1.0 - _BEARING_GAP * inside
-    webbed = role is Role.WHEEL and rules.web_ratio == 1.0
-    return 1.0 - (1.0 - rules.web_thickness_ratio) * inside if webbed else 1.0
 
 
 def _annulus(teeth: Ints, wall: float) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import ROUNDING, SIDES, Bools, DesignError, Floats, Problem, Role, largest
+from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import PRELIMINARY, TeethSearch
 from gearwright.sizing.teeth.candidates import (
@@ -25,12 +26,13 @@ from gearwright.sizing.teeth.candidates import (
     ring_variants,
 )
 from gearwright.sizing.teeth.forbidden import banned, clear_places
-from gearwright.sizing.teeth.front import EQUAL, Front, Task, needs_of, ranks_of, with_twins
+from gearwright.sizing.teeth.front import EQUAL, Front, Part, Task, needs_of, ranks_of, with_twins
 from gearwright.sizing.teeth.masses import aligned, bevel_rows, weigh
 from gearwright.sizing.teeth.stage import extend, refusal, tooth_ratio
-from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
+from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, levels_of, shares_of
 from gearwright.spec.design import RATINGS, SUN_LIMITS, module_owners
 from gearwright.train import (
+    Mesh,
     PowerFlow,
     Targets,
     Train,
@@ -207,6 +209,8 @@ MANY = 5_000
 """Choices of a front beyond which those that cannot win are looked for [-]."""
 MOST = 50_000
 """Choices of a front that are held; the lightest of more, and then nothing is proven [-]."""
+HELD = 1_000
+"""The same where more than the lightest are asked for [-]."""
 BEAM = 300
 """Choices with which a first good train is looked for [-]."""
 
@@ -329,10 +333,12 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
         grown = extend(found.front, task, design, search.nominal, needs=needs, may_win=rule)
         left_out = found.left_out + grown.left_out
         found = _Found(carried_over(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
-        if later and beam is None and len(found.front) > MANY and not search.whole:
+        most = MOST if design.teeth.sized == 1 else max(HELD, design.teeth.sized)
+        alone = beam is None and design.teeth.sized == 1
+        if later and alone and len(found.front) > MANY and not search.whole:
             limit = min(limit, _known(search, found.front, later))
             found = _only(found, _MayWin(search, tuple(later), limit)(found.front))
-        found = _narrowed(search, found, later, beam or MOST)
+        found = _narrowed(search, found, later, beam or most)
     return found
 
 
@@ -442,13 +448,17 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
     fatigue, loads = RATINGS[rating.method].fatigue, list[tuple[float, float]]()
     lasting = dict[str, tuple[float, float]]()
+
+    def load_of(mesh: Mesh, flow: PowerFlow) -> tuple[float, float]:
+        alike = 1 if isinstance(stage, Planetary) else mesh.count
+        load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / alike * rating.load_factor
+        return load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+
     for case, flow in flows.items():
         if fatigue and case_named(design, case).static:
             continue
         for mesh in own_rows:
-            meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
-            load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
-            loads.append((load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])))
+            loads.append(load_of(mesh, flow))
             lasting[case] = (
                 loads[-1] if case not in lasting else largest([lasting[case], loads[-1]], lambda row: row[0])
             )
@@ -464,7 +474,49 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
         return replace(task, factors=factors)
     steady = worn_torque(design, lasting) / torque if torque else 1.0
     fastest = max(speed for _, speed in lasting.values()) / rolling if rolling else 1.0
-    return replace(task, factors=factors, steady=steady, fastest=fastest)
+    every = {
+        case: max((load_of(mesh, flow) for mesh in own_rows), key=lambda row: row[0]) for case, flow in flows.items()
+    }
+    parts = tuple(parts_of(design, every, (torque, rolling))) if torque and rolling else ()
+    task = replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts)
+    if not isinstance(stage, Planetary) or not torque:
+        return task
+    steel, carriers = design.shaft_material, design.carriers
+    carried = tuple(
+        (abs(sum(flow.meshes[mesh.name].torques[2] for mesh in meshes)) * rating.load_factor / torque,
+         abs(flow.speeds.get(stage.carrier, 0.0)))
+        for flow in flows.values()
+    )  # fmt: skip
+    allowable = (steel.yield_strength or math.inf) / carriers.safety
+    plate = Plate(allowable, steel.density, carriers.plate_ratio, carriers.fill, turns=stage.carrier != GROUND)
+    return replace(task, carried=carried, plate=plate)
+
+
+def parts_of(
+    design: Design, loads: Mapping[str, tuple[float, float]], largest_load: tuple[float, float]
+) -> Iterator[Part]:
+    """Yield what makes up the life of a stage, limit loads, and the cases that count for resonance alone.
+
+    Args:
+        design: With shares of cases and their levels.
+        loads: Case -> torque [N m] and rolling speed [rad/s].
+        largest_load: The largest of those that last.
+    """
+    torque, rolling = largest_load
+    shares, life = shares_of(design), design.service.life
+    for case, share in shares.items():
+        for level, part in levels_of(design, case):
+            if share * part > 0.0 and loads[case][0] > 0.0:
+                yield Part(case, level * loads[case][0] / torque, loads[case][1] / rolling, share * part * life)
+    for case, (load, speed) in loads.items():
+        if load <= 0.0:
+            continue
+        if case_named(design, case).static:
+            turning = max(speed, 1e-3)
+            yield Part(case, load / torque, turning / rolling, 2.0 * math.pi / turning, static=True)
+        elif not shares:
+            heaviest_one = load >= torque * (1.0 - ROUNDING)
+            yield Part(case, load / torque, speed / rolling, life if heaviest_one else 0.0)
 
 
 def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
@@ -514,21 +566,12 @@ def carried_over(design: Design, front: Front) -> Front:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Which of the lightest combinations of teeth a preliminary sizing looks at, one after the other, and which it takes.
-#
-# The search weighs gears before their modules are rounded. What rounding does, by standard modules and by speeds near
-# a resonance of the mesh, shows when gears are sized and rated. So they are, of one combination after the other: none
-# with teeth of a stage that failed or grew heavy before, and no more once one that passes is about as light as the
-# next.
+# The lightest combinations of teeth among which the sizing looks, one after the other.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 CONSIDERED = 60
-"""Combinations of the lightest gears among which a preliminary sizing looks [-]."""
-LOOKED_AT = 12
-"""How many of them it sizes at most [-]."""
-PROMISING = 1.05
-"""Gears that pass over the estimate for the next combination, below which that one is not looked at [-]."""
+"""Combinations of the lightest gears among which a sizing by a standard, or a preliminary one, looks [-]."""
 
 StageTeeth = tuple[str, tuple[int, ...]]
 """Stage, and its teeth with its number of planets where that is open."""
@@ -545,76 +588,3 @@ def stage_teeth(train: Train, choice: Chosen) -> frozenset[StageTeeth]:
     for gear in train.gears:
         own[gear.stage] = (*own.get(gear.stage, ()), choice.teeth[gear.name])
     return frozenset((stage, (*teeth, choice.planets.get(stage, 0))) for stage, teeth in own.items())
-
-
-class Tried(NamedTuple):
-    """A combination whose gears are sized."""
-
-    place: int
-    """Among those that are considered [-]."""
-    nearness: float
-    """How near its gears come to all that is asked of them [-]: 1 where they meet it."""
-    mass: float
-    """What they weigh [kg]."""
-
-
-@dataclass
-class Trying:
-    """The course of looking at combinations."""
-
-    stages: Callable[[int], frozenset[StageTeeth]]
-    """Place of a combination, those of the lightest gears first -> its teeth."""
-    masses: Sequence[float]
-    """What the gears of every combination weigh by the estimate of the search [kg]."""
-    tried: list[Tried] = field(default_factory=list)
-    poor: set[StageTeeth] = field(default_factory=set)
-    """Teeth of stages whose gears failed, or became heavier than the search took them for."""
-    at: int = 0
-    """Combinations that are looked at or passed over [-]."""
-    looked: int = 0
-    """Combinations that are looked at [-]."""
-
-    def next(self) -> int | None:
-        """Return the combination to look at; None where enough are known."""
-        while self.looked < LOOKED_AT and self.at < len(self.masses):
-            place = self.at
-            if self.tried and self._is_light_enough(place):
-                return None
-            self.at += 1
-            if not self.stages(place) & self.poor:
-                self.looked += 1
-                return place
-        return None
-
-    def _is_light_enough(self, place: int) -> bool:
-        best = self.ranked()[0]
-        return best.nearness >= 1.0 - EQUAL and best.mass <= PROMISING * self.masses[place]
-
-    def note(self, place: int, nearness: Mapping[str, float], heaviness: Mapping[str, float], *, mass: float) -> None:
-        """Note what came of a combination.
-
-        Args:
-            place: Of it.
-            nearness: Stage -> least value over limit of its checks [-].
-            heaviness: Stage -> volume of its gears over that by which they were found [-].
-            mass: What its gears weigh [kg].
-        """
-        met = {stage: min(ratio / (1.0 - ROUNDING), 1.0) for stage, ratio in nearness.items()}
-        poor = {stage for stage, ratio in met.items() if ratio < 1.0}
-        poor |= {stage for stage, ratio in heaviness.items() if ratio > PROMISING}
-        self.poor |= {teeth for teeth in self.stages(place) if teeth[0] in poor}
-        self.tried.append(Tried(place, min(met.values(), default=1.0), mass))
-
-    def ranked(self) -> list[Tried]:
-        """Return what was tried, the nearest first, of equals the lightest, of these the first."""
-        left, order = list(self.tried), list[Tried]()
-        while left:
-            best = left[0]
-            for one in left[1:]:
-                as_near = one.nearness >= best.nearness - EQUAL
-                lighter = one.mass < best.mass * (1.0 - EQUAL)
-                if one.nearness > best.nearness + EQUAL or (as_near and lighter):
-                    best = one
-            left.remove(best)
-            order.append(best)
-        return order

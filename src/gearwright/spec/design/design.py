@@ -353,6 +353,11 @@ class Design(Shown, Record):
         """
         return method_of(self.rules(stage).rating, self.stages[stage].meshes)
 
+    @property
+    def compares_sizes(self) -> bool:
+        """Whether several sizes are completed and compared: gears are sized on a grid, or held against all checks."""
+        return self.level == "preliminary" or any(RATINGS[self.rating(name)].table for name in self.stages)
+
 
 @of_latest(2)
 def _machines(design: Design) -> dict[str, Machine]:

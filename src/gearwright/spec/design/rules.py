@@ -312,6 +312,12 @@ class Iso6336Rules(Record):
     )
     widest_diameters: Ratio = Field(0.8, gt=0, le=3, description="Largest face width over the pinion's pitch diameter")
     widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Largest face width over the normal module")
+    narrowest_modules: Ratio = Field(
+        6.0,
+        ge=1,
+        le=30,
+        description="Least face width over the normal module that is chosen where it is left out",
+    )
     standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")
 
 
@@ -353,6 +359,12 @@ class Agma2001Rules(Record):
     adjusted: bool = Field(False, description="Aligned at assembly or lapped: C_e = 0.8 in K_m")
     widest_diameters: Ratio = Field(0.8, gt=0, le=3, description="Largest face width over the pinion's pitch diameter")
     widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Largest face width over the normal module")
+    narrowest_modules: Ratio = Field(
+        6.0,
+        ge=1,
+        le=30,
+        description="Least face width over the normal module that is chosen where it is left out",
+    )
     standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")
 
 
@@ -388,6 +400,9 @@ class Agma2003Rules(Record):
         0.8, gt=0, le=3, description="Of cylindrical stages; bevel faces keep to R_e/3 and 10 m_et"
     )
     widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Likewise")
+    narrowest_modules: Ratio = Field(
+        6.0, ge=1, le=30, description="Least face width over the mean normal module where it is left out"
+    )
     standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")
 
 
