@@ -113,7 +113,7 @@ def particulars(sizing: Sizing) -> Particulars:
 
     >>> import gearwright as gw
     >>> round(particulars(gw.size(gw.read("star"))).complete.total, 1)
-    87.2
+    125.9
     """
     design, flows, complete = sizing.design, sizing.flows, complete_mass(sizing)
     return Particulars(

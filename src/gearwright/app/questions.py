@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 QUICK = {
-    "edit": "verbs",
-    "flow": "verbs",
-    "form": "verbs",
-    "influences": "verbs",
-    "meaning": "verbs",
-    "model": "verbs",
-    "schematic": "verbs",
-    "size": "verbs",
+    "edit": "questions",
+    "flow": "questions",
+    "form": "questions",
+    "influences": "questions",
+    "meaning": "questions",
+    "model": "questions",
+    "schematic": "questions",
+    "size": "questions",
 }
 """What answers at once."""
 BESIDE = {"form": "form", "meaning": "form", "influences": "influences"}
@@ -40,14 +40,14 @@ LIMITS = {"form": 60.0, "influences": 900.0}
 LONG = {
     "campbell": "motions",
     "close": "trials",
-    "export": "verbs",
+    "export": "questions",
     "fly": "motions",
     "mission": "motions",
     "modes": "motions",
     "moved": "trials",
-    "report": "verbs",
+    "report": "questions",
     "resume": "trials",
-    "review": "verbs",
+    "review": "questions",
     "rows": "trials",
     "runup": "motions",
     "simulate": "motions",

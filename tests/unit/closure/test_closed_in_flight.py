@@ -61,7 +61,8 @@ def test_flights_that_do_not_come_to_rest_are_told(monkeypatch):
     (told,) = (check for check in found.checks if check.mode == "convergence of the closure in flight")
     assert told.fails
     assert "live through them" in told.clause
-    assert told.margin == pytest.approx(min(c.reserve for c in found.checks if requirement_of(c) == FLOWN and c.fails))
+    least = min(check.reserve for check in found.checks if requirement_of(check) == FLOWN and check.fails)
+    assert told.margin == pytest.approx(least, rel=1e-4)  # that of the text, whose shafts are rounded, is flown last
 
 
 def test_oil_that_is_warmer_in_flight_is_what_teeth_are_rated_with():
