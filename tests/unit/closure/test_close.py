@@ -1,5 +1,6 @@
 """A closed design meets everything in an independent review of its text, and no less would do."""
 
+import math
 import re
 from functools import cache
 from io import StringIO
@@ -22,8 +23,10 @@ from gearwright.spec import design_text, edited, parse, read
 HOUR = 3600.0
 LIGHT = Wishes(lighten=False)
 OPEN = edited(parse(PAIR), {"gears.rating": "iso6336"})
-RATED = edited(OPEN, {"gears.iso6336.tip_relief_um": 0.0})
+UNRELIEVED = edited(OPEN, {"gears.iso6336.tip_relief_um": 0.0})
 """Teeth without relief, whose forced response asks for more than K_V by their rating."""
+RATED = edited(UNRELIEVED, {"gears.iso6336.narrowest_modules": 1.0})
+"""The same with faces as narrow as they need be, so that strengths alone say how wide they are."""
 
 
 @cache
@@ -66,6 +69,15 @@ def test_the_next_smaller_whole_millimetre_fails():
     assert width * 1e3 == pytest.approx(round(width * 1e3), abs=1e-9)
     smaller = edited(closed().design, {"pairs.stage.face_width_mm": width * 1e3 - 1.0})
     assert "stage.pinion pitting" in [check.name for check in size(smaller).checks if check.fails]
+
+
+def test_a_face_is_no_narrower_than_six_modules_though_its_teeth_would_bear_more():
+    """As the strengths of 2.5 mm teeth pass with less than 15 mm: 5 % are to spare."""
+    wide = close(UNRELIEVED, wishes=LIGHT)
+    stage = wide.design.pairs["stage"]
+    assert wide.outcome is Outcome.CLOSED
+    assert stage.face_width == pytest.approx(math.ceil(6.0 * stage.module / 1e-3 - 1e-9) * 1e-3)
+    assert min(check.reserve for check in wide.checks if check.mode == "pitting") > 1.02
 
 
 def test_no_lighter_standard_module_and_whole_width_meets_the_strengths():
@@ -229,7 +241,12 @@ def test_what_stands_against_what_is_not_met_is_named():
     design = edited(RATED, {"pairs.stage.face_width_mm": 12, "pairs.stage.module_mm": 2})
     narrow = close(design, wishes=Wishes(separate=False, lighten=False))
     found = {row.against: row for row in contradictions(design, narrow)}
-    assert "stage.pinion tooth root" in found["pairs.stage.face_width_mm = 12"].unmet
-    assert "flank" in found["pairs.stage.face_width_mm = 12"].requirements
-    assert found["pairs.stage.module_mm = 2"].mass < found["pairs.stage.face_width_mm = 12"].mass
+    for given in ("pairs.stage.face_width_mm = 12", "pairs.stage.module_mm = 2"):
+        assert "stage.pinion tooth root" in found[given].unmet
+        assert {"flank", "root"} <= set(found[given].requirements)
+    wide, large = (close(edited(design, {f"pairs.stage.{key}": None}), wishes=Wishes(separate=False, lighten=False))
+                   for key in ("face_width_mm", "module_mm"))  # fmt: skip
+    assert found["pairs.stage.face_width_mm = 12"].mass == pytest.approx(wide.mass)
+    assert found["pairs.stage.module_mm = 2"].mass == pytest.approx(large.mass)
+    assert large.mass > wide.mass, "a face of 12 mm bears its load with modules of 9 mm alone"
     assert contradictions(RATED, closed()) == ()
