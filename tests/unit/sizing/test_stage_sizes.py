@@ -8,6 +8,7 @@ import pytest
 from designs import PAIR, changed
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
+from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import at_level, edited, parse, read
 from mounted_designs import HELICOPTER
@@ -29,23 +30,40 @@ def stage(sizing, name):
     return gear.module, gear.face_width, min(margins)
 
 
+def lighter_widths(design, module, least, widest, most):
+    """Yield whole widths of a module that is given [mm], from the least, whose complete gearbox is lighter [kg]."""
+    for width in range(math.ceil(min(least, widest) - 1e-9), math.floor(widest + 1e-9) + 1):
+        other = size(edited(design, {"overrides.stage.module_mm": module, "overrides.stage.face_width_mm": width}))
+        if complete_mass(other).total >= most * (1.0 - 1e-9):
+            return
+        yield width, other
+
+
 @pytest.mark.parametrize(("helix", "power"), [(0, 100), (0, 400), (15, 100), (15, 900), (25, 30)])
-def test_no_standard_module_gives_lighter_gears_that_bear_their_loads(helix, power):
-    """Of every module the face with which its gears would weigh as little fails: they weigh as b m_n²."""
+def test_no_standard_module_and_whole_width_give_a_lighter_complete_gearbox_that_passes(helix, power):
+    """Of all modules from 0.7 times the chosen one, and widths from six modules and the asked overlap to the widest."""
     text = ISO.replace("power_kw = 100", f"power_kw = {power}") + f"helix_angle_deg = {helix}\n"
     sizing = size(parse(text))
     module, width, margin = stage(sizing, "stage")
     assert [check.name for check in sizing.checks if check.fails] == [] and margin >= 1.0 - 1e-9
     assert 1e3 * module in [pytest.approx(standard) for standard in STANDARD_MODULES]
     assert 1e3 * width == pytest.approx(round(1e3 * width))
-    lean = math.sin(math.radians(helix))
-    widest = min(20.0, 0.8 * 23 / math.cos(math.radians(helix)))
-    for other in STANDARD_MODULES:
-        lighter = math.ceil(1e9 * width * module**2 / other**2 - 1e-6) - 1
-        least = 1.15 * math.pi * other / lean if lean else other
-        if min(least, widest * other) <= lighter <= widest * other:
-            given = f'[overrides]\n"stage.module_mm" = {other}\n"stage.face_width_mm" = {lighter}\n'
-            assert [check.name for check in size(parse(text + given)).checks if check.fails] != [], other
+    slant = math.radians(helix)
+    overlap, looked = 1.15 * math.pi / math.sin(slant) if helix else 0.0, 0
+    for other in (other for other in STANDARD_MODULES if other >= 0.7e3 * module):
+        least, widest = max(6.0, overlap) * other, min(20.0, 0.8 * 23 / math.cos(slant)) * other
+        for tried, found in lighter_widths(sizing.design, other, least, widest, complete_mass(sizing).total):
+            assert [check.name for check in found.checks if check.fails] != [], (other, tried)
+            looked += 1
+    assert looked > 10
+
+
+@pytest.mark.parametrize("modules", [2.0, 6.0, 9.0])
+def test_a_face_is_no_narrower_than_the_rules_say_though_its_teeth_would_bear_more(modules):
+    """Teeth of 2.5 mm that 5 kW hardly load."""
+    text = ISO.replace("power_kw = 100", "power_kw = 5") + f"[gears.iso6336]\nnarrowest_modules = {modules}\n"
+    _, width, margin = stage(size(edited(parse(text), {"pairs.stage.module_mm": 2.5})), "stage")
+    assert 1e3 * width == pytest.approx(math.ceil(2.5 * modules)) and margin > 1.0
 
 
 def test_a_helical_pair_is_at_least_as_wide_as_its_overlap_asks():
@@ -57,15 +75,17 @@ def test_a_helical_pair_is_at_least_as_wide_as_its_overlap_asks():
         assert width >= overlap * math.pi * module / math.sin(math.radians(30.0)) - 1e-9 and margin >= 1.0 - 1e-9
 
 
-def test_without_standard_modules_no_module_beside_the_chosen_gives_lighter_gears():
+def test_without_standard_modules_no_module_beside_the_chosen_gives_a_lighter_complete_gearbox():
     text = ISO + "[gears.iso6336]\nstandard_modules = false\nwidest_modules = 9\nwidest_diameters = 0.6\n"
-    module, width, margin = stage(size(parse(text)), "stage")
+    sizing, looked = size(parse(text)), 0
+    module, width, margin = stage(sizing, "stage")
     assert 1e3 * width == pytest.approx(round(1e3 * width)) and margin >= 1.0 - 1e-9
-    for other in (0.9, 0.97, 1.03, 1.1):
-        lighter = math.floor(1e3 * width / other**2 * 0.999)
-        given = {"stage.module": f"{1e3 * other * module!r}", "stage.face_width": f"{lighter}"}
-        overrides = "".join(f'"{path}_mm" = {value}\n' for path, value in given.items())
-        assert [check.name for check in size(parse(text + "[overrides]\n" + overrides)).checks if check.fails], other
+    for part in (0.9, 0.97, 1.03, 1.1):
+        other = 1e3 * part * module
+        for tried, found in lighter_widths(sizing.design, other, 6.0 * other, 9.0 * other, complete_mass(sizing).total):
+            assert [check.name for check in found.checks if check.fails] != [], (other, tried)
+            looked += 1
+    assert looked > 10
 
 
 FREE = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n[gears.iso6336]\nstandard_modules = false\n'
