@@ -69,16 +69,15 @@ class TeethSearch:
     proven: bool
     """True where none of the combinations can be lighter by that estimate; False where there were too many to hold."""
     sized: int = 1
-    """Combinations, those of the lightest gears first, that were sized in full and came out; at a preliminary level
+    """Combinations, those of the lightest gears first, that were sized in full and came out; where sizes are compared,
     those whose gears were sized [-]."""
     failing: int = 0
-    """How many of these fail a check; where all do, the lightest of them is taken, else of the others; at a preliminary
-    level a check of their gears, and then the nearest is taken [-]."""
+    """How many of these fail a check; where sizes are compared, a check of their gears [-]."""
     refused: int = 0
     """Combinations that were sized and are refused [-]."""
     next_sized_mass: Mass = math.inf
-    """What the next-lightest transmission of those weighs from which one is taken; infinite where there is none [kg].
-    """
+    """What the next-lightest complete gearbox weighs of those from which one is taken; infinite where there is none
+    [kg]."""
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import count
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from gearwright.base import (
     accepted,
     largest,
     refuse,
+    smallest_first,
     unknown_waivers,
     verb,
 )
@@ -258,16 +260,18 @@ class _Looked:
                 best = gears
         return best
 
-    def best(self) -> Sizing:
-        """Return the lightest that passes, or of which the fewest checks fail; of equals the first."""
+    def ranked(self) -> list[tuple[float, Sizing]]:
+        """Return those of which the fewest checks fail, with what they weigh complete, the lightest first [kg].
+
+        Of equals the first; one alone is not weighed.
+        """
         if not self.whole:
             raise self.refused[0]
         fewest = min(map(_failing, self.whole))
         among = [sizing for sizing in self.whole if _failing(sizing) == fewest]
         if len(among) == 1:
-            return among[0]
-        masses = [complete_mass(sizing).total for sizing in among]
-        return next(sizing for sizing, mass in zip(among, masses, strict=True) if mass <= min(masses) * (1.0 + EQUAL))
+            return [(math.inf, among[0])]
+        return smallest_first([(complete_mass(sizing).total, sizing) for sizing in among], itemgetter(0))
 
 
 def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
@@ -295,14 +299,13 @@ def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still
             continue
         looked.complete(gears, given, still=still)
     looked.sized = len(looked.whole)
-    masses = sorted(sizing.mass for sizing in looked.passing or looked.whole)
-    failing = len(looked.whole) - len(looked.passing)
-    return _told(looked, failing=failing, following=masses[1] if len(masses) > 1 else math.inf)
+    return _told(looked, failing=len(looked.whole) - len(looked.passing))
 
 
-def _told(looked: _Looked, *, failing: int, following: float = math.inf) -> Sizing:
+def _told(looked: _Looked, *, failing: int) -> Sizing:
     """Return the best with what was looked at."""
-    best = looked.best()
+    ranked = looked.ranked()
+    best = ranked[0][1]
     if best.search is None or looked.sized + len(looked.refused) == 1:
         return best
     search = replace(
@@ -310,7 +313,7 @@ def _told(looked: _Looked, *, failing: int, following: float = math.inf) -> Sizi
         sized=looked.sized,
         failing=failing,
         refused=len(looked.refused),
-        next_sized_mass=following,
+        next_sized_mass=ranked[1][0] if len(ranked) > 1 else math.inf,
     )
     return replace(best, search=search)
 

@@ -146,14 +146,14 @@ class Weighed:
     """What of a sizing the choice among several reads."""
 
     mass: float
-    passes: bool
+    fails: int
     search: TeethSearch
 
 
 def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told(monkeypatch):
-    """Masses 5, 3 and 4 that pass, 1 that does not, and one that cannot be sized: 3, then 4."""
+    """Complete masses 5, 3 and 4 that pass, 1 that does not, and one that cannot be sized: 3, then 4."""
     search, module = size(parse(PAIR)).search, importlib.import_module("gearwright.sizing.size")
-    outcomes = [(5.0, True), (3.0, True), (1.0, False), None, (4.0, True)]
+    outcomes = [(5.0, 0), (3.0, 0), (1.0, 1), None, (4.0, 0)]
 
     def geared(design, train, choice, **_):
         if choice is None:
@@ -163,9 +163,10 @@ def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told
     monkeypatch.setattr(module, "choose_teeth", lambda *_: iter(outcomes))
     monkeypatch.setattr(module, "geared", geared)
     monkeypatch.setattr(module, "completed", lambda choice, given, **_: Weighed(*choice, search))
-    monkeypatch.setattr(module, "_failing", lambda sizing: int(not sizing.passes))
+    monkeypatch.setattr(module, "_failing", lambda sizing: sizing.fails)
+    monkeypatch.setattr(module, "complete_mass", lambda sizing: SimpleNamespace(total=sizing.mass))
     taken = size(parse(PAIR))
     assert taken.mass == 3.0 and taken.search.next_sized_mass == 4.0
     assert (taken.search.sized, taken.search.failing, taken.search.refused) == (4, 1, 1)
-    outcomes[:] = [(5.0, False), (3.0, False)]
+    outcomes[:] = [(5.0, 1), (3.0, 1), (2.0, 2)]
     assert size(parse(PAIR)).mass == 3.0 and size(parse(PAIR)).search.next_sized_mass == 5.0

@@ -220,9 +220,18 @@ def test_a_relief_is_held_to_the_module_that_is_found_where_none_is_stated_and_b
         assert 0.0 <= 0.05 * float(module) - float(most) < 1e-3
     assert size(edited(design, dict.fromkeys(keys, 0.03))).meshes
     compound = text(COMPOUND, ring="ground")
-    (found,) = told(compound, {"gears.iso6336.tip_relief_mm": 0.1, "turbines.turbine.power_kw": 30}).items()
-    assert found[0] == "gears.iso6336.tip_relief_mm" and "0.1 mm on a module of 1.75 mm (set)" in found[1]
-    assert "give 0.087 mm or less" in found[1]  # of 0.0875 mm, in whole micrometres
+    (found,) = told(compound, {"gears.iso6336.tip_relief_mm": 0.3, "turbines.turbine.power_kw": 5}).items()
+    assert found[0] == "gears.iso6336.tip_relief_mm" and "0.3 mm on a module of 1.375 mm (set)" in found[1]
+    assert "give 0.068 mm or less" in found[1]  # of 0.06875 mm, in whole micrometres
+
+
+def test_of_modules_that_are_open_one_is_taken_of_which_a_given_relief_leaves_enough():
+    """0.12 mm ask for 2.4 mm or more, where 1.125 mm would bear the load."""
+    modules = {}
+    for relief in (0.05, 0.12):
+        changes = {"gears.iso6336.tip_relief_mm": relief, "turbines.turbine.power_kw": 5}
+        modules[relief] = {gear.module for gear in size(edited(parse(text(COMPOUND, ring="ground")), changes)).gears}
+    assert max(modules[0.05]) < 2.4e-3 <= min(modules[0.12])
 
 
 def test_a_pair_between_gears_of_two_other_pairs_is_held_to_their_module():

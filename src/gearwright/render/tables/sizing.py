@@ -188,7 +188,10 @@ def chosen_teeth(sizing: Sizing) -> str:
     refused = f", {search.refused} refused" if search.refused else ""
     none, some = search.sized == search.failing, 0 < search.failing < search.sized
     failing = ", none of which passes its checks" if none else f", {search.failing} fail checks" if some else ""
-    sized = f"{search.sized} sized in full{failing}{refused}{_next(sizing.mass, search.next_sized_mass)}"
+    following = ""
+    if math.isfinite(search.next_sized_mass):
+        following = f"; the next complete gearbox weighs {search.next_sized_mass:.4g} kg"
+    sized = f"{search.sized} sized in full{failing}{refused}{following}"
     lightest = f"those with the lightest gears of {search.combinations:,.0f} combinations ({proof})"
     return f"the lightest {'that passes its checks ' if some else ''}of {lightest}: {sized}"
 
