@@ -26,6 +26,7 @@ from gearwright.sizing.rating import (
     Demand,
     Unloaded,
     cone_ratio,
+    least_bevel_width,
     least_width,
     made_share,
     mean_module,
@@ -210,8 +211,8 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
     elif not rating.width_is_open:
         widths = np.array([widest])
     else:
-        mean = mean_module(teeth, module, widest, rating) if bevel else module
-        least = min(max(least_width(rating, mean), _bearing_width(context, part)), widest)
+        usual = least_bevel_width(teeth, module, widest, rating) if bevel else least_width(rating, module)
+        least = min(max(usual, _bearing_width(context, part)), widest)
         low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
         widths = np.arange(min(low, high), high + 1) * _MM
     return widths, np.asarray(mean_module(teeth, module, widths, rating)) if bevel else np.full(len(widths), module)

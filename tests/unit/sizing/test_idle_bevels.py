@@ -45,10 +45,15 @@ def test_an_idle_bevel_pair_takes_its_given_outer_module_and_width():
     assert not [check for check in sizing.checks if "tail" in str(check.part) and check.mode == "pitting"]
 
 
-def test_an_idle_bevel_pair_with_a_module_alone_is_as_narrow_as_one_module():
-    sizing = size(parse(TAIL + "[overrides]\ntail.outer_module_mm = 5\n"))
-    width = next(gear.face_width for gear in sizing.gears if gear.name == "tail.pinion")
-    assert width == pytest.approx(5e-3, abs=1e-3)
+@pytest.mark.parametrize(("modules", "width"), [(2.0, 10.0), (6.0, 27.0)])
+def test_an_idle_bevel_pair_with_a_module_alone_is_as_narrow_as_its_rules_allow(modules, width):
+    """Whole millimetres, m_mn = m_et (1 - b/(2 R_e)): 6 · 4.4 = 26.4 mm at 27 mm, and 26 mm are less than 6 · 4.42."""
+    rules = f"[gears.iso6336]\nnarrowest_modules = {modules}\n"
+    text = TAIL.replace('rating = "iso6336"\n', f'rating = "iso6336"\n{rules}')
+    sizing = size(parse(text + "[overrides]\ntail.outer_module_mm = 5\n"))
+    pinion = next(gear for gear in sizing.gears if gear.name == "tail.pinion")
+    assert pinion.face_width == pytest.approx(width * 1e-3, rel=1e-9)
+    assert pinion.face_width >= modules * pinion.module > pinion.face_width - 1e-3
 
 
 def test_an_idle_bevel_pair_without_a_module_is_told_what_to_write():
