@@ -211,7 +211,7 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
     elif not rating.width_is_open:
         widths = np.array([widest])
     else:
-        usual = least_bevel_width(teeth, module, widest, rating) if bevel else least_width(rating, module)
+        usual = least_bevel_width(teeth, module, rating) if bevel else least_width(rating, module)
         least = min(max(usual, _bearing_width(context, part)), widest)
         low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
         widths = np.arange(min(low, high), high + 1) * _MM

@@ -58,12 +58,24 @@ def test_no_standard_module_and_whole_width_give_a_lighter_complete_gearbox_that
     assert looked > 10
 
 
+@pytest.mark.parametrize("method", ["iso6336", "agma2001"])
 @pytest.mark.parametrize("modules", [2.0, 6.0, 9.0])
-def test_a_face_is_no_narrower_than_the_rules_say_though_its_teeth_would_bear_more(modules):
+def test_a_face_is_no_narrower_than_the_rules_say_though_its_teeth_would_bear_more(method, modules):
     """Teeth of 2.5 mm that 5 kW hardly load."""
-    text = ISO.replace("power_kw = 100", "power_kw = 5") + f"[gears.iso6336]\nnarrowest_modules = {modules}\n"
+    text = changed(ISO.replace("power_kw = 100", "power_kw = 5"), 'rating = "iso6336"', f'rating = "{method}"')
+    text += f"[gears.{method}]\nnarrowest_modules = {modules}\n"
     _, width, margin = stage(size(edited(parse(text), {"pairs.stage.module_mm": 2.5})), "stage")
     assert 1e3 * width == pytest.approx(math.ceil(2.5 * modules)) and margin > 1.0
+
+
+@pytest.mark.parametrize("method", ["iso6336", "agma2003"])
+@pytest.mark.parametrize("modules", [2.0, 6.0, 7.5])
+def test_so_is_that_of_bevel_gears_over_their_mean_module(method, modules):
+    text = changed(BEVEL.format(22, 66).replace("power_kw = 100", "power_kw = 2"), "iso6336", method)
+    text = changed(text, "spiral_angle_deg = 30\n", "")
+    text += f"[gears.{method}]\nnarrowest_modules = {modules}\n"
+    module, width, margin = stage(size(edited(parse(text), {"pairs.stage.outer_module_mm": 5})), "stage")
+    assert width >= modules * module > width - 1e-3 and margin > 1.0
 
 
 def test_a_helical_pair_is_at_least_as_wide_as_its_overlap_asks():

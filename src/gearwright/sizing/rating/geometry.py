@@ -437,17 +437,19 @@ def least_width(rating: Rating, module: float) -> float:
     return max(rating.rules.overlap_ratio * math.pi * module / lean, usual) if lean else usual
 
 
-def least_bevel_width(teeth: tuple[int, int], outer: float, widest: float, rating: Rating) -> float:
+def least_bevel_width(teeth: tuple[int, int], outer: float, rating: Rating) -> float:
     """Return the least face width that is chosen for a bevel pair of an outer module, whose mean module it is over [m].
 
     Args:
         teeth: z_1, z_2 [-].
         outer: Outer transverse module m_et [m].
-        widest: To begin at [m]; what comes of it is too narrow, and of that a width that is not.
         rating: Resolved rules.
+
+    Source: b = λ m_mn, of which m_mn falls linearly with b (`mean_module`).
     """
-    narrow = least_width(rating, mean_module(teeth, outer, widest, rating))
-    return least_width(rating, mean_module(teeth, outer, narrow, rating))
+    ratio, thin = least_width(rating, 1.0), float(mean_module(teeth, outer, 0.0, rating))
+    falls = (thin - float(mean_module(teeth, outer, outer, rating))) / outer
+    return ratio * thin / (1.0 + ratio * falls)
 
 
 def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> float:
@@ -512,7 +514,7 @@ def bevel_width(teeth: tuple[int, int], outer: float, ratio: float, rating: Rati
     width = widest_bevel(teeth, outer, ratio, rating)
     if not rating.width_is_open:
         return width
-    least = least_bevel_width(teeth, outer, width, rating)
+    least = least_bevel_width(teeth, outer, rating)
     return narrowest(least, width, lambda tried: gap(mean_module(teeth, outer, tried, rating), tried))
 
 
