@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from gearwright.base import Floats, Ints, Role, largest
-from gearwright.parts.planetary import first_carrier_mass
 from gearwright.sizing.rating import (
     BEARING_GAP,
     LEAST_TORQUE,
@@ -31,6 +30,7 @@ from gearwright.sizing.rating import (
     stage_width_ratio,
     under_spectrum,
 )
+from gearwright.sizing.rough_mass import around_mass, oil_mass
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary, case_named
@@ -214,7 +214,7 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
 def _known_sizes(
     ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Return m_n³, λ and the carrier over m_n³ where a standard rates the stage: of each pair of tooth numbers once.
+    """Return m_n³, λ and what is around the gears over m_n³ where a standard rates them: of each pair of numbers once.
 
     Scaled by m³ ∝ T.
     """
@@ -235,17 +235,28 @@ def _known_sizes(
 
 
 def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
-    """Yield m_n³ [m³], λ and the carrier over m_n³ [kg/m³] of every choice, about as sizing makes them."""
+    """Yield m_n³ [m³], λ and what is around over m_n³ [kg/m³] of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
             module, width = bevel_size(task.rating, task.rows, teeth, ratio)
-            yield module * module * module, width / module, 0.0
+            sizes = (
+                ask._replace(teeth=(np.array(teeth[:1]), np.array(teeth[1:]))),
+                task,
+                np.array([module]),
+                np.array([width]),
+            )
+            around = float(_around(*sizes, planets=planets)[0])
+            yield module * module * module, width / module, around / module**3
         return
     needed = np.cbrt(_cubes(ask, task))
     found = _on_grid(ask, task, needed, discs, planets=planets) if task.rating.width_is_open else None
-    modules, widths = (needed, np.asarray(ask.width_ratio) * needed) if found is None else found
-    around = _around(ask, task, discs, modules, widths, planets=planets)
+    if found is None:
+        modules, widths = needed, np.asarray(ask.width_ratio) * needed
+        around = _around(ask, task, modules, widths, planets=planets)
+    else:
+        modules, widths, masses = found
+        around = masses - np.asarray(discs) * widths * modules**2
     yield from zip(*(column.tolist() for column in (modules**3, widths / modules, around / modules**3)), strict=True)
 
 
@@ -265,11 +276,17 @@ _KEPT = 4
 _SLOPES = (0.5, 8.0)
 """Powers of the width with which the load may grow that a size bears [-]."""
 _SHORT = 10.0
-"""Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
+"""Factor on the mass of a size that is too weak, so that it is taken where none is strong enough [-]."""
+_BESIDE = 1.5
+"""Factor on the mass of a size that runs in a resonance or the like, for which a wider face may do [-]."""
 
 
-def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int) -> tuple[Floats, Floats] | None:
-    """Return module and face width of every choice of which its gearbox weighs least [m]; None: no arrays are rated.
+def _on_grid(
+    ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int
+) -> tuple[Floats, Floats, Floats] | None:
+    """Return module and face width [m] with which a gearbox of every choice weighs least, and what it weighs [kg].
+
+    None where its method rates no arrays.
 
     Args:
         ask: Of choices.
@@ -295,15 +312,15 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: in
             slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
         wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
         widths = np.clip(wanted, np.minimum(_narrow(task, modules), wide), wide)
-        short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
-        each = _repeated(ask, count), task, np.repeat(discs, count)
-        around = _around(*each, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
-        masses = np.where(short, _SHORT, 1.0) * (discs[:, None] * widths * modules**2 + around)
+        short = np.where(wanted > wide * (1.0 + 1e-9), _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
+        each = _repeated(ask, count), task, modules.ravel(), widths.ravel()
+        around = _around(*each, planets=planets).reshape(modules.shape)
+        masses = short * (discs[:, None] * widths * modules**2 + around)
         kept = np.argsort(masses, axis=1, kind="stable")[:, : _KEPT if round_ < _ROUNDS - 1 else 1]
-        modules, widths, slope, *before = (
-            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, slope, *now)
+        modules, widths, masses, slope, *before = (
+            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, masses, slope, *now)
         )
-    return modules[:, 0], widths[:, 0]
+    return modules[:, 0], widths[:, 0], masses[:, 0]
 
 
 def _modules(task: Task, needed: Floats) -> Floats:
@@ -357,20 +374,20 @@ def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats
     return method_for(task.rating).of_sizes(mesh, ())
 
 
-def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats, *, planets: int) -> Floats:
-    """Return about what the carrier of a set weighs with sizes [kg]; nothing of a pair, whose shafts change little."""
-    if not isinstance(task.stage, Planetary) or task.plate is None:
+def _around(ask: Ask, task: Task, modules: Floats, widths: Floats, *, planets: int) -> Floats:
+    """Return about what carries, encloses and cools the gears of sizes [kg]."""
+    if task.around is None:
         return np.zeros(len(modules))
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
-    return first_carrier_mass(
-        [(ratio * _torque(task, planets), speed) for ratio, speed in task.carried],
-        0.5 * (small + large) * modules,
-        widths,
-        planet=task.rating.material.density * math.pi / 4.0 * planet * widths * modules**2,
-        planets=planets,
-        plate=task.plate,
-    )
+    teeth, planet = [small, large], np.zeros(1)
+    if isinstance(task.stage, Planetary):
+        teeth.append(ring_teeth(task, small, large))
+        square = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
+        planet = task.rating.material.density * math.pi / 4.0 * square * widths * modules**2
+    factor = task.factors.get(planets, task.rating.load_factor)
+    return around_mass(
+        task.around, teeth, modules, widths, planet=planet, planets=planets, factor=factor
+    ) + oil_mass(task.around, teeth, modules, widths, planets=planets)  # fmt: skip
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:
