@@ -240,14 +240,6 @@ class _Looked:
         """Those that pass all their checks."""
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
-    def is_enough(self, completed: int) -> bool:
-        """Tell whether no more choices of teeth are sized: one more passes than is completed, or many fall short.
-
-        Args:
-            completed: Transmissions that are completed [-].
-        """
-        return self.sized - len(self.short) > completed or self.sized >= SIZED
-
     @property
     def nearest(self) -> Geared | None:
         """Of the gears that fall short those that come nearest to what is asked, of equals the lightest; None: none."""
@@ -343,8 +335,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         while waiting:
             course = waiting.pop()
             if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
-                first = len(looked.whole) == 1  # of which the gears of the least diameters come next
-                heapq.heappush(queue, (0.0 if first else gears.estimate, next(order), course._replace(gears=gears)))
+                heapq.heappush(queue, (gears.estimate, next(order), course._replace(gears=gears)))
         if not queue:
             break
         _, _, course = heapq.heappop(queue)
@@ -352,7 +343,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             if not looked.is_too_narrow(course.gears):
                 looked.complete(course.gears, given, still=still)
             waiting.append(course)
-        elif looked.is_enough(max(enough, design.teeth.sized)):
+        elif looked.sized >= SIZED:
             continue
         elif not (teeth := stage_teeth(train, choices[course.place])) & poor:
             try:

@@ -338,33 +338,21 @@ def _unit_of(context: Context, part: Part, size: StageSize) -> float:
 def _best(
     context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
 ) -> Iterator[Option]:
-    """Yield the options that pass, the lightest first, then the smallest module; where none does, the nearest to it."""
+    """Yield the options that pass, the lightest first; where none does, the nearest to it."""
     for left_out in LENIENT:
-        found, smallest = list[Option](), None
+        found = list[Option]()
         for option in _options(context, parts, units, demands, left_out=left_out):
             if left_out and found and option.mass > NEAR * found[0].mass:
                 break
             found.append(option)
-            if not left_out and option != smallest:
+            if not left_out:
                 yield option
-            if not left_out and len(found) == 1 and len(units) > 1:
-                smallest = _smallest(context, parts, units, demands)
-                if smallest is not None and smallest != option:
-                    yield smallest
         if found:
             if left_out:
                 best = max(option.nearness for option in found)
                 yield next(option for option in found if option.nearness >= best - AS_NEAR)
             return
     yield _strongest(context, parts, units, demands)
-
-
-def _smallest(
-    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
-) -> Option | None:
-    """Return the lightest with the smallest unit that passes, whose gears have the least diameter; None where none."""
-    alone = (next(_options(context, parts, (unit,), demands, left_out=()), None) for unit in sorted(units))
-    return next((option for option in alone if option is not None), None)
 
 
 def _options(

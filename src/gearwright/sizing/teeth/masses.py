@@ -22,6 +22,7 @@ from gearwright.sizing.rating import (
     bevel_module,
     bevel_pair,
     bevel_width,
+    least_width,
     mean_module,
     method_for,
     modules,
@@ -338,9 +339,8 @@ def _modules(task: Task, needed: Floats) -> Floats:
 
 
 def _narrow(task: Task, modules: Floats) -> Floats:
-    """Return the narrowest faces that are tried [m]."""
-    lean = math.sin(task.rating.helix_angle)
-    return np.asarray(modules * (task.rating.rules.overlap_ratio * math.pi / lean if lean else 1.0))
+    """Return the narrowest faces that are tried, in whole millimetres [m]."""
+    return np.ceil(modules * (least_width(task.rating, 1.0) / _MM) - 1e-9) * _MM
 
 
 def _repeated(ask: Ask, count: int) -> Ask:
