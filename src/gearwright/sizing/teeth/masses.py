@@ -138,6 +138,7 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         speed=task.rolling,
         passes=(planets, 1.0) if isinstance(stage, Planetary) else _mates(stage),
         roles=(Role.SUN, Role.PLANET) if isinstance(stage, Planetary) else (Role.PINION, Role.WHEEL),
+        held=(isinstance(stage, Planetary) and stage.sun == GROUND, False),
         bores=_bores(stage),
     )
     ask = _relieved(ask, task)
@@ -262,7 +263,7 @@ def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tup
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Standard modules and whole millimetres of width of many choices at once, by one or two ratings of each module.
+# Standard modules and whole millimetres of width of many choices at once, by a few ratings of each module.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -270,10 +271,8 @@ _TRIED = 11
 """Standard modules that are tried of each choice [-]."""
 _BELOW = 3
 """How many of them are smaller than what it needs at the widest face in its heaviest case [-]."""
-_ROUNDS = 3
+_ROUNDS = 5
 """Ratings by which the face width of each is found [-]."""
-_KEPT = 4
-"""Modules of each choice that are rated more than once [-]."""
 _SLOPES = (0.5, 8.0)
 """Powers of the width with which the load may grow that a size bears [-]."""
 _SHORT = 10.0
@@ -297,31 +296,27 @@ def _on_grid(
         planets: Of a planetary set [-].
     """
     modules = _modules(task, needed)
-    asks = (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
-    ratio = np.asarray(ask.width_ratio)[:, None]
-    widths = np.clip(ratio * needed[:, None] ** 3 / modules**2, _narrow(task, modules), ratio * modules)
-    before, slope = None, np.ones_like(modules)
-    for round_ in range(_ROUNDS):
-        count, wide = modules.shape[1], ratio * modules
-        near = [_near(task, _repeated(own, count), modules, widths) for own in asks]
+    count, asks = modules.shape[1], (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
+    each = [_repeated(own, count) for own in asks]
+    wide = np.asarray(ask.width_ratio)[:, None] * modules
+    narrow = np.minimum(_narrow(task, modules), wide)
+    widths, before, slope = np.clip(wide * (needed[:, None] / modules) ** 3, narrow, wide), None, np.ones_like(modules)
+    for _ in range(_ROUNDS):
+        near = [_near(task, own, modules, widths) for own in each]
         if any(one is None for one in near):
             return None
         strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
         now = np.log(widths), np.log(np.maximum(strength, 1e-6))
         if before is not None:
             moved = np.where(now[0] == before[0], 1.0, now[0] - before[0])
-            slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
+            slope = np.clip(np.where(now[0] == before[0], slope, (now[1] - before[1]) / moved), *_SLOPES)
         wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
-        widths = np.clip(wanted, np.minimum(_narrow(task, modules), wide), wide)
-        short = np.where(wanted > wide * (1.0 + 1e-9), _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
-        each = _repeated(ask, count), task, modules.ravel(), widths.ravel()
-        around = _around(*each, planets=planets).reshape(modules.shape)
-        masses = short * (discs[:, None] * widths * modules**2 + around)
-        kept = np.argsort(masses, axis=1, kind="stable")[:, : _KEPT if round_ < _ROUNDS - 1 else 1]
-        modules, widths, masses, slope, *before = (
-            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, masses, slope, *now)
-        )
-    return modules[:, 0], widths[:, 0], masses[:, 0]
+        widths, before = np.clip(wanted, narrow, wide), now
+    short = np.where(wanted > wide * (1.0 + 1e-9), _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
+    around = _around(each[0], task, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
+    masses = short * (discs[:, None] * widths * modules**2 + around)
+    best = np.arange(len(modules)), np.argmin(masses, axis=1)
+    return modules[best], widths[best], masses[best]
 
 
 def _modules(task: Task, needed: Floats) -> Floats:
