@@ -32,7 +32,6 @@ from gearwright.sizing.rating import (
     rate_row,
     row_reserve,
     sizes_near,
-    widest_bevel,
 )
 from gearwright.sizing.rough_mass import Around, Turned, around_mass, around_stage, oil_mass
 from gearwright.spec import Epicyclic, Planetary
@@ -199,10 +198,9 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
     rating, ratio = context.ratings[part.stage], context.width_ratios[part.stage]
     bevel = rating.kind == "bevel"
     teeth = _teeth(context, part)
-    widest = widest_bevel(teeth, module, ratio, rating) if bevel else ratio * module
+    widest = min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * module if bevel else ratio * module
     if part.width is not None:
-        limit = min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * module
-        widths = np.array([min(part.width, limit) if bevel else part.width])
+        widths = np.array([min(part.width, widest) if bevel else part.width])
     elif not rating.width_is_open:
         widths = np.array([widest])
     else:
