@@ -40,20 +40,19 @@ PASSES, MEETS, FAILS = "passes", "choice fails, another passes", "fails"
 """Classes: the choice passes; it fails something and another gearbox does not; none is found that passes."""
 
 
-def answer(kind: str, number: int | str, most: int = MOST, narrowest: float = 1.0) -> dict[str, Any]:
+def answer(kind: str, number: int | str, most: int = MOST) -> dict[str, Any]:
     """Return what the search finds of one design.
 
     Args:
         kind: Of the design.
         number: Of the design.
         most: Sizings that may be made [-].
-        narrowest: Least face width over the module [-].
     """
     begun = time.process_time()
     design = design_of(kind, number)
     sizing = size(design)
     choice, trials = outcome_of(sizing), Trials(design, most)
-    changes, found = searched(trials, blocks_of(design, sizing, narrowest=narrowest), choice)
+    changes, found = searched(trials, blocks_of(design, sizing), choice)
     if (
         found is None
         or (not passes(found) and found.mass >= choice.mass)
@@ -248,7 +247,7 @@ def _answer(arguments: argparse.Namespace) -> None:
     with path.open("a") as file:
         for kind, number in asked[: arguments.count]:
             try:
-                record = answer(kind, number, arguments.most, arguments.narrowest)
+                record = answer(kind, number, arguments.most)
             except DesignError as error:
                 record = {"kind": kind, "k": number, "refused": str(error)[:200]}
             file.write(json.dumps(record, ensure_ascii=False) + "\n")
@@ -309,7 +308,6 @@ def main(words: Sequence[str] | None = None) -> None:
         command.add_argument("--most", type=int, default=MOST)
         command.add_argument("--worst", type=int, default=10)
         command.add_argument("--keep", action="store_true")
-        command.add_argument("--narrowest", type=float, default=1.0, help="least face width over the module")
         command.set_defaults(run=run)
     command = commands.add_parser("exhaust")
     command.add_argument("kind")

@@ -4,12 +4,13 @@ A design of `oracle_designs` leaves modules and face widths open, often teeth an
 search tries is written into the design and sized by `gearwright.size`, with every module, width, tooth number and
 number of planets given, so that nothing here depends on how `size` chooses. Tried are the modules of ISO 54 from four
 below to six above the chosen one, the teeth within the tolerance of the ratio that can be put together, two planets to
-five, and of each combination whole millimetres of face width, down to the least that passes. The 60 combinations of a
-stage are looked at whose gears are the lightest by an estimate from the margins of the choice. Stages that share no
-axis are tried one after the other, twice at most; those on common axes together.
+five, and of each combination whole millimetres of face width, down to the least that passes, none below the least that
+rules of rating methods let `size` choose. The 60 combinations of a stage are looked at that are the lightest by an
+estimate from the margins of the choice. Stages that share no axis are tried one after the other, twice at most; those
+on common axes together.
 
-What passes: every check of `size`. Where none is found of a design whose own choice fails some, the lightest is looked
-for that fails no other check, and those no worse.
+What weighs is the complete gearbox, as `complete_mass` has it. What passes: every check of `size`. Where none is found
+of a design whose own choice fails some, the lightest is looked for that fails no other check, and those no worse.
 
 A combination that fails at the face width with which it would weigh as much as the best that is known is left out, as a
 narrower face bears less. That is so but for resonances of the mesh, which may let a narrower face pass: where the
@@ -21,11 +22,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, NamedTuple
 
-from gearwright import DesignError, edited, size
+from gearwright import DesignError, complete_mass, edited, size
 from gearwright.sizing.result import Sizing
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
 from gearwright.spec.design import relative_modules
@@ -50,7 +51,9 @@ HOPELESS, TRIED = 0.7, 40
 """Ratio that some combination has come to in every check by so many sizings, or the search for one that passes is given
 up [-]."""
 WORTH = 1.3
-"""Estimate of a combination's gears over that of the choice up to which it is looked at [-]."""
+"""Estimate of a combination's mass over that of the choice up to which it is looked at [-]."""
+STEEP = 1.5
+"""Mass of a gearbox for every millimetre of face width over that of its gears [-], about."""
 WIDER = 1.4
 """Estimated face width over the widest that is allowed up to which a combination is looked at [-]."""
 CONSIDERED = 60
@@ -77,7 +80,7 @@ class Outcome(NamedTuple):
     """A sized design as the search reads it."""
 
     mass: float
-    """[kg]"""
+    """Complete [kg]."""
     ratios: Mapping[str, float]
     """Name of a check -> its least value over limit [-], of what is assessed and not waived."""
 
@@ -102,7 +105,7 @@ def outcome_of(sizing: Sizing) -> Outcome:
     for check in sizing.checks:
         if check.ratio is not None and not check.waiver:
             ratios[check.name] = min(check.ratio, ratios.get(check.name, math.inf))
-    return Outcome(sizing.mass, ratios)
+    return Outcome(complete_mass(sizing).total, ratios)
 
 
 def strengths(ratios: Mapping[str, float], stage: str) -> tuple[float, float]:
@@ -306,11 +309,46 @@ class Combination(NamedTuple):
     """Face widths that strength asks for, by the margins of the choice [mm]."""
     volume: float
     """Of its gears for one millimetre of width, to compare them."""
+    reach: float
+    """Length times breadth of its gears, to compare them."""
 
     @property
-    def estimate(self) -> float:
-        """What its gears weigh, to compare them."""
+    def size(self) -> float:
+        """Volume of its gears, to compare them."""
         return self.volume * (sum(map(max, self.guess, self.low)) or 1.0)
+
+
+class Weight(NamedTuple):
+    """What the stages of a block weigh as they are chosen, by which others are estimated."""
+
+    gears: float
+    """Mass of their gears [kg]."""
+    rest: float
+    """Their share of all else [kg], which goes with the area that the gears take up."""
+    volume: float
+    """As of combinations, times face widths."""
+    reach: float
+    """As of combinations."""
+    mass: float
+    """Of the whole choice [kg]."""
+
+    def of(self, own: Combination) -> float:
+        """Return about what a combination weighs [kg]."""
+        return self.gears * own.size / self.volume + self.rest * own.reach / self.reach
+
+    def per_width(self, own: Combination) -> float:
+        """Return what the gears of a combination weigh for a millimetre of face width [kg]."""
+        return self.gears * own.volume / self.volume
+
+    def even(self, own: Combination, mass: float) -> float:
+        """Return about the face width with which the whole weighs so much [mm].
+
+        Args:
+            own: Combination of one face width.
+            mass: [kg].
+        """
+        left = self.gears + self.rest * (1.0 - own.reach / self.reach) - (self.mass - mass)
+        return left / self.per_width(own)
 
 
 @dataclass(frozen=True)
@@ -324,12 +362,7 @@ class Block:
     """The choice of `size`, written out."""
     combinations: tuple[Combination, ...]
     """The most promising first."""
-    gears: float
-    """What its gears weigh in the choice [kg]."""
-    volume: float
-    """Of the choice, as of combinations, times its face widths."""
-    mass: float
-    """Of the whole choice [kg]."""
+    choice: Weight
 
 
 def modules_around(module: float) -> list[float]:
@@ -342,13 +375,12 @@ def modules_around(module: float) -> list[float]:
     return sorted({*MODULES[max(place - BELOW, 0) : place + ABOVE + 1], round(module, 9)})
 
 
-def blocks_of(design: Design, sizing: Sizing, *, narrowest: float = 1.0) -> list[Block]:
+def blocks_of(design: Design, sizing: Sizing) -> list[Block]:
     """Return the blocks of a design.
 
     Args:
         design: With its freedoms.
         sizing: With its choice.
-        narrowest: Least face width over the module [-]; 1 is where `size` begins to look.
     """
     found = list[Block]()
     tied = {pair.coaxial_with: name for name, pair in design.pairs.items() if pair.coaxial_with}
@@ -362,20 +394,7 @@ def blocks_of(design: Design, sizing: Sizing, *, narrowest: float = 1.0) -> list
             found.append(_on_axes(design, sizing, name, tied[name]))
         elif name not in tied.values():
             found.append(_alone(design, sizing, name, asked.get(name)))
-    return [_wide(block, narrowest) for block in found] if narrowest > 1.0 else found
-
-
-def _wide(block: Block, narrowest: float) -> Block:
-    """Return a block without faces that are narrower than so many modules."""
-    wide = []
-    for own in block.combinations:
-        # The first of two modules on common axes, and of a compound set, is within a tenth or so of the other.
-        module = next(value for path, value in own.changes.items() if path.endswith("module_mm"))
-        low = tuple(
-            min(max(low, math.ceil(narrowest * module)), cap) for low, cap in zip(own.low, own.cap, strict=True)
-        )
-        wide.append(own._replace(low=low))
-    return replace(block, combinations=tuple(wide))
+    return found
 
 
 def _gears(sizing: Sizing, stage: str) -> list[Any]:
@@ -386,12 +405,42 @@ def _weight(sizing: Sizing, stages: Iterable[str]) -> float:
     return math.fsum(gear.mass * gear.bodies for stage in stages for gear in _gears(sizing, stage))
 
 
-def _proportions(design: Design, stage: str) -> tuple[float, float] | None:
-    """Return the widest face over the pinion's diameter and over the module; None where no standard says so."""
+def _weighed(sizing: Sizing, stages: Iterable[str], volume: float, reach: float) -> Weight:
+    own, every = _weight(sizing, stages), _weight(sizing, sizing.design.stages)
+    mass = complete_mass(sizing).total
+    return Weight(own, (mass - every) * own / every, volume, reach, mass)
+
+
+class Faces(NamedTuple):
+    """How wide faces may be and are chosen."""
+
+    diameters: float
+    """Widest over the pinion's diameter [-]."""
+    modules: float
+    """Widest over the module [-]."""
+    narrowest: float
+    """Narrowest over the module [-]."""
+    overlap: float
+    """Overlap ratio that is asked of helical teeth [-]."""
+
+    def least(self, module: float, lean: float) -> float:
+        """Return the narrowest face that is chosen [mm].
+
+        Args:
+            module: [mm].
+            lean: Of the teeth [rad].
+        """
+        return max(self.narrowest * module, self.overlap * math.pi * module / math.sin(lean) if lean else 0.0)
+
+
+def _proportions(design: Design, stage: str) -> Faces | None:
+    """Return how wide faces of a stage may be; None where no standard says so."""
     rules = design.rules(stage)
     method = {"iso10300": "iso6336"}.get(design.rating(stage), design.rating(stage))
     own = getattr(rules, method.replace("-2006", ""), None)
-    return None if own is None or method == "lewis-hertz" else (own.widest_diameters, own.widest_modules)
+    if own is None or method == "lewis-hertz":
+        return None
+    return Faces(own.widest_diameters, own.widest_modules, own.narrowest_modules, rules.overlap_ratio)
 
 
 def _alone(design: Design, sizing: Sizing, name: str, asked: float | None) -> Block:
@@ -435,22 +484,23 @@ def _alone(design: Design, sizing: Sizing, name: str, asked: float | None) -> Bl
         guess = width * max(rolls / needs[0] / margins[0], flanks / needs[1] / margins[1] ** 2)
         cap, low = width, 1.0
         if limits is not None:
-            cap = min(limits[0] * size_ * min(own.numbers[:1]) / math.cos(lean), limits[1] * size_)
-            low = design.rules(name).overlap_ratio * math.pi * size_ / math.sin(lean) if lean else size_
+            cap = min(limits.diameters * size_ * own.numbers[0] / math.cos(lean), limits.modules * size_)
+            low = limits.least(size_, lean)
             if bevel:
                 cone = math.hypot(*own.numbers) / 2.0
                 cap = min(cone / 3.0, 10.0) * size_
                 mean = math.cos(lean) * (size_ - cap / (2.0 * cone))
-                low = design.rules(name).overlap_ratio * math.pi * mean / math.sin(lean) if lean else mean
+                low = limits.least(mean, lean)
         most = max(math.floor(cap + 1e-9), 1)
         least = min(math.ceil(low - 1e-9), most)
-        combination = Combination(written(own, size_), (least,), (most,), (guess,), _volume(own, size_, lean))
+        combination = Combination(
+            written(own, size_), (least,), (most,), (guess,), _volume(own, size_, lean), _reach(own, size_, lean)
+        )
         combinations.append(combination if widths else combination._replace(low=(), cap=(), guess=()))
     volume = _volume(chosen, module, lean) * (width if widths else 1.0)
     start = written(chosen, module) | ({widths[0]: round(width, 6)} if widths else {})
-    return Block(
-        (name,), widths, start, _promising(combinations, volume), _weight(sizing, (name,)), volume, sizing.mass
-    )  # fmt: skip
+    weight = _weighed(sizing, (name,), volume, _reach(chosen, module, lean))
+    return Block((name,), widths, start, _promising(combinations, weight), weight)
 
 
 SHARING = {2: 1.05, 3: 1.05, 4: 1.15, 5: 1.25}
@@ -472,16 +522,23 @@ def _volume(own: Teeth, module: float, lean: float) -> float:
     return float(sun**2 + own.planets * planet**2 + 4.0 * ring * 3.95) * module**2
 
 
-def _promising(combinations: Sequence[Combination], chosen: float) -> tuple[Combination, ...]:
-    """Return the combinations whose gears may be light, the lightest by their estimate first.
+def _reach(own: Teeth, module: float, lean: float) -> float:
+    """Return length times breadth of gears, to compare combinations."""
+    first, *_, last = own.numbers
+    length = max(own.numbers) if len(own.numbers) == 3 else first + last
+    return length * max(own.numbers) * (module / math.cos(lean)) ** 2
+
+
+def _promising(combinations: Sequence[Combination], choice: Weight) -> tuple[Combination, ...]:
+    """Return the combinations that may be light, the lightest by their estimate first.
 
     Args:
         combinations: Of a stage.
-        chosen: Estimate of the choice.
+        choice: What they are held against.
     """
     fits = [one for one in combinations if all(g <= WIDER * cap for g, cap in zip(one.guess, one.cap, strict=True))]
-    light = [one for one in fits if one.estimate <= WORTH * chosen]
-    return tuple(sorted(light, key=lambda one: one.estimate)[:CONSIDERED])
+    light = [one for one in fits if choice.of(one) <= WORTH * (choice.gears + choice.rest)]
+    return tuple(sorted(light, key=choice.of)[:CONSIDERED])
 
 
 def _compound(design: Design, sizing: Sizing, name: str) -> Block:
@@ -510,17 +567,23 @@ def _compound(design: Design, sizing: Sizing, name: str) -> Block:
         for group, own in groups.items():
             size_ = ratios[group] * module
             least = min(of[gear].teeth for gear in own)
-            most = limits[1] * size_ if limits else 2.0 * width_of[group]
-            cap.append(max(math.floor(min(most, limits[0] * size_ * least if limits else most) + 1e-9), 1))
-            low.append(min(math.ceil(size_ - 1e-9), cap[-1]))
+            most = min(limits.modules, limits.diameters * least) * size_ if limits else 2.0 * width_of[group]
+            cap.append(max(math.floor(most + 1e-9), 1))
+            low.append(min(math.ceil((limits.least(size_, 0.0) if limits else size_) - 1e-9), cap[-1]))
             guess.append(width_of[group] * (unit / module) ** 2)
         combinations.append(
             Combination(
-                {key: round(module, 9)}, tuple(low), tuple(cap), tuple(guess), module**2 * sum(volumes.values())
+                {key: round(module, 9)},
+                tuple(low),
+                tuple(cap),
+                tuple(guess),
+                module**2 * sum(volumes.values()),
+                module**2,
             )
         )
     start = {key: round(unit, 9)} | {at: round(w, 6) for at, w in zip(widths, width_of.values(), strict=True)}
-    return Block((name,), widths, start, tuple(combinations), _weight(sizing, (name,)), 1.0, sizing.mass)
+    whole = unit**2 * sum(volumes.values()) * sum(width_of.values())
+    return Block((name,), widths, start, tuple(combinations), _weighed(sizing, (name,), whole, unit**2))
 
 
 AXES = (0.70, 0.75, 0.80, 0.84, 0.88, 0.92, 0.96, 1.0, 1.04, 1.08, 1.15)
@@ -541,15 +604,16 @@ def _on_axes(design: Design, sizing: Sizing, first: str, second: str) -> Block:
             assert limits is not None
             lean, module = own[0].helix_angle, factor * modules[name]
             pinion = next(gear.teeth for gear in own if gear.role.value == "pinion")
-            cap.append(math.floor(min(limits[0] * module * pinion / math.cos(lean), limits[1] * module) + 1e-9))
-            least = design.rules(name).overlap_ratio * math.pi * module / math.sin(lean) if lean else module
-            low.append(min(math.ceil(least - 1e-9), cap[-1]))
+            most = min(limits.diameters * pinion / math.cos(lean), limits.modules) * module
+            cap.append(math.floor(most + 1e-9))
+            low.append(min(math.ceil(limits.least(module, lean) - 1e-9), cap[-1]))
             guess.append(width[name] / factor**2)
         changes = {f"pairs.{name}.module_mm": round(factor * module, 9) for name, module in modules.items()}
-        combinations.append(Combination(changes, tuple(low), tuple(cap), tuple(guess), factor**2))
+        combinations.append(Combination(changes, tuple(low), tuple(cap), tuple(guess), factor**2, factor**2))
     start = {f"pairs.{name}.module_mm": round(module, 9) for name, module in modules.items()}
     start |= {at: round(w, 6) for at, w in zip(widths, width.values(), strict=True)}
-    return Block((first, second), widths, start, tuple(combinations), _weight(sizing, gears), 1.0, sizing.mass)
+    weight = _weighed(sizing, gears, sum(width.values()), 1.0)
+    return Block((first, second), widths, start, tuple(combinations), weight)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -641,12 +705,12 @@ def _face(
 
     width: int | None = min(max(math.ceil(asked.loose * own.guess[0]), low), cap)
     assert width is not None
-    even = block.volume / own.volume * (min(limit, LARGEST * block.mass) / block.mass)
+    even = block.choice.even(own, min(limit, LARGEST * block.choice.mass))
     if limit < math.inf and width < FAR * even and accepted(at(width), accepts):
         pass  # the best that is known is a heavy one: narrowed from there
     elif limit < math.inf:
         start = min(max(round(even), low), cap)
-        width = _break_even(at, (low, start, cap), limit, block.gears * own.volume / block.volume)
+        width = _break_even(at, (low, start, cap), limit, STEEP * block.choice.per_width(own))
     if width is None or not accepted(at(width), accepts):
         return
     width = _narrowest(at, low, width, accepts, block.stages[0])
@@ -674,7 +738,7 @@ def _break_even(
         at: Face width [mm] -> what comes of it.
         widths: The narrowest, where to start, and the widest [mm].
         limit: Mass [kg].
-        slope: Mass of the gears for one millimetre [kg], roughly.
+        slope: Mass for one millimetre [kg], roughly.
     """
     low, width, cap = widths
     for _ in range(4):

@@ -879,30 +879,43 @@ class Plate(NamedTuple):
     """Whether a shaft stands in the plate, 2.16 ∛(T/σ) thick as it is sized."""
 
 
-def first_carrier_mass(
-    loads: Sequence[tuple[float, float]], radius: Floats, face_width: Floats, *, planet: Floats, planets: int,
-    plate: Plate,
-) -> Floats:  # fmt: skip
-    """Return about what the carriers of arrays of simple sets weigh, to rank them: pins and one plate [kg].
+PIN_SHARE = 0.64
+"""Section of a hollow pin over that of a solid one [-]: a bore of 0.6."""
+BRIDGE = 0.5
+"""Depth of a carrier's bridge over a planet's diameter [-]."""
 
-    The ring around the plate and the bearings on the pins are left out.
+
+def first_carrier_mass(
+    loads: Sequence[tuple[float, float]], radius: Floats, face_width: Floats, tips: tuple[Floats, Floats, Floats],
+    *, planet: Floats, planets: int, plate: Plate,
+) -> Floats:  # fmt: skip
+    """Return about what the carriers of arrays of simple sets weigh, to rank them: pins, two plates, bridges [kg].
 
     Args:
         loads: Torque [N m], K_γ included, and speed [rad/s] of the carrier in every case.
         radius: Of the circle of pins [m].
         face_width: Of the planets [m].
+        tips: Radii of the tips of sun, planets and ring [m].
         planet: Mass of one planet [kg].
         planets: Their number [-].
         plate: Of the carrier.
 
-    Source: as `pin_diameter`, `hole_pressure`, `plate_shear_stress`, `eye_wall` and `plate_mass`.
+    Source: as `pin_diameter`, `hole_pressure`, `plate_shear_stress`, `eye_wall` and `plate_mass`; bridges as wide as
+        neighbouring planets leave on their chord.
     """
     allowable = plate.allowable
     forces = [np.hypot(torque / (planets * radius), planet * radius * speed**2) for torque, speed in loads]
     force = np.maximum.reduce(forces)
     pin = np.cbrt(16.0 * force * face_width / (math.pi * allowable))
     hub = 4.0 / (math.pi * _HUB**2) * math.cbrt(max(torque for torque, _ in loads) / allowable) if plate.turns else 0.0
-    thickness = np.maximum(np.maximum(plate.ratio * face_width, hub), force / (pin * allowable))
+    thinnest = plate.ratio * face_width
+    thickness = np.maximum(np.maximum(thinnest, hub), force / (pin * allowable))
     wall = np.maximum(force / (thickness * allowable), LEAST_EYE * pin)
-    disc = math.pi * (radius + pin / 2.0 + wall) ** 2 * thickness * plate.fill
-    return np.asarray(plate.density * (planets * math.pi / 4.0 * pin**2 * face_width + disc))
+    discs = math.pi * (radius + pin / 2.0 + wall) ** 2 * (thickness + thinnest) * plate.fill
+    sun, own, ring = tips
+    chord = np.maximum(2.0 * (radius * math.sin(math.pi / planets) - own), 0.0)
+    middle = radius * math.cos(math.pi / planets)
+    outer = np.minimum(middle + BRIDGE * own, np.sqrt(np.maximum(ring**2 - chord**2 / 4.0, 0.0)))
+    bridge = chord * np.maximum(outer - np.maximum(middle - BRIDGE * own, sun), 0.0)
+    posts = planets * face_width * (PIN_SHARE * math.pi / 4.0 * pin**2 + bridge)
+    return np.asarray(plate.density * (posts + discs))

@@ -150,6 +150,8 @@ BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar
 """Modes of checks of the bearings of planets, to which a wider face helps."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
+FIRST = 4
+"""How many of them are sized before what they weigh tells how far the estimates of the others are off [-]."""
 
 
 @verb
@@ -212,6 +214,8 @@ class _Looked:
 
     sized: int = 0
     """Choices of teeth whose gears came out [-]."""
+    off: float = math.inf
+    """Mass of sized gears over the estimate of the search, the least of all [-]."""
     short: list[Geared] = field(default_factory=list)
     """Gears of those that fall short of what is asked of them."""
     refused: list[DesignError] = field(default_factory=list)
@@ -241,14 +245,6 @@ class _Looked:
     def passing(self) -> list[Sizing]:
         """Those that pass all their checks."""
         return [sizing for sizing in self.whole if not _failing(sizing)]
-
-    def is_enough(self, completed: int) -> bool:
-        """Tell whether no more choices of teeth are sized: one more passes than is completed, or many fall short.
-
-        Args:
-            completed: Transmissions that are completed [-].
-        """
-        return self.sized - len(self.short) > completed or self.sized >= SIZED
 
     @property
     def nearest(self) -> Geared | None:
@@ -326,6 +322,8 @@ class _Course(NamedTuple):
     gears: Geared | None = None
     """None where they are not sized yet."""
     others: Iterator[Geared] = iter(())
+    expected: bool = False
+    """Whether it stands where it is expected by what others came to."""
 
 
 def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
@@ -346,8 +344,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         while waiting:
             course = waiting.pop()
             if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
-                first = len(looked.whole) == 1  # of which the gears of the least diameters come next
-                heapq.heappush(queue, (0.0 if first else gears.estimate, next(order), course._replace(gears=gears)))
+                heapq.heappush(queue, (gears.estimate, next(order), course._replace(gears=gears)))
         if not queue:
             break
         _, _, course = heapq.heappop(queue)
@@ -355,8 +352,11 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             if not looked.is_too_narrow(course.gears):
                 looked.complete(course.gears, given, still=still)
             waiting.append(course)
-        elif looked.is_enough(max(enough, design.teeth.sized)):
+        elif looked.sized >= (FIRST if passes else SIZED):
             continue
+        elif looked.sized >= FIRST and looked.off < math.inf and not course.expected:
+            mass = choices[course.place].gear_mass * max(looked.off, 1.0)
+            heapq.heappush(queue, (mass, course.place, course._replace(expected=True)))
         elif not (teeth := stage_teeth(train, choices[course.place])) & poor:
             try:
                 others = gearings(design, train, choices[course.place], given=given, known=known)
@@ -366,6 +366,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
                 continue
             looked.sized += 1
             if gears.passes:
+                looked.off = min(looked.off, gears.estimate / max(choices[course.place].gear_mass, 1e-9))
                 heapq.heappush(queue, (gears.estimate, next(order), _Course(course.place, gears, others)))
             else:
                 looked.short.append(gears)

@@ -14,10 +14,9 @@ import numpy as np
 
 from gearwright.base import ROUNDING, Floats, Role
 from gearwright.catalogue import bearings
-from gearwright.catalogue.materials import housing_materials
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
-from gearwright.parts.planetary import Plate, first_carrier_mass, planes
+from gearwright.parts.planetary import planes
 from gearwright.sizing.rating import (
     AROUND,
     REST,
@@ -34,10 +33,9 @@ from gearwright.sizing.rating import (
     rate_row,
     row_reserve,
     sizes_near,
-    widest_bevel,
 )
-from gearwright.sizing.result import PRELIMINARY
-from gearwright.spec import GROUND, Epicyclic, Pair, Planetary
+from gearwright.sizing.rough_mass import Around, Turned, around_mass, around_stage, oil_mass
+from gearwright.spec import Epicyclic, Planetary
 from gearwright.spec.design import BUILT
 from gearwright.train import Gear, Mesh
 
@@ -94,43 +92,45 @@ def part_weight(context: Context, part: Part) -> float:
     return sum(_weight(context, gear) for gear in context.train.gears if gear.sized == part.name)
 
 
-def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> Floats:
-    """Return about what carries the gears of a part with sizes [kg]; nothing of a pair, whose shafts change little."""
-    stage = context.design.stages[part.stage]
-    if isinstance(stage, Pair):
-        return np.zeros(len(modules))
-    first, second = (context.teeth[gear] for gear in part.meshes[0].gears)
+def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> tuple[Floats, Floats]:
+    """Return about what carries and encloses the gears of a part with sizes, and what cools them [kg]."""
+    stage, rating = context.design.stages[part.stage], context.ratings[part.stage]
+    around = around_stage(part.stage, context.design, context.train, context.flows, rating.helix_angle)
+    teeth = [np.asarray(context.teeth[gear]) for gear in around.gears]
     if isinstance(stage, Epicyclic):
-        rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
-        return np.asarray(AROUND * (max(rings, default=first + 2 * second) * modules) ** 3)
-    rows, rules, steel = [mesh.name for mesh in part.meshes], context.design.carriers, context.design.shaft_material
-    factor, planet = context.ratings[part.stage].load_factor, context.train.gear(part.meshes[0].gears[1])
-    return first_carrier_mass(
-        [(factor * abs(sum(flow.meshes[row].torques[2] for row in rows)), abs(flow.speeds[stage.carrier]))
-         for flow in context.flows.values()],
-        0.5 * (first + second) * modules,
-        widths,
-        planet=_weight(context, planet) / planet.bodies * widths * modules**2,
-        planets=stage.planets,
-        plate=Plate((steel.yield_strength or math.inf) / rules.safety, steel.density, rules.plate_ratio, rules.fill,
-                    turns=stage.carrier != GROUND),
-    )  # fmt: skip
+        return _around_compound(context, part, around, modules, widths)
+    planet = np.zeros(1)
+    if isinstance(stage, Planetary):
+        gear = context.train.gear(part.meshes[0].gears[1])
+        planet = _weight(context, gear) / gear.bodies * widths * modules**2
+    planets = stage.planets if isinstance(stage, Planetary) else 1
+    mass = around_mass(around, teeth, modules, widths, planet=planet, planets=planets, factor=rating.load_factor)
+    return mass, oil_mass(around, teeth, modules, widths)
 
 
-def _shell(context: Context, part: Part, modules: Floats, widths: Floats) -> Floats:
-    """Return about what a housing around the gears of a part weighs, by the thinnest casting [kg]."""
-    design = context.design
-    if not design.housing.own or design.housing.mass is not None:
-        return np.zeros(len(modules))
-    teeth = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears]
+def _around_compound(
+    context: Context, part: Part, around: Around, modules: Floats, widths: Floats
+) -> tuple[Floats, Floats]:
+    """Return the same of a group of gears of a compound set."""
+    own = [place for place, gear in enumerate(around.gears) if context.train.gear(gear).sized == part.name]
+    names = [mesh.name for mesh in context.train.meshes if mesh.stage == part.stage]
+    rows = [
+        (names.index(mesh.name), *(around.gears.index(gear) for gear in mesh.gears), mesh.sign) for mesh in part.meshes
+    ]
+    cases = tuple(
+        Turned(
+            tuple(case.powers[row[0]] for row in rows),
+            tuple(case.speeds[place] if place in own else 0.0 for place in range(len(around.gears))),
+        )
+        for case in around.cases
+    )
+    around = around._replace(rows=tuple(row[1:] for row in rows), cases=cases)
+    teeth = [np.asarray(context.teeth[gear]) for gear in around.gears]
+    mass = around_mass(around, teeth, modules, widths, planet=np.zeros(1), planets=1, factor=1.0)
+    first, second = (context.teeth[gear] for gear in part.meshes[0].gears)
     rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
-    pair = isinstance(design.stages[part.stage], Pair) and not rings
-    length, across = (sum(teeth[:2]), max(teeth)) if pair else (max(rings or [teeth[0] + 2 * teeth[1]]),) * 2
-    material = housing_materials()[design.housing.material]
-    wall = design.housing.wall or material.least_wall
-    long, wide = length * modules, across * modules
-    area = 2.0 * wide * (long - (1.0 - math.pi / 4.0) * wide) + 2.0 * (long + (math.pi / 2.0 - 1.0) * wide) * widths
-    return np.asarray(RIBBED * material.density * wall * area)
+    mass = mass + AROUND * (max(rings, default=first + 2 * second) * modules) ** 3
+    return mass, oil_mass(around, teeth, modules, widths)
 
 
 def _weight(context: Context, gear: Gear) -> float:
@@ -141,14 +141,9 @@ def _weight(context: Context, gear: Gear) -> float:
         square = (pitch - 2.0 * shift + 2.0 * rules.rim_thickness_ratio) ** 2 - (pitch - 2.0 * shift) ** 2
     else:
         square = (pitch + 2.0 * shift) ** 2 * (rules.web_ratio if gear.role is Role.WHEEL else 1.0)
-        square *= made_share(gear.role, teeth, rules) if context.design.level == PRELIMINARY else 1.0
+        square *= made_share(gear.role, teeth, rules)
     deep = len(planes(stage.compound)[gear.own]) if isinstance(stage, Epicyclic) else 1
     return gear.bodies * deep * rating.material.density * math.pi / 4.0 * square
-
-
-RIBBED = 3.0
-"""Mass of ribs, flanges, bosses, bearings and oil with the shell, over that of the shell alone [-]: about what complete
-gearboxes have; for the ranking of sizes alone."""
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -204,10 +199,9 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
     rating, ratio = context.ratings[part.stage], context.width_ratios[part.stage]
     bevel = rating.kind == "bevel"
     teeth = _teeth(context, part)
-    widest = widest_bevel(teeth, module, ratio, rating) if bevel else ratio * module
+    widest = min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * module if bevel else ratio * module
     if part.width is not None:
-        limit = min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * module
-        widths = np.array([min(part.width, limit) if bevel else part.width])
+        widths = np.array([min(part.width, widest) if bevel else part.width])
     elif not rating.width_is_open:
         widths = np.array([widest])
     else:
@@ -343,33 +337,21 @@ def _unit_of(context: Context, part: Part, size: StageSize) -> float:
 def _best(
     context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
 ) -> Iterator[Option]:
-    """Yield the options that pass, the lightest first, then the smallest module; where none does, the nearest to it."""
+    """Yield the options that pass, the lightest first; where none does, the nearest to it."""
     for left_out in LENIENT:
-        found, smallest = list[Option](), None
+        found = list[Option]()
         for option in _options(context, parts, units, demands, left_out=left_out):
             if left_out and found and option.mass > NEAR * found[0].mass:
                 break
             found.append(option)
-            if not left_out and option != smallest:
+            if not left_out:
                 yield option
-            if not left_out and len(found) == 1 and len(units) > 1:
-                smallest = _smallest(context, parts, units, demands)
-                if smallest is not None and smallest != option:
-                    yield smallest
         if found:
             if left_out:
                 best = max(option.nearness for option in found)
                 yield next(option for option in found if option.nearness >= best - AS_NEAR)
             return
     yield _strongest(context, parts, units, demands)
-
-
-def _smallest(
-    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
-) -> Option | None:
-    """Return the lightest with the smallest unit that passes, whose gears have the least diameter; None where none."""
-    alone = (next(_options(context, parts, (unit,), demands, left_out=()), None) for unit in sorted(units))
-    return next((option for option in alone if option is not None), None)
 
 
 def _options(
@@ -465,7 +447,8 @@ def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple
     ]
     least = np.minimum.reduce([np.full(len(widths), math.inf), *near])
     weight = part_weight(context, part)
-    masses, around = weight * widths * modules**2, _around(context, part, modules, widths)
+    around, oil = _around(context, part, modules, widths)
+    masses = weight * widths * modules**2 + oil
     ends = np.cumsum([len(own) for own, _ in grids])[:-1]
     columns = [np.split(values, ends) for values in (widths, modules, least, masses, around)]
     return [

@@ -110,11 +110,8 @@ def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tu
     for one in open_:
         alike.setdefault(one.kind(context, demands), []).append(one)
     courses = [_Course(options(context, *ones[0][:2], demands, is_open=ones[0].is_open), []) for ones in alike.values()]
-    start, smallest = (0,) * len(courses), (1,) * len(courses)
+    start = (0,) * len(courses)
     heap, seen = [(0.0, start)], {start}
-    if all(course.at(1) is not None for course in courses):
-        heap.append((0.0, smallest))  # the gears of the least diameters come second, whatever they weigh alone
-        seen.add(smallest)
     while heap:
         _, places = heapq.heappop(heap)
         taken = [course.at(place) for course, place in zip(courses, places, strict=True)]

@@ -564,8 +564,8 @@ class Iso6336:
         rating, rules = mesh.rating, mesh.rating.rules.iso6336
         factors, steels = self._rated(mesh, mesh.heaviest), steels_of(rating, mesh.heaviest.ask.roles)
         alone = mesh.loads == (mesh.heaviest,)
-        every = [strains_of(factors)] if alone else self._strains(mesh)
-        pitting, bending = safeties(every, steels)
+        together = factors if alone else self._together(mesh, mesh.loads)
+        pitting, bending = safeties(of_each(strains_of(together), len(mesh.loads)), steels)
         flanks, roots = strains_of(factors)
         film = oil_film(mesh, factors)
         return Iso6336Rating(
@@ -596,7 +596,7 @@ class Iso6336:
             beyond=tuple(
                 replace(entry, clause=clause_of(entry.clause, self._part3)) for entry in _beyond(mesh, factors)
             ),
-            resonances=self._resonances(mesh),
+            resonances=self._resonances(mesh, together),
         )
 
     def reserve(self, rated: Iso6336Rating) -> float:
@@ -735,18 +735,21 @@ class Iso6336:
         )
         return self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)
 
-    def _resonances(self, mesh: LoadedMesh) -> tuple[MeshResonance, ...]:
+    def _resonances(self, mesh: LoadedMesh, together: PairRating) -> tuple[MeshResonance, ...]:
         """Return N in every case with at least one per cent of the damage or of the life; without shares in all."""
-        loads = [*mesh.loads, *mesh.others]
-        counting = [loads[place] for place in self._resonating(mesh)]
-        if not counting or mesh.rating.rules.iso6336.dynamic_method == "C":
+        loads, places = [*mesh.loads, *mesh.others], self._resonating(mesh)
+        if not places or mesh.rating.rules.iso6336.dynamic_method == "C":
             return ()
-        rated = self._together(mesh, counting)
+        if max(places) < len(mesh.loads):
+            rated, rows, count = together, places, len(mesh.loads)
+        else:
+            rated, count = self._together(mesh, [loads[place] for place in places]), len(places)
+            rows = list(range(count))
         specific = rated.tangential_force / mesh.face_width * rated.loads.application * rated.loads.mesh_load
         assert not isinstance(rated.dynamic, DynamicFactorBySpeed)
         columns = (rated.dynamic.resonance_ratio, resonance_begins(specific))
-        ratios, begins = (np.broadcast_to(column, len(counting)).tolist() for column in columns)
-        return tuple(map(MeshResonance, [load.case for load in counting], ratios, begins))
+        ratios, begins = (np.broadcast_to(column, count)[rows].tolist() for column in columns)
+        return tuple(map(MeshResonance, [loads[place].case for place in places], ratios, begins))
 
     def _resonating(self, mesh: LoadedMesh) -> list[int]:
         """Return the places of loads, one of each case, with one per cent of damage or life; all without shares."""

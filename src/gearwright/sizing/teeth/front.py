@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwright.base import SIDES, Bools, Floats, Ints
-from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import Load, Rating
+from gearwright.sizing.rough_mass import Around
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import ForbiddenBand, StageShifts, module_owners
 from gearwright.train import Edge, Targets, gear_of, gears_of, members_of
@@ -119,13 +119,11 @@ class Task:
     """Greatest rolling speed over the one at the largest load [-]."""
     parts: tuple[Part, ...] = ()
     """Its life, where a standard sizes it on a grid."""
-    carried: tuple[tuple[float, float], ...] = ()
-    """Torque over the largest on the reference gear and speed [rad/s] of the carrier of a set in every case."""
-    plate: Plate | None = None
-    """Of that carrier; None of pairs, and where nothing loads a set."""
+    around: Around | None = None
+    """What carries, encloses and cools its gears is estimated from it; None where nothing loads it."""
     known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
-    and what the carrier weighs over m_n³ [kg/m³] at nominal load, as far as found."""
+    and what is around its gears over m_n³ [kg/m³] at nominal load, as far as found."""
     closed: dict[tuple[int, int, int], StageShifts | None] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of sun, planet and ring -> shifts that close them, as far as looked for; None where none do."""
 

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from gearwright.base import Floats, Ints, Role, largest
-from gearwright.parts.planetary import first_carrier_mass
 from gearwright.sizing.rating import (
     BEARING_GAP,
     LEAST_TORQUE,
@@ -23,6 +22,7 @@ from gearwright.sizing.rating import (
     bevel_module,
     bevel_pair,
     bevel_width,
+    least_width,
     mean_module,
     method_for,
     modules,
@@ -31,6 +31,7 @@ from gearwright.sizing.rating import (
     stage_width_ratio,
     under_spectrum,
 )
+from gearwright.sizing.rough_mass import around_mass, oil_mass
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary, case_named
@@ -137,6 +138,7 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         speed=task.rolling,
         passes=(planets, 1.0) if isinstance(stage, Planetary) else _mates(stage),
         roles=(Role.SUN, Role.PLANET) if isinstance(stage, Planetary) else (Role.PINION, Role.WHEEL),
+        held=(isinstance(stage, Planetary) and stage.sun == GROUND, False),
         bores=_bores(stage),
     )
     ask = _relieved(ask, task)
@@ -214,7 +216,7 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
 def _known_sizes(
     ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Return m_n³, λ and the carrier over m_n³ where a standard rates the stage: of each pair of tooth numbers once.
+    """Return m_n³, λ and what is around the gears over m_n³ where a standard rates them: of each pair of numbers once.
 
     Scaled by m³ ∝ T.
     """
@@ -235,22 +237,33 @@ def _known_sizes(
 
 
 def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
-    """Yield m_n³ [m³], λ and the carrier over m_n³ [kg/m³] of every choice, about as sizing makes them."""
+    """Yield m_n³ [m³], λ and what is around over m_n³ [kg/m³] of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
             module, width = bevel_size(task.rating, task.rows, teeth, ratio)
-            yield module * module * module, width / module, 0.0
+            sizes = (
+                ask._replace(teeth=(np.array(teeth[:1]), np.array(teeth[1:]))),
+                task,
+                np.array([module]),
+                np.array([width]),
+            )
+            around = float(_around(*sizes, planets=planets)[0])
+            yield module * module * module, width / module, around / module**3
         return
     needed = np.cbrt(_cubes(ask, task))
     found = _on_grid(ask, task, needed, discs, planets=planets) if task.rating.width_is_open else None
-    modules, widths = (needed, np.asarray(ask.width_ratio) * needed) if found is None else found
-    around = _around(ask, task, discs, modules, widths, planets=planets)
+    if found is None:
+        modules, widths = needed, np.asarray(ask.width_ratio) * needed
+        around = _around(ask, task, modules, widths, planets=planets)
+    else:
+        modules, widths, masses = found
+        around = masses - np.asarray(discs) * widths * modules**2
     yield from zip(*(column.tolist() for column in (modules**3, widths / modules, around / modules**3)), strict=True)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Standard modules and whole millimetres of width of many choices at once, by one or two ratings of each module.
+# Standard modules and whole millimetres of width of many choices at once, by a few ratings of each module.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -258,18 +271,22 @@ _TRIED = 11
 """Standard modules that are tried of each choice [-]."""
 _BELOW = 3
 """How many of them are smaller than what it needs at the widest face in its heaviest case [-]."""
-_ROUNDS = 3
+_ROUNDS = 5
 """Ratings by which the face width of each is found [-]."""
-_KEPT = 4
-"""Modules of each choice that are rated more than once [-]."""
 _SLOPES = (0.5, 8.0)
 """Powers of the width with which the load may grow that a size bears [-]."""
 _SHORT = 10.0
-"""Factor on the mass of a size that falls short, so that it is taken where none does not [-]."""
+"""Factor on the mass of a size that is too weak, so that it is taken where none is strong enough [-]."""
+_BESIDE = 1.5
+"""Factor on the mass of a size that runs in a resonance or the like, for which a wider face may do [-]."""
 
 
-def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int) -> tuple[Floats, Floats] | None:
-    """Return module and face width of every choice of which its gearbox weighs least [m]; None: no arrays are rated.
+def _on_grid(
+    ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int
+) -> tuple[Floats, Floats, Floats] | None:
+    """Return module and face width [m] with which a gearbox of every choice weighs least, and what it weighs [kg].
+
+    None where its method rates no arrays.
 
     Args:
         ask: Of choices.
@@ -279,31 +296,27 @@ def _on_grid(ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: in
         planets: Of a planetary set [-].
     """
     modules = _modules(task, needed)
-    asks = (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
-    ratio = np.asarray(ask.width_ratio)[:, None]
-    widths = np.clip(ratio * needed[:, None] ** 3 / modules**2, _narrow(task, modules), ratio * modules)
-    before, slope = None, np.ones_like(modules)
-    for round_ in range(_ROUNDS):
-        count, wide = modules.shape[1], ratio * modules
-        near = [_near(task, _repeated(own, count), modules, widths) for own in asks]
+    count, asks = modules.shape[1], (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
+    each = [_repeated(own, count) for own in asks]
+    wide = np.asarray(ask.width_ratio)[:, None] * modules
+    narrow = np.minimum(_narrow(task, modules), wide)
+    widths, before, slope = np.clip(wide * (needed[:, None] / modules) ** 3, narrow, wide), None, np.ones_like(modules)
+    for _ in range(_ROUNDS):
+        near = [_near(task, own, modules, widths) for own in each]
         if any(one is None for one in near):
             return None
         strength, rest = (np.minimum.reduce(column).reshape(modules.shape) for column in zip(*near, strict=True))
         now = np.log(widths), np.log(np.maximum(strength, 1e-6))
         if before is not None:
             moved = np.where(now[0] == before[0], 1.0, now[0] - before[0])
-            slope = np.clip((now[1] - before[1]) / moved, *_SLOPES)
+            slope = np.clip(np.where(now[0] == before[0], slope, (now[1] - before[1]) / moved), *_SLOPES)
         wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
-        widths = np.clip(wanted, np.minimum(_narrow(task, modules), wide), wide)
-        short = (wanted > wide * (1.0 + 1e-9)) | (rest < 1.0)
-        each = _repeated(ask, count), task, np.repeat(discs, count)
-        around = _around(*each, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
-        masses = np.where(short, _SHORT, 1.0) * (discs[:, None] * widths * modules**2 + around)
-        kept = np.argsort(masses, axis=1, kind="stable")[:, : _KEPT if round_ < _ROUNDS - 1 else 1]
-        modules, widths, slope, *before = (
-            np.take_along_axis(values, kept, axis=1) for values in (modules, widths, slope, *now)
-        )
-    return modules[:, 0], widths[:, 0]
+        widths, before = np.clip(wanted, narrow, wide), now
+    short = np.where(wanted > wide * (1.0 + 1e-9), _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
+    around = _around(each[0], task, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
+    masses = short * (discs[:, None] * widths * modules**2 + around)
+    best = np.arange(len(modules)), np.argmin(masses, axis=1)
+    return modules[best], widths[best], masses[best]
 
 
 def _modules(task: Task, needed: Floats) -> Floats:
@@ -321,9 +334,8 @@ def _modules(task: Task, needed: Floats) -> Floats:
 
 
 def _narrow(task: Task, modules: Floats) -> Floats:
-    """Return the narrowest faces that are tried [m]."""
-    lean = math.sin(task.rating.helix_angle)
-    return np.asarray(modules * (task.rating.rules.overlap_ratio * math.pi / lean if lean else 1.0))
+    """Return the narrowest faces that are tried, in whole millimetres [m]."""
+    return np.ceil(modules * (least_width(task.rating, 1.0) / _MM) - 1e-9) * _MM
 
 
 def _repeated(ask: Ask, count: int) -> Ask:
@@ -357,20 +369,20 @@ def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats
     return method_for(task.rating).of_sizes(mesh, ())
 
 
-def _around(ask: Ask, task: Task, discs: Floats, modules: Floats, widths: Floats, *, planets: int) -> Floats:
-    """Return about what the carrier of a set weighs with sizes [kg]; nothing of a pair, whose shafts change little."""
-    if not isinstance(task.stage, Planetary) or task.plate is None:
+def _around(ask: Ask, task: Task, modules: Floats, widths: Floats, *, planets: int) -> Floats:
+    """Return about what carries, encloses and cools the gears of sizes [kg]."""
+    if task.around is None:
         return np.zeros(len(modules))
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
-    planet = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
-    return first_carrier_mass(
-        [(ratio * _torque(task, planets), speed) for ratio, speed in task.carried],
-        0.5 * (small + large) * modules,
-        widths,
-        planet=task.rating.material.density * math.pi / 4.0 * planet * widths * modules**2,
-        planets=planets,
-        plate=task.plate,
-    )
+    teeth, planet = [small, large], np.zeros(1)
+    if isinstance(task.stage, Planetary):
+        teeth.append(ring_teeth(task, small, large))
+        square = large**2 - BEARING_GAP * _inside(large) if task.made else large**2
+        planet = task.rating.material.density * math.pi / 4.0 * square * widths * modules**2
+    factor = task.factors.get(planets, task.rating.load_factor)
+    return around_mass(
+        task.around, teeth, modules, widths, planet=planet, planets=planets, factor=factor
+    ) + oil_mass(task.around, teeth, modules, widths, planets=planets)  # fmt: skip
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:

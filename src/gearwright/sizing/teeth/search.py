@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import ROUNDING, SIDES, Bools, DesignError, Floats, Problem, Role, largest
-from gearwright.parts.planetary import Plate
 from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
-from gearwright.sizing.result import PRELIMINARY, TeethSearch
+from gearwright.sizing.result import TeethSearch
+from gearwright.sizing.rough_mass import around_stage
 from gearwright.sizing.teeth.candidates import (
     Reach,
     admissible,
@@ -465,7 +465,7 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     torque, rolling = heaviest(loads)
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
-    made = design.level == PRELIMINARY
+    made = design.compares_sizes
     factors = dict[int, float]()
     if isinstance(stage, Planetary) and design.rules(name).mesh_load_factor is None:
         factors = {count: load_sharing(design, name, count).factor for count in planet_counts(name, design)}
@@ -478,18 +478,8 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
         case: max((load_of(mesh, flow) for mesh in own_rows), key=lambda row: row[0]) for case, flow in flows.items()
     }
     parts = tuple(parts_of(design, every, (torque, rolling))) if torque and rolling else ()
-    task = replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts)
-    if not isinstance(stage, Planetary) or not torque:
-        return task
-    steel, carriers = design.shaft_material, design.carriers
-    carried = tuple(
-        (abs(sum(flow.meshes[mesh.name].torques[2] for mesh in meshes)) * rating.load_factor / torque,
-         abs(flow.speeds.get(stage.carrier, 0.0)))
-        for flow in flows.values()
-    )  # fmt: skip
-    allowable = (steel.yield_strength or math.inf) / carriers.safety
-    plate = Plate(allowable, steel.density, carriers.plate_ratio, carriers.fill, turns=stage.carrier != GROUND)
-    return replace(task, carried=carried, plate=plate)
+    around = around_stage(name, design, train, flows, rating.helix_angle) if torque else None
+    return replace(task, factors=factors, steady=steady, fastest=fastest, parts=parts, around=around)
 
 
 def parts_of(

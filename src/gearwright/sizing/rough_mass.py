@@ -1,0 +1,247 @@
+"""What carries, encloses and cools the gears of a stage: estimates for arrays of sizes, to rank them by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.base import Floats
+from gearwright.catalogue.materials import housing_materials
+from gearwright.parts.planetary import Plate, first_carrier_mass
+from gearwright.spec import GROUND, Design, Planetary, case_named
+from gearwright.train import INTERNAL, Mesh, PowerFlow, Train, gears_of
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What the parts around the gears of a stage are estimated from, beside their sizes.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Turned(NamedTuple):
+    """A load case as the losses of a stage see it."""
+
+    powers: tuple[float, ...]
+    """What the teeth of each row pass on [W]."""
+    speeds: tuple[float, ...]
+    """Of each kind of gear [rad/s]."""
+
+
+class Casing(NamedTuple):
+    """Of what a housing is made, and what it holds."""
+
+    density: float
+    """[kg/m³]"""
+    wall: float
+    """Given, or the thinnest that can be cast [m]."""
+    torque: float
+    """Over the shear stress of its walls, which asks for a thicker one [m³]; 0 where the wall is given."""
+    hubs: float
+    """What shafts and plates of a set add to its depth [m]."""
+
+
+class Around(NamedTuple):
+    """What the parts around the gears of a stage are estimated from."""
+
+    gears: tuple[str, ...]
+    """Names of its kinds of gears: sun, planet, ring; pinion, wheel."""
+    bodies: tuple[int, ...]
+    """Equal ones of each [-]."""
+    rows: tuple[tuple[int, int, int], ...]
+    """Places of both gears of each row, and its sign: +1 internal."""
+    lean: float
+    """Helix angle [rad]."""
+    cases: tuple[Turned, ...]
+    """That last."""
+    carried: tuple[tuple[float, float], ...] = ()
+    """Torque [N m], without K_γ, and speed [rad/s] of the carrier of a simple set in every case."""
+    plate: Plate | None = None
+    """Of that carrier; None of pairs and of compound sets."""
+    bell: float = 0.0
+    """Disc by which a ring turns a shaft, over the square of its diameter [kg/m²]; 0 of a ring that is held."""
+    casing: Casing | None = None
+    """None: no housing of its own."""
+    per_heat: float = 0.0
+    """Oil, pump, lines, filter and cooler over the power that is lost [kg/W]."""
+
+
+def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, PowerFlow], lean: float) -> Around:
+    """Return what the parts around the gears of a stage are estimated from.
+
+    Args:
+        name: Of the stage.
+        design: As read.
+        train: Its graph.
+        flows: Every load case.
+        lean: Helix angle of its teeth [rad].
+    """
+    stage, rows = design.stages[name], [mesh for mesh in train.meshes if mesh.stage == name]
+    names = gears_of(name, stage)
+    gears = [train.gear(gear) for gear in names]
+    lasting = [flow for case, flow in flows.items() if not case_named(design, case).static]
+    cases = tuple(
+        Turned(tuple(_power(flow, mesh) for mesh in rows), tuple(_speed(flow, gear.nodes[0]) for gear in gears))
+        for flow in lasting
+    )
+    places = tuple((names.index(mesh.gears[0]), names.index(mesh.gears[1]), mesh.sign) for mesh in rows)
+    found = Around(
+        names, tuple(gear.bodies for gear in gears), places, lean, cases,
+        casing=_casing(design, lasting[0] if lasting else next(iter(flows.values()))), per_heat=_per_heat(design),
+    )  # fmt: skip
+    steel, carriers = design.shaft_material, design.carriers
+    bell = 0.0
+    if any(gear.name in train.internal and gear.nodes[0] != GROUND for gear in gears):
+        bell = math.pi / 4.0 * steel.density * BELL
+    if not isinstance(stage, Planetary):
+        return found._replace(bell=bell)
+    carried = tuple(
+        (abs(sum(flow.meshes[mesh.name].torques[2] for mesh in rows)), _speed(flow, stage.carrier))
+        for flow in flows.values()
+    )
+    allowable = (steel.yield_strength or math.inf) / carriers.safety
+    plate = Plate(allowable, steel.density, carriers.plate_ratio, carriers.fill, turns=stage.carrier != GROUND)
+    return found._replace(bell=bell, carried=carried, plate=plate)
+
+
+def _power(flow: PowerFlow, mesh: Mesh) -> float:
+    rolling = _speed(flow, mesh.nodes[0], signed=True) - _speed(flow, mesh.nodes[2], signed=True)
+    return abs(flow.meshes[mesh.name].torques[0] * rolling)
+
+
+def _speed(flow: PowerFlow, node: str, *, signed: bool = False) -> float:
+    speed = flow.speeds.get(node, 0.0)
+    return speed if signed else abs(speed)
+
+
+def _casing(design: Design, flow: PowerFlow) -> Casing | None:
+    """Return what a housing is made of, and the torque that it holds in the case that speaks for the design."""
+    rules = design.housing
+    if not rules.own or rules.mass is not None:
+        return None
+    material, torques = housing_materials()[rules.material], list(flow.machine_torques.values())
+    torque = max(abs(sum(torques)), *map(abs, torques))
+    hubs = HUBS * math.cbrt(torque)
+    if rules.wall is not None:
+        return Casing(material.density, rules.wall, 0.0, hubs)
+    return Casing(material.density, material.least_wall, torque / (SHARE * material.shear_strength), hubs)
+
+
+def _per_heat(design: Design) -> float:
+    rules = design.housing
+    if rules.oil_system != "own":
+        return 0.0
+    flow = 1.0 / (HEAT_CAPACITY * rules.oil_temperature_rise)
+    return flow * (rules.oil_dwell + UNITS) + COOLER
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Carrier, bell and housing; what the oil that carries the heat away weighs with all that moves and cools it.
+#
+# The complete mass of a sized gearbox has all of it from the bodies that stand there (`mass`); constants here are
+# those of that, or fitted to it over gearboxes at random.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+BELL = 3e-3
+"""Thickness of the disc by which a ring turns its shaft [m], the least."""
+SHARE = 0.107
+"""Shear stress of a housing's walls over that of its material [-], as complete masses have it."""
+RIBBED = 1.3
+"""Shell with its ribs and mounts over the shell [-]."""
+FLANGES = 2.1
+"""Flanges with bolts over the girth of a housing [kg/m]."""
+DEEP, LONG = 1.3, 1.6
+"""Depth of a housing over the face width of a pair, and over that of a set with the plates of its carrier [-]."""
+HUBS = 5.5e-3
+"""What shafts add to the depth around a set, over the cube root of the torque that the housing holds [m/(N m)^⅓]."""
+HEAT_CAPACITY = 2000.0
+"""Of lubricating oil [J/(kg K)]."""
+UNITS = 12.6
+"""Pump, filter, lines over the flow of oil [s]: 0.2 kg for every litre a minute."""
+COOLER = 2.5e-4
+"""Cooler over the power that it takes [kg/W]."""
+RUBBING = 0.08
+"""Part of its power that a mesh loses, over 1/z_1 ± 1/z_2 [-]."""
+MIST = 0.7
+"""Windage in the mist of a turbine oil over that of a mist of 1 [-]."""
+
+
+def around_mass(
+    around: Around, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planet: Floats, planets: int,
+    factor: float,
+) -> Floats:  # fmt: skip
+    """Return about what carries and encloses the gears of sizes of a stage weighs [kg].
+
+    Args:
+        around: The stage.
+        teeth: Of its kinds of gears [-].
+        modules: m_n [m].
+        widths: b [m].
+        planet: Mass of one planet [kg]; of pairs not read.
+        planets: Their number; of pairs not read [-].
+        factor: K_γ [-].
+    """
+    transverse = modules / math.cos(around.lean)
+    rings = [teeth[second] for _, second, sign in around.rows if sign == INTERNAL]
+    widest = np.maximum.reduce(rings or list(teeth)) * transverse
+    mass = np.zeros(np.broadcast_shapes(widest.shape, np.shape(widths)))
+    if rings:
+        mass = mass + around.bell * widest**2
+    if around.plate is not None and around.carried:
+        sun, own, ring = (z * modules / 2.0 for z in teeth)
+        mass = mass + first_carrier_mass(
+            [(factor * torque, speed) for torque, speed in around.carried], sun + own, widths,
+            (sun + modules, own + modules, ring - modules), planet=planet, planets=planets, plate=around.plate,
+        )  # fmt: skip
+    if around.casing is not None:
+        length = widest if rings else (teeth[0] + teeth[1]) * transverse
+        depth = LONG * widths + around.casing.hubs if rings else DEEP * widths
+        mass = mass + housing_mass(around.casing, length, widest, depth)
+    return np.asarray(mass)
+
+
+def housing_mass(casing: Casing, length: Floats, breadth: Floats, depth: Floats) -> Floats:
+    """Return about what a housing weighs whose walls go round two circles [kg].
+
+    Args:
+        casing: Of what it is made.
+        length: Over both circles [m].
+        breadth: Diameter of the larger [m].
+        depth: Along the axes [m].
+
+    Source: shell, A t ρ, with t by casting or by Bredt's shear flow, τ = T/(2 A t); flanges of one girth.
+    """
+    section = breadth * (length - (1.0 - math.pi / 4.0) * breadth)
+    girth = 2.0 * (length - breadth) + math.pi * breadth
+    wall = np.maximum(casing.wall, casing.torque / (2.0 * section))
+    return np.asarray(RIBBED * casing.density * wall * (2.0 * section + girth * depth) + FLANGES * girth)
+
+
+def oil_mass(around: Around, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planets: int = 0) -> Floats:
+    """Return about what oil weighs that carries away what the gears of a stage lose, with what moves and cools it [kg].
+
+    Args:
+        around: The stage.
+        teeth: Of its kinds of gears [-].
+        modules: m_n [m].
+        widths: b [m].
+        planets: Number of planets; 0: as the stage has them [-].
+
+    Source: mesh losses, P (1/z_1 ± 1/z_2); windage, Anderson and Loewenthal, NASA TP-1622 (1980).
+    """
+    if not around.per_heat:
+        return np.zeros(np.broadcast_shapes(np.shape(modules), np.shape(widths)))
+    radii = [z * modules / (2.0 * math.cos(around.lean)) for z in teeth]
+    heats = list[Floats]()
+    for case in around.cases:
+        heat = np.zeros(np.broadcast_shapes(np.shape(radii[0]), np.shape(widths)))
+        for power, (first, second, sign) in zip(case.powers, around.rows, strict=True):
+            heat = heat + RUBBING * power * np.abs(1.0 / teeth[first] - sign / teeth[second])
+        for place, (radius, speed) in enumerate(zip(radii, case.speeds, strict=True)):
+            if speed:
+                count = planets if planets and place == 1 else around.bodies[place]
+                turns = (speed * 30.0 / math.pi) ** 2.8
+                heat = heat + count * MIST * 2.82e-4 * turns * (1.0 + 2.3 * widths / radius) * radius**4.6
+        heats.append(heat)
+    return np.asarray(around.per_heat * np.maximum.reduce(heats)) if heats else np.zeros(np.shape(widths))
