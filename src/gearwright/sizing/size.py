@@ -147,7 +147,7 @@ at most, where none passes so far [-]."""
 BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
 """Modes of checks of the bearings of planets, to which a wider face helps."""
 HOPE = 0.7
-"""Value over limit of the worst check of some transmission below which half as many are completed, as none will pass [-]."""
+"""Value over limit of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4
