@@ -148,6 +148,8 @@ COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 at most, where none passes so far [-]."""
 BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
 """Modes of checks of the bearings of planets, to which a wider face helps."""
+HOPE = 0.7
+"""Value over limit of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4
@@ -247,6 +249,14 @@ class _Looked:
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
     @property
+    def hope(self) -> float:
+        """Value over limit of the worst check of the transmission that comes nearest to passing [-]."""
+        worst = (
+            min((check.ratio or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
+        )
+        return max(worst, default=1.0)
+
+    @property
     def nearest(self) -> Geared | None:
         """Of the gears that fall short those that come nearest to what is asked, of equals the lightest; None: none."""
         best: Geared | None = None
@@ -339,7 +349,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
     while queue or waiting:
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
-        if tried >= (max(enough, design.teeth.sized) if passes else most):
+        if tried >= (max(enough, design.teeth.sized) if passes else most if looked.hope >= HOPE else most // 2):
             break
         while waiting:
             course = waiting.pop()
