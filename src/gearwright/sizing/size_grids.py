@@ -33,6 +33,7 @@ from gearwright.sizing.rating import (
     rate_row,
     row_reserve,
     sizes_near,
+    widest_bevel,
 )
 from gearwright.sizing.rough_mass import Around, Turned, around_mass, around_stage, oil_mass
 from gearwright.spec import Epicyclic, Planetary
@@ -203,7 +204,7 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
     if part.width is not None:
         widths = np.array([min(part.width, widest) if bevel else part.width])
     elif not rating.width_is_open:
-        widths = np.array([widest])
+        widths = np.array([widest_bevel(teeth, module, ratio, rating) if bevel else widest])
     else:
         usual = least_bevel_width(teeth, module, rating) if bevel else least_width(rating, module)
         least = min(max(usual, _bearing_width(context, part)), widest)
