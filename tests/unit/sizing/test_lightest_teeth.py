@@ -190,7 +190,7 @@ def test_twins_have_the_same_teeth_and_count_once():
 
 @pytest.mark.parametrize("kinds", ["pp", "sp", "ss"])
 def test_of_the_lightest_gears_that_are_sized_in_full_the_lightest_complete_gearbox_is_taken(kinds: str):
-    """Shafts, carriers and housing count, too: as many are sized as there are combinations; each again with its teeth given."""
+    """Shafts, carriers, housing count: as many are sized as there are combinations, each again with its teeth given."""
     design = parse(chain(kinds, 4.2 ** len(kinds), most=21))
     first, every = size(design), size(edited(design, {"teeth.sized": 1000}))
     masses = []
