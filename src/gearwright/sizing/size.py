@@ -149,7 +149,7 @@ at most, where none passes so far [-]."""
 BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
 """Modes of checks of the bearings of planets, to which a wider face helps."""
 HOPE = 0.7
-"""Value over limit of the worst check that some transmission has come to, or only half as many are completed [-]."""
+"""Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4
@@ -250,9 +250,9 @@ class _Looked:
 
     @property
     def hope(self) -> float:
-        """Value over limit of the worst check of the transmission that comes nearest to passing [-]."""
+        """Margin of the worst check of the transmission that comes nearest to passing [-]."""
         worst = (
-            min((check.ratio or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
+            min((check.margin or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
         )
         return max(worst, default=1.0)
 

@@ -116,7 +116,8 @@ def _around_compound(
     own = [place for place, gear in enumerate(around.gears) if context.train.gear(gear).sized == part.name]
     names = [mesh.name for mesh in context.train.meshes if mesh.stage == part.stage]
     rows = [
-        (names.index(mesh.name), *(around.gears.index(gear) for gear in mesh.gears), mesh.sign) for mesh in part.meshes
+        (names.index(mesh.name), (around.gears.index(mesh.gears[0]), around.gears.index(mesh.gears[1]), mesh.sign))
+        for mesh in part.meshes
     ]
     cases = tuple(
         Turned(
@@ -125,7 +126,7 @@ def _around_compound(
         )
         for case in around.cases
     )
-    around = around._replace(rows=tuple(row[1:] for row in rows), cases=cases)
+    around = around._replace(rows=tuple(row for _, row in rows), cases=cases)
     teeth = [np.asarray(context.teeth[gear]) for gear in around.gears]
     mass = around_mass(around, teeth, modules, widths, planet=np.zeros(1), planets=1, factor=1.0)
     first, second = (context.teeth[gear] for gear in part.meshes[0].gears)

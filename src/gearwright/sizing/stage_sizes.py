@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -61,6 +62,10 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+_DECIMALS = re.compile(r"\d+\.\d+(?:e[+-]?\d+)?")
+"""Numbers that may differ by rounding between parts that do the same."""
+
+
 class _Open(NamedTuple):
     """Parts that are sized together by a standard."""
 
@@ -76,7 +81,7 @@ class _Open(NamedTuple):
              [(context.asks[mesh.name], demands[mesh.name]) for mesh in part.meshes])
             for part in self.parts
         ]  # fmt: skip
-        return repr((self.unit, self.is_open, rows))
+        return _DECIMALS.sub(lambda found: f"{float(found[0]):.9g}", repr((self.unit, self.is_open, rows)))
 
 
 def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Kind, PartId, Role, carrier_part
+from gearwright.memo import of_latest
 from gearwright.parts.bevel_geometry import bevel_profile
 from gearwright.parts.gears import revolved_volume
 from gearwright.sizing.axis_order import PLATE_GAP, set_length, slots
@@ -288,6 +289,16 @@ def plates_of(sizing: Sizing, stage: str) -> tuple[Body, ...]:
         sizing: As sized.
         stage: A planetary or compound set.
     """
+    return _plates(sizing)[stage]
+
+
+@of_latest(1)
+def _plates(sizing: Sizing) -> dict[str, tuple[Body, ...]]:
+    """Return the plates of every carrier."""
+    return {stage: _plates_of(sizing, stage) for stage in sizing.design.sets}
+
+
+def _plates_of(sizing: Sizing, stage: str) -> tuple[Body, ...]:
     part = carrier_part(stage)
     bodies = tuple(body for body in sizing.arrangement.bodies if body.part == part)
     second, taken = _mirrored(sizing, bodies[0])

@@ -241,15 +241,10 @@ def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tup
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
-            module, width = bevel_size(task.rating, task.rows, teeth, ratio)
-            sizes = (
-                ask._replace(teeth=(np.array(teeth[:1]), np.array(teeth[1:]))),
-                task,
-                np.array([module]),
-                np.array([width]),
-            )
-            around = float(_around(*sizes, planets=planets)[0])
-            yield module * module * module, width / module, around / module**3
+            mean, width = bevel_size(task.rating, task.rows, teeth, ratio)
+            own = ask._replace(teeth=(np.array(teeth[:1]), np.array(teeth[1:])))
+            (beside,) = _around(own, task, np.array([mean]), np.array([width]), planets=planets).tolist()
+            yield mean * mean * mean, width / mean, beside / mean**3
         return
     needed = np.cbrt(_cubes(ask, task))
     found = _on_grid(ask, task, needed, discs, planets=planets) if task.rating.width_is_open else None
