@@ -75,10 +75,10 @@ class _Open(NamedTuple):
     is_open: bool
 
     def kind(self, context: Context, demands: Mapping[str, Demand]) -> object:
-        """Return what is the same of parts that do the same, such as the stages of equal engines."""
+        """Return what is the same of parts that do the same, such as the stages of equal engines, each in its case."""
         rows = [
             (context.ratings[part.stage], part.ratio, part.width,
-             [(context.asks[mesh.name], demands[mesh.name]) for mesh in part.meshes])
+             [(context.asks[mesh.name], demands[mesh.name][1:]) for mesh in part.meshes])
             for part in self.parts
         ]  # fmt: skip
         return _DECIMALS.sub(lambda found: f"{float(found[0]):.9g}", repr((self.unit, self.is_open, rows)))

@@ -229,3 +229,12 @@ def test_a_stage_that_would_scuff_has_the_module_and_width_with_which_it_does_no
     sizing, easier = size(design), size(edited(design, {"gears.iso6336.scuffing_safety": 1.0}))
     assert [check.name for check in sizing.checks if check.fails] == []
     assert easier.mass < 0.98 * sizing.mass
+
+
+def test_stages_of_equal_engines_have_one_size_though_each_is_loaded_most_in_a_case_of_its_own():
+    """One engine of the helicopter out of two gives more while the other stands: two cases, one for each."""
+    sizing = size(read(shipped_design("twin-engine-helicopter")))
+    sizes = [{(gear.module, gear.face_width) for gear in sizing.gears if gear.stage == name}
+             for name in ("input-1", "input-2")]  # fmt: skip
+    cases = [{mesh.case for mesh in sizing.meshes if mesh.stage == name} for name in ("input-1", "input-2")]
+    assert sizes[0] == sizes[1] and cases[0] != cases[1]
