@@ -42,12 +42,16 @@ LONG = {
 }
 FEW = {"planetaries.set.sun_teeth": 35, "planetaries.set.planet_teeth": 43, "planetaries.set.ring_teeth": 121}
 """Planets of few teeth, in which a bearing that lives has no room but with costlier rollers."""
+MANY = {"pairs.stage.pinion_teeth": 40, "pairs.stage.wheel_teeth": 119}
+"""Small teeth, whose roots a jam breaks."""
+SIXFOLD = {"planetaries.set.sun_teeth": 38, "planetaries.set.planet_teeth": 76, "planetaries.set.ring_teeth": 190}
+"""Of a set that is clear of critical speeds."""
 ISO = "gears.iso6336."
 FINE = {f"{ISO}tolerance_class": 1, f"{ISO}pitting_safety": 1.0, "service.application_factor": 1.0}
 CASES = {
     "flank": (PAIR, {}),
     "root": (PAIR, {f"{ISO}bending_safety": 5.0, f"{ISO}pitting_safety": 1.0}),
-    "static strength": (JAMMED, {f"{ISO}static_bending_safety": 5.0, f"{ISO}pitting_safety": 1.0}),
+    "static strength": (JAMMED, {f"{ISO}static_bending_safety": 5.0, f"{ISO}pitting_safety": 1.0, **MANY}),
     "scuffing": (PAIR, {f"{ISO}scuffing_safety": 2.5, f"{ISO}tip_relief_um": 0.0, **FAST}),
     "teeth": (PAIR, {f"{ISO}widest_modules": 8}),
     "sharing": (f"{SET}{OUT_OF_PLACE}", {}),
@@ -78,7 +82,7 @@ STUBBY = {"pairs.helical.pinion_shift": 0.2, "pairs.helical.pinion_teeth": 15, "
           f"{ISO}pitting_safety": 1.0, "gears.material": "18CrNiMo7-6"}  # fmt: skip
 GIVEN = {
     "carriers": (SET, QUICK | {f"{BEARING}kind": "integral", f"{BEARING}life_h": 1, "service.static_safety": 0.5,
-                               "planetaries.set.pin_diameter_mm": 20, "carriers.safety": 20}),
+                               "planetaries.set.pin_diameter_mm": 20, "carriers.safety": 20, **SIXFOLD}),
     "machines": (ROTOR, {}),
     "room": (PAIR + WALL, {}),
     "joints": (KEYED, {}),
