@@ -39,7 +39,7 @@ FACTORS_OF_ONE = """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
-    Chosen.gear_mass Geared.ranked _Looked.sized
+    Chosen.gear_mass Geared.ranked _Looked.sized Around.bell Around.per_heat oil_mass.planets
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
     CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
