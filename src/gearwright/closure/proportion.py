@@ -275,7 +275,7 @@ class Proportioned(NamedTuple):
 
 def proportioned(
     design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None,
-    kept: Mapping[str, StageSize] | None = None, still: bool = False,
+    kept: Mapping[str, StageSize] | None = None, still: bool = False, among: dict[str, Sizing] | None = None,
 ) -> Proportioned:  # fmt: skip
     """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
 
@@ -286,15 +286,17 @@ def proportioned(
         targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
         kept: Stage -> size that it keeps where that just does, so that only what a change moves is searched anew.
         still: Whether open axes stay where they stand first, room or not.
+        among: Designs that were sized before, by what they state.
 
     Raises:
         DesignError: If the design cannot be sized.
     """
     first = sized(design) if before is None else before
-    own = edited(design, dict(teeth_of(design, first)))
+    teeth = dict(teeth_of(design, first))
+    own = edited(design, teeth) if teeth else design
     sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}, kept or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
-    return Proportioned(written, sized(written, still=still), sizes)
+    return Proportioned(written, sized(written, still=still, among=among), sizes)
 
 
 def written_out(found: Proportioned, left_out: frozenset[str] = frozenset(), *, step: float = 0.0) -> Proportioned:
