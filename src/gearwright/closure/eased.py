@@ -10,12 +10,13 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple
 
-from gearwright.base import Check, GearwrightError, Shown, accepted, verb, worst
+from gearwright.base import Check, GearwrightError, Mass, Shown, accepted, verb, worst
 from gearwright.closure.requirements import FATIGUE, HOUR, Closed, Outcome, wanted
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.making import built_checks
+from gearwright.sizing.mass import complete_mass
 from gearwright.spec import Design, edited
 from gearwright.spec.edit import Value
 
@@ -62,6 +63,8 @@ class Eased(Shown):
     """Path -> value, in the unit of the path."""
     design: Design
     """The closed design with them."""
+    mass: Mass
+    """Of everything in it [kg]."""
     worst: Check | None
     """Of its checks."""
 
@@ -85,7 +88,9 @@ def eased(closed: Closed) -> Eased | None:
         if (part := _part(closed, way)) is not None:
             asked = way.asked(part)
             design = edited(closed.design, asked.changes)
-            return Eased(asked.words, asked.changes, design, worst(_checks(closed, size(design), whole=True)))
+            sizing = size(design)
+            found = worst(_checks(closed, sizing, whole=True))
+            return Eased(asked.words, asked.changes, design, complete_mass(sizing).total, found)
     return None
 
 
