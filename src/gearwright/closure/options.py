@@ -282,9 +282,7 @@ def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, stil
             alone = edited(task.design, {**task.chosen, **without, **changes})
             firsts[name] = sized(edited(alone, dict(sizes_of(alone, sizes))), still=True)
         first = firsts[name]
-    found = proportioned(
-        stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still, among=firsts
-    )
+    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still, among=firsts)
     return replace(state, task=replace(task, start=first), proportioned=found)
 
 

@@ -220,7 +220,7 @@ def _least_place(series: Sequence[float], start: float, tasks: Sequence[StageTas
     """Return the place of the least module of a series that does for some stages, looked for both ways from a start."""
     place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
     near = [task.near(series, [task.widest(module) for module in series]) for task in tasks]
-    able = np.all([np.full(len(series), True) if own is None else own >= SURELY for own in near], axis=0)
+    able = np.all([np.ones(len(series), dtype=bool) if own is None else own >= SURELY for own in near], axis=0)
 
     def do(place: int) -> bool:
         return bool(able[place]) and all(_does(task, series[place]) for task in tasks)

@@ -337,7 +337,9 @@ def _as_given(context: Context, parts: Sequence[Part], unit: float) -> Option:
     for part in parts:
         widths, modules = widths_at(context, part, unit * part.ratio)
         masses = part_weight(context, part) * widths * modules**2
-        row.append(_Widths(part, widths, modules, np.ones(1), masses, _around(context, part, modules, widths), False))
+        row.append(
+            _Widths(part, widths, modules, np.ones(1), masses, _around(context, part, modules, widths), is_array=False)
+        )
     return Option(tuple(own.size for own in row), _mass(tuple(row)), 1.0)
 
 

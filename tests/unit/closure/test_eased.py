@@ -60,9 +60,7 @@ def test_what_is_told_as_the_nearest_closes(name, hours, left_out, words):
     again = close(parse(design_text(nearest.design)), wishes=Wishes(left_out=left_out))
     assert not again.unmet
     stated = edited(closed.design, nearest.changes)
-    assert all(
-        standing_at(stated, path).value == pytest.approx(value) for path, value in nearest.changes.items()
-    )
+    assert all(standing_at(stated, path).value == pytest.approx(value) for path, value in nearest.changes.items())
 
 
 def test_nothing_is_eased_where_everything_is_met():

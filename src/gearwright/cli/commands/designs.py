@@ -611,7 +611,8 @@ def close(
     ] = False,
     why: WhyOption = False,
     out: Annotated[
-        Path | None, typer.Option(help="Write the closed design to this file, and variants that meet everything beside it")
+        Path | None,
+        typer.Option(help="Write the closed design to this file, and variants that meet everything beside it"),
     ] = None,
     start: Annotated[
         str | None,

@@ -231,9 +231,7 @@ def close_answer(
         contradictions=tuple(against),
         effort=closed.effort,
         changes_nothing=closed.changes_nothing,
-        eased=None
-        if easier is None
-        else VariantAnswer(easier.what, easier.mass, design_text(easier.design)),
+        eased=None if easier is None else VariantAnswer(easier.what, easier.mass, design_text(easier.design)),
     )
 
 
