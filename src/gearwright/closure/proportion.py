@@ -145,7 +145,7 @@ def _at(task: StageTask, module: float, width: float) -> StageSize:
 
 
 def _guessed(task: StageTask, module: float, least: float, widest: float) -> float | None:
-    """Return the least whole millimetres at which flanks and roots do by arrays, if that does in full; else None [m]."""
+    """Return the least whole millimetres at which flanks and roots do by arrays, if that does in full [m]."""
     counts = np.arange(math.ceil(least / _MM - ROUNDING), math.floor(widest / _MM + ROUNDING) + 1)
     near = task.near(np.full(len(counts), module), counts * _MM) if len(counts) else None
     if near is None or not (near >= 1.0).any():
