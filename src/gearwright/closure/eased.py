@@ -65,7 +65,7 @@ class Eased(Shown):
     """The closed design with them."""
     mass: Mass
     """Of everything in it [kg]."""
-    worst: Check | None
+    worst: Check
     """Of its checks."""
 
 
@@ -90,6 +90,7 @@ def eased(closed: Closed) -> Eased | None:
             design = edited(closed.design, asked.changes)
             sizing = size(design)
             found = worst(_checks(closed, sizing, whole=True))
+            assert found is not None
             return Eased(asked.words, asked.changes, design, complete_mass(sizing).total, found)
     return None
 

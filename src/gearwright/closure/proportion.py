@@ -146,11 +146,12 @@ def _at(task: StageTask, module: float, width: float) -> StageSize:
 
 def _guessed(task: StageTask, module: float, least: float, widest: float) -> float | None:
     """Return the least whole millimetres at which flanks and roots do by arrays, if that does in full [m]."""
-    counts = np.arange(math.ceil(least / _MM - ROUNDING), math.floor(widest / _MM + ROUNDING) + 1)
-    near = task.near(np.full(len(counts), module), counts * _MM) if len(counts) else None
+    first, last = math.ceil(least / _MM - ROUNDING), math.floor(widest / _MM + ROUNDING)
+    widths = [count * _MM for count in range(first, last + 1)]
+    near = task.near([module] * len(widths), widths) if widths else None
     if near is None or not (near >= 1.0).any():
         return None
-    width = float(counts[np.argmax(near >= 1.0)]) * _MM
+    width = widths[int(np.argmax(near >= 1.0))]
     return width if task.governing(module, width)[0] >= 1.0 else None
 
 

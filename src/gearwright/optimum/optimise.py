@@ -346,7 +346,12 @@ def optimise(
 
 
 def restarted(
-    found: Optimum, designs: Mapping[str, Design] | None = None, *, starts: int, workers: int = 0, tell: Tell | None = None
+    found: Optimum,
+    designs: Mapping[str, Design] | None = None,
+    *,
+    starts: int,
+    workers: int = 0,
+    tell: Tell | None = None,
 ) -> Optimum:
     """Return the answer of a search with how far the best of each objective may lie beyond it, by more searches.
 
