@@ -5,6 +5,7 @@ What is checked and how is for the layers below: sizing, dynamics, mission. What
 
 from gearwright.closure.close import OnMission, Source, as_sized, best_so_far, close
 from gearwright.closure.course import Course, Effort
+from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
     FREEDOMS,
@@ -27,6 +28,7 @@ __all__ = [
     "Closed",
     "Contradiction",
     "Course",
+    "Eased",
     "Effort",
     "OnMission",
     "Outcome",
@@ -44,6 +46,7 @@ __all__ = [
     "best_so_far",
     "close",
     "contradictions",
+    "eased",
     "nearest_variant",
     "requirement_of",
     "teeth_of",

@@ -127,15 +127,22 @@ def now() -> Course:
     return _NOW.get() or Course()
 
 
-def sized(design: Design, *, still: bool = False) -> Sizing:
+def sized(design: Design, *, still: bool = False, among: dict[str, Sizing] | None = None) -> Sizing:
     """Return a sized design, which counts for the closure that is on its way.
 
     Args:
         design: As `size` takes it.
         still: Whether open axes stay where they stand first, room or not.
+        among: Those that were sized so before, by what they state, to which it is added; None: it is sized.
 
     Raises:
         DesignError: If it cannot be sized.
     """
+    stated = "" if among is None else f"{still} {design.model_dump_json(by_alias=True, exclude_unset=True)}"
+    if among is not None and stated in among:
+        return among[stated]
     now().sizings += 1
-    return size_unturned(design) if still else size(design)
+    sizing = size_unturned(design) if still else size(design)
+    if among is not None:
+        among[stated] = sizing
+    return sizing

@@ -226,7 +226,7 @@ def settled(task: Task) -> Settled:
     rounds, before = list[Round](), task.start
     factors = Factors(dict(task.factors), {})
     for number in range(1, MOST_ROUNDS + 1):
-        stated = edited(task.changed, changes_of(task.design, factors))
+        stated = edited(task.design, {**task.chosen, **changes_of(task.design, factors)})
         own = proportioned(stated, task.wishes, before=before, targets=task.targets)
         before = own.sizing
         rounds.append(Round(Step.PROPORTION, before.mass, _margin(own, task), 0.0, _sizes(own)))

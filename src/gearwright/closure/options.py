@@ -133,6 +133,11 @@ class Option:
         return bool(self._first)
 
     @property
+    def weighed(self) -> Seen:
+        """Its mass and what it lacks, before axes are turned; empty where it cannot be sized."""
+        return self._first
+
+    @property
     def mass(self) -> float:
         """Of gears, shafts and carriers, before axes are turned [kg]."""
         return self._first[0]
@@ -218,7 +223,9 @@ class Confirmed:
 
 
 def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
-    """Return every change that can be sized, proportioned once.
+    """Return every change that can be sized, proportioned once; of those that come to the same the first.
+
+    A module that is looked for comes to one of those that are tried beside it.
 
     Args:
         state: That is changed.
@@ -228,8 +235,17 @@ def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
     started = None if task.start is None else task.start.teeth
     stands = (task.chosen, task.factors, task.targets, task.planets, started, own, dict(state.proportioned.sizes))
     name = sha256(repr(stands).encode()).hexdigest()[:16]
-    firsts = dict[str, Sizing]()
-    return [option for change in changes if (option := Option(state, change, name, firsts)).can_be_sized]
+    firsts, found = dict[str, Sizing](), dict[tuple[str, Seen], Option]()
+    for change in changes:
+        option = Option(state, change, name, firsts)
+        if option.can_be_sized:
+            found.setdefault((_but_modules(change), option.weighed), option)
+    return list(found.values())
+
+
+def _but_modules(change: Change) -> str:
+    """Return what a change is beside the modules that it sets."""
+    return repr({path: value for path, value in change.values.items() if ".module_" not in path})
 
 
 def _lacks_room(state: Settled) -> bool:
@@ -255,17 +271,18 @@ def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, stil
     stays = {path: value for path, value in teeth_of(design, sizing) if not path.startswith(anew)}
     own = {path: value for path, value in state.task.chosen.items() if path not in change.frees}
     task = replace(state.task, chosen={**own, **stays, **change.values})
-    stated = edited(task.changed, changes_of(task.design, state.factors))
+    changes = changes_of(task.design, state.factors)
+    stated = edited(task.design, {**task.chosen, **changes})
     first, sizes, kept = sizing, state.proportioned.sizes, dict[str, StageSize]()
     if change.tables:
         kept = {name: size for name, size in sizes.items() if design.table(name) not in change.tables}
-        name = repr({path: value for path, value in change.values.items() if not path.endswith(".module_mm")})
+        name = _but_modules(change)
         if name not in firsts:
-            alone = edited(task.design, {**task.chosen, **{path: None for path in change.values if ".module_" in path}})
-            alone = edited(alone, changes_of(task.design, state.factors))
+            without = {path: None for path in change.values if ".module_" in path}
+            alone = edited(task.design, {**task.chosen, **without, **changes})
             firsts[name] = sized(edited(alone, dict(sizes_of(alone, sizes))), still=True)
         first = firsts[name]
-    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still)
+    found = proportioned(stated, task.wishes, before=first, targets=task.targets, kept=kept, still=still, among=firsts)
     return replace(state, task=replace(task, start=first), proportioned=found)
 
 

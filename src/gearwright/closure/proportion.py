@@ -1,10 +1,12 @@
 """Least module and face width of each stage by its strengths, and their entry in the design."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from gearwright.base import Role, smallest
+import numpy as np
+
+from gearwright.base import Floats, Role, smallest
 from gearwright.closure.course import sized
 from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, without
 from gearwright.sizing import Sizing, Trial, trial_of
@@ -29,6 +31,8 @@ SPARE = 1.02
 """By how much more a size may bear than it did and still be kept [-]."""
 SMALL = 50
 """Steps below which diameters are rounded to half a step: to 0.5 mm below 50 mm, to 1 mm above [-]."""
+SURELY = 0.98
+"""What flanks and roots bear by arrays over what they must bear, below which a module surely does not do [-]."""
 MOST_STEPS = 40
 """Steps of the search for a width [-]."""
 LARGER = 1
@@ -101,6 +105,18 @@ class StageTask(NamedTuple):
                 worst, name = check.reserve, check.name
         return worst / self.target, name
 
+    def near(self, modules: Sequence[float], widths: Sequence[float]) -> Floats | None:
+        """Return about what `governing` finds of flanks and roots, of many sizes at once: to begin a search there [-].
+
+        None where its method takes sizes one by one.
+
+        Args:
+            modules: m_n [m].
+            widths: b, of as many sizes [m].
+        """
+        found = self.trial.near(self.name, np.asarray(modules), np.asarray(widths))
+        return None if found is None else np.where(found > 0.0, found, 0.0) / self.target
+
 
 def sized_at(task: StageTask, module: float) -> StageSize | None:
     """Return the stage at a module with the least face width that does; None where none that is allowed does.
@@ -111,14 +127,32 @@ def sized_at(task: StageTask, module: float) -> StageSize | None:
     """
     widest = task.widest(module)
     least = min(task.least(module), widest)
+    if task.rounded and (guess := _guessed(task, module, least, widest)) is not None:
+        return _at(task, module, _whole(task, module, guess))
     if (above := task.governing(module, widest)[0]) < 1.0 - ROUNDING:
         return None
     width = _crossing(task, module, least, (widest, above))
     if task.rounded:
         width = _whole(task, module, width)
         width = widest if width > widest * (1.0 + ROUNDING) else width
+    return _at(task, module, width)
+
+
+def _at(task: StageTask, module: float, width: float) -> StageSize:
+    """Return a size with what governs it."""
     margin, governs = task.governing(module, width)
     return StageSize(module, width, margin, governs, task.volume(module, width))
+
+
+def _guessed(task: StageTask, module: float, least: float, widest: float) -> float | None:
+    """Return the least whole millimetres at which flanks and roots do by arrays, if that does in full [m]."""
+    first, last = math.ceil(least / _MM - ROUNDING), math.floor(widest / _MM + ROUNDING)
+    widths = [count * _MM for count in range(first, last + 1)]
+    near = task.near([module] * len(widths), widths) if widths else None
+    if near is None or not (near >= 1.0).any():
+        return None
+    width = widths[int(np.argmax(near >= 1.0))]
+    return width if task.governing(module, width)[0] >= 1.0 else None
 
 
 def _crossing(task: StageTask, module: float, least: float, wide: tuple[float, float]) -> float:
@@ -179,12 +213,24 @@ def _modules(task: StageTask, start: float, *, standard: bool) -> Iterator[float
         yield _least_module(task, start)
         return
     series = [value * _MM for value in STANDARD_MODULES]
-    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
-    while place > 0 and _does(task, series[place - 1]):
-        place -= 1
-    while place < len(series) - 1 and not _does(task, series[place]):
-        place += 1
+    place = _least_place(series, start, [task])
     yield from series[place : place + 1 + LARGER]
+
+
+def _least_place(series: Sequence[float], start: float, tasks: Sequence[StageTask]) -> int:
+    """Return the place of the least module of a series that does for some stages, looked for both ways from a start."""
+    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
+    near = [task.near(series, [task.widest(module) for module in series]) for task in tasks]
+    able = np.all([np.ones(len(series), dtype=bool) if own is None else own >= SURELY for own in near], axis=0)
+
+    def do(place: int) -> bool:
+        return bool(able[place]) and all(_does(task, series[place]) for task in tasks)
+
+    while place > 0 and do(place - 1):
+        place -= 1
+    while place < len(series) - 1 and not do(place):
+        place += 1
+    return place
 
 
 def _does(task: StageTask, module: float) -> bool:
@@ -230,7 +276,7 @@ class Proportioned(NamedTuple):
 
 def proportioned(
     design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None,
-    kept: Mapping[str, StageSize] | None = None, still: bool = False,
+    kept: Mapping[str, StageSize] | None = None, still: bool = False, among: dict[str, Sizing] | None = None,
 ) -> Proportioned:  # fmt: skip
     """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
 
@@ -241,15 +287,17 @@ def proportioned(
         targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
         kept: Stage -> size that it keeps where that just does, so that only what a change moves is searched anew.
         still: Whether open axes stay where they stand first, room or not.
+        among: Designs that were sized before, by what they state.
 
     Raises:
         DesignError: If the design cannot be sized.
     """
     first = sized(design) if before is None else before
-    own = edited(design, dict(teeth_of(design, first)))
+    teeth = dict(teeth_of(design, first))
+    own = edited(design, teeth) if teeth else design
     sizes = dict(_sizes(trial_of(without(own, wishes.left_out), first), first, wishes, targets or {}, kept or {}))
     written = edited(own, dict(sizes_of(own, sizes)))
-    return Proportioned(written, sized(written, still=still), sizes)
+    return Proportioned(written, sized(written, still=still, among=among), sizes)
 
 
 def written_out(found: Proportioned, left_out: frozenset[str] = frozenset(), *, step: float = 0.0) -> Proportioned:
@@ -339,15 +387,7 @@ def _of_one_module(tied: list[StageTask], owners: Mapping[str, str], wishes: Wis
 def _at_standard(tasks: list[StageTask], start: float) -> Iterator[tuple[str, StageSize]]:
     """Yield the sizes of stages at the standard module that fills least of those from the least that does for all."""
     series = [value * _MM for value in STANDARD_MODULES]
-
-    def do(module: float) -> bool:
-        return all(_does(task, module) for task in tasks)
-
-    place = smallest(range(len(series)), lambda k: abs(math.log(series[k] / start)))
-    while place > 0 and do(series[place - 1]):
-        place -= 1
-    while place < len(series) - 1 and not do(series[place]):
-        place += 1
+    place = _least_place(series, start, tasks)
     found = list[list[tuple[str, StageSize]]]()
     for module in series[place : place + 1 + LARGER]:
         sizes = {task.name: sized_at(task, module) or _widest(task, module) for task in tasks}

@@ -4,8 +4,8 @@ How designs are evaluated, and the journal that keeps them, is in `study`.
 """
 
 from gearwright.optimum.generations import DESIGN, is_continuous
-from gearwright.optimum.optimise import Search, optimise, search
-from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Influence, Optimum, Price, Regret, hypervolume
+from gearwright.optimum.optimise import Search, optimise, restarted, search
+from gearwright.optimum.optimum import Best, Binding, Counts, Fit, Gap, Influence, Optimum, Price, Regret, hypervolume
 
 __all__ = [
     "DESIGN",
@@ -13,6 +13,7 @@ __all__ = [
     "Binding",
     "Counts",
     "Fit",
+    "Gap",
     "Influence",
     "Optimum",
     "Price",
@@ -21,5 +22,6 @@ __all__ = [
     "hypervolume",
     "is_continuous",
     "optimise",
+    "restarted",
     "search",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -13,7 +14,7 @@ import numpy as np
 from gearwright.base import DesignError, Floats, Problem, Shown, SolveError, refuse, verb
 from gearwright.optimum.course import Bench, Compass, Course, Tell, followed, polishable, rounds
 from gearwright.optimum.generations import DESIGN, Fixed, Judged, freedoms_of, judged_rows, parents_of, with_teeth
-from gearwright.optimum.optimum import Counts, Fit, Optimum
+from gearwright.optimum.optimum import Counts, Fit, Gap, Optimum, expected_gap
 from gearwright.optimum.reasons import best_of, influences_of, prices_of, regrets_of, shortfall
 from gearwright.shipped import find_design
 from gearwright.sizing import Named
@@ -342,6 +343,43 @@ def optimise(
         if not course.archive.rows:
             raise DesignError(shortfall(study, known, course.archive), study.name)
         return _answered(bench, rules, course, say)
+
+
+def restarted(
+    found: Optimum,
+    designs: Mapping[str, Design] | None = None,
+    *,
+    starts: int,
+    workers: int = 0,
+    tell: Tell | None = None,
+) -> Optimum:
+    """Return the answer of a search with how far the best of each objective may lie beyond it, by more searches.
+
+    Each of them looks at as many designs, with the next seed. What they find tells the gap alone: the front stays.
+
+    Args:
+        found: From `optimise`, with the first seed.
+        designs: As there.
+        starts: Searches in all.
+        workers: As there.
+        tell: Called with what is being done.
+
+    Raises:
+        DesignError: As `optimise`; if fewer than one start is asked for.
+    """
+    if starts < 1:
+        raise DesignError([Problem("starts", f"{starts} are asked for; give 1 or more")])
+    rules, every = _rules(found.study), [found]
+    for number in range(1, starts):
+        (tell or _quiet)(f"start {number + 1} of {starts}")
+        again = rules.model_copy(update={"seed": rules.seed + number})
+        every.append(optimise(found.study.model_copy(update={"search": again}), designs, workers=workers, tell=tell))
+    gaps = list[Gap]()
+    for name, sense in found.study.objectives.items() if starts > 1 else ():
+        sign = 1.0 if sense == "minimum" else -1.0
+        best = [min(sign * own.row.number(name) for own in one.front) for one in every]
+        gaps.append(Gap(name, sign * min(best), expected_gap(best)))
+    return replace(found, starts=starts, gaps=tuple(gaps))
 
 
 def _problems(workers: int) -> Sequence[Problem]:

@@ -10,9 +10,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple
 
-from gearwright.base import Check, DesignError, GearwrightError, Origin, Quantity, Shown, SolveError, verb
+import numpy as np
+
+from gearwright.base import Check, DesignError, Floats, GearwrightError, Origin, Quantity, Shown, SolveError, verb
 from gearwright.sizing.rating import (
     METHODS,
+    REST,
     Context,
     Factor,
     Made,
@@ -26,6 +29,7 @@ from gearwright.sizing.rating import (
     method_for,
     rate_row,
     rating_of,
+    sizes_near,
 )
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso6336_inputs import EDITIONS, clause_of
@@ -688,6 +692,21 @@ class Trial:
             if not isinstance(rated, Unloaded):
                 first, second = (train.gear(gear).part for gear in mesh.gears)
                 yield from method.checks(rated, mesh.part, (first, second))
+
+    def near(self, stage: str, modules: Floats, widths: Floats) -> Floats | None:
+        """Return about by what factor the loads on flanks and roots could grow at sizes, all at once [-].
+
+        None where nothing loads the stage, or its method takes sizes one by one.
+
+        Args:
+            stage: Of cylindrical gears.
+            modules: m_n [m].
+            widths: b, of the same shape [m].
+        """
+        with np.errstate(all="ignore"):  # what overflows or is no number does not do
+            rows = [sizes_near(self.context, mesh, modules, widths, (REST,)) for mesh in self.rows(stage)]
+        found = [row for row in rows if row is not None]
+        return np.minimum.reduce(found) if found else None
 
     def volume(self, stage: str, module: float, width: float) -> float:
         """Return what the gears of a stage fill as cylinders, rings as their wall [m³].

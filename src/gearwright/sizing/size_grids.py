@@ -314,7 +314,9 @@ def options(
         is_open: Whether the unit is looked for.
     """
     rules = context.ratings[parts[0].stage].proportions
-    if not is_open or rules is None:
+    if not is_open and all(part.width is not None for part in parts):
+        yield _as_given(context, parts, unit)
+    elif not is_open or rules is None:
         yield from _best(context, parts, (unit,), demands)
     elif rules.standard_modules and len({part.stage for part in parts if not part.within}) == 1:
         yield from _best(context, parts, standard_grid(unit), demands)
@@ -324,6 +326,18 @@ def options(
             found = next(_best(context, parts, fine_grid(unit, around, step), demands))
             unit, around = _unit_of(context, parts[-1], found.sizes[-1]), (1.0 - step, 1.0 + step)
         yield found
+
+
+def _as_given(context: Context, parts: Sequence[Part], unit: float) -> Option:
+    """Return the sizes that a design gives: there is nothing to choose, and what they lack their checks tell."""
+    row = list[_Widths]()
+    for part in parts:
+        widths, modules = widths_at(context, part, unit * part.ratio)
+        masses = part_weight(context, part) * widths * modules**2
+        row.append(
+            _Widths(part, widths, modules, np.ones(1), masses, _around(context, part, modules, widths), is_array=False)
+        )
+    return Option(tuple(own.size for own in row), _mass(tuple(row)), 1.0)
 
 
 def _unit_of(context: Context, part: Part, size: StageSize) -> float:

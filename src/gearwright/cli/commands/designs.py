@@ -53,7 +53,7 @@ from gearwright.signals import answered
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from gearwright.closure import Closed, Contradiction, Course, Source, Variants, Wishes
+    from gearwright.closure import Closed, Contradiction, Course, Eased, Source, Variants, Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.particulars import Particulars
@@ -611,7 +611,8 @@ def close(
     ] = False,
     why: WhyOption = False,
     out: Annotated[
-        Path | None, typer.Option(help="Write the closed design to this file, and a variant beside it")
+        Path | None,
+        typer.Option(help="Write the closed design to this file, and variants that meet everything beside it"),
     ] = None,
     start: Annotated[
         str | None,
@@ -624,7 +625,7 @@ def close(
 ) -> None:
     """Choose every free size so that a design meets all that is checked; what is not met ends with exit code 1."""
     from gearwright.cli.commands.flights import mission_of
-    from gearwright.closure import OnMission, Outcome, close as closed_by, contradictions, nearest_variant
+    from gearwright.closure import OnMission, Outcome, close as closed_by, contradictions, eased, nearest_variant
     from gearwright.render.answers.review import close_answer
     from gearwright.spec.texts import design_text_like
     from gearwright.study.closing import digest_of
@@ -643,12 +644,13 @@ def close(
         is_open = closed.outcome is Outcome.OPEN
         against = contradictions(own, closed, tell=say) if why else ()
         found = nearest_variant(own, closed, tell=say) if variants and is_open else None
+        easier = eased(closed) if is_open else None
     if json:
-        show_answer("close", close_answer(closed, found, against), design=closed.design.name)
+        show_answer("close", close_answer(closed, found, against, easier), design=closed.design.name)
     else:
-        _show_closed(closed, found, against if why and (is_open or against) else None, all_rounds=rounds)
+        _show_closed(closed, found, easier, against if why and (is_open or against) else None, all_rounds=rounds)
     if out is not None:
-        _write_closed(out, closed, found, partial(design_text_like, text=source.text, before=own), say)
+        _write_closed(out, closed, found, easier, partial(design_text_like, text=source.text, before=own), say)
     if closed.outcome is Outcome.OPEN:
         raise typer.Exit(1)
 
@@ -663,12 +665,17 @@ def _source_of(design: str) -> Source:
 
 
 def _show_closed(
-    closed: Closed, found: Variants | None, against: Sequence[Contradiction] | None, *, all_rounds: bool
+    closed: Closed,
+    found: Variants | None,
+    easier: Eased | None,
+    against: Sequence[Contradiction] | None,
+    *,
+    all_rounds: bool,
 ) -> None:
     """Show a closed design, what stands against it, and its variants, as far as they were looked for."""
     from gearwright.render.words.review import against_text, closure_text, variants_text
 
-    show(closure_text(closed, all_rounds=all_rounds))
+    show(closure_text(closed, easier, all_rounds=all_rounds))
     if against is not None:
         show(against_text(against))
     if found is not None:
@@ -676,10 +683,17 @@ def _show_closed(
 
 
 def _write_closed(
-    out: Path, closed: Closed, found: Variants | None, text_of: Callable[[Design], str], say: Callable[[str], None]
+    out: Path,
+    closed: Closed,
+    found: Variants | None,
+    easier: Eased | None,
+    text_of: Callable[[Design], str],
+    say: Callable[[str], None],
 ) -> None:
-    """Write a closed design, and its nearest variant beside it."""
+    """Write a closed design, and beside it its nearest variants, of other sizes and of its own."""
     written = {out: closed.text}
+    if easier is not None:
+        written[out.with_stem(f"{out.stem}-easier")] = text_of(easier.design)
     if found is not None and found.nearest is not None:
         written[out.with_stem(f"{out.stem}-variant")] = text_of(found.nearest.closed.design)
     for path, result in written.items():

@@ -52,6 +52,9 @@ def optimise(
     screened: Annotated[int | None, typer.Option(help="Designs of the first layer", min=0)] = None,
     evaluations: Annotated[int | None, typer.Option(help="Designs after it, at most", min=1)] = None,
     seed: Annotated[int | None, typer.Option(help="Start of the random numbers", min=0)] = None,
+    restarts: Annotated[
+        int, typer.Option(help="Independent searches, whose spread tells how far the best may lie", min=1)
+    ] = 1,
     journal: Annotated[Path | None, typer.Option(help="Keep what is finished in this file, and go on with it")] = None,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Go on although designs or gearwright have changed since")
@@ -63,7 +66,7 @@ def optimise(
     json: JsonOption = False,
 ) -> None:
     """Find the best designs along freedoms: why they are, what limits cost, how sure the choice is."""
-    from gearwright.optimum import optimise as best_of
+    from gearwright.optimum import optimise as best_of, restarted
     from gearwright.render.answers.studies import optimise_answer
 
     refuse_files(csv, None, report)
@@ -75,6 +78,7 @@ def optimise(
     count = (os.cpu_count() or 1) if workers is None else workers
     with stopped_cleanly(journal, f"gearwright optimise {name} … --journal {journal}"):
         optimum = best_of(study, designs, journal=journal, workers=count, anyway=anyway, tell=_silent if json else tell)
+        optimum = restarted(optimum, designs, starts=restarts, workers=count, tell=_silent if json else tell)
     if json:
         show_answer("optimise", optimise_answer(optimum))
     else:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.base import Check, Kind, Life, Mass, Quantity, Status, shown, unit
-from gearwright.closure import Closed, Contradiction, Effort, Outcome, Round, StageLife, Tried, Unmet, Variants
+from gearwright.closure import Closed, Contradiction, Eased, Effort, Outcome, Round, StageLife, Tried, Unmet, Variants
 from gearwright.render.answers.schema import named
 from gearwright.reviews import Review, Verdict
 from gearwright.sizing.mass import CompleteMass, Statistics
@@ -190,10 +190,15 @@ class CloseAnswer:
     """What it cost, and over what it searched."""
     changes_nothing: bool = False
     """Whether the design stands in its file as it is closed."""
+    eased: VariantAnswer | None = None
+    """The nearest in the same sizes, of which less is asked; None where the design closes, or none passes."""
 
 
 def close_answer(
-    closed: Closed, variants: Variants | None = None, against: Sequence[Contradiction] = ()
+    closed: Closed,
+    variants: Variants | None = None,
+    against: Sequence[Contradiction] = (),
+    easier: Eased | None = None,
 ) -> CloseAnswer:
     """Return what `gearwright close --json` answers.
 
@@ -201,6 +206,7 @@ def close_answer(
         closed: From `close`.
         variants: From `nearest_variant`; None where none were looked for.
         against: From `contradictions`.
+        easier: From `eased`; None where there is none.
     """
     first, nearest = closed.worst, None if variants is None else variants.nearest
     return CloseAnswer(
@@ -225,6 +231,7 @@ def close_answer(
         contradictions=tuple(against),
         effort=closed.effort,
         changes_nothing=closed.changes_nothing,
+        eased=None if easier is None else VariantAnswer(easier.what, easier.mass, design_text(easier.design)),
     )
 
 

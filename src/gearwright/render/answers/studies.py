@@ -230,6 +230,16 @@ class InfluenceRow:
 
 
 @dataclass(frozen=True)
+class GapRow:
+    """How far the best of an objective may lie beyond what independent starts found."""
+
+    best: Mapping[str, float | str]
+    """Objective with its unit -> the best of all starts."""
+    beyond: Mapping[str, float | str]
+    """The same -> by how much better the best there is may be expected to be."""
+
+
+@dataclass(frozen=True)
 class OptimiseAnswer:
     """The best designs of a search."""
 
@@ -248,6 +258,10 @@ class OptimiseAnswer:
     influences: tuple[InfluenceRow, ...]
     fits: tuple[Fit, ...]
     """How well surrogates foretell each result that they are not told; empty where none chose the designs."""
+    starts: int = 1
+    """Independent searches."""
+    gaps: tuple[GapRow, ...] = ()
+    """Of every objective; empty with one start, which tells nothing of it."""
 
 
 def optimise_answer(optimum: Optimum) -> OptimiseAnswer:
@@ -283,6 +297,11 @@ def optimise_answer(optimum: Optimum) -> OptimiseAnswer:
         regrets,
         influences,
         optimum.fits,
+        optimum.starts,
+        tuple(
+            GapRow(*(_with_units(optimum, {gap.objective: value}) for value in (gap.best, gap.beyond)))
+            for gap in optimum.gaps
+        ),
     )
 
 

@@ -7,7 +7,7 @@ from rich.table import Table
 from rich.text import Text
 
 from gearwright.base import shown, text, written
-from gearwright.closure import Closed, Contradiction, Effort, Round, Variants
+from gearwright.closure import Closed, Contradiction, Eased, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
@@ -40,17 +40,18 @@ def review_text(review: Review) -> RenderableType:
     return Group(*parts, *map(Text, notes))
 
 
-def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
+def closure_text(closed: Closed, nearest: Eased | None = None, *, all_rounds: bool = False) -> RenderableType:
     """Return a closed design on one screen: what it meets, what it weighs and lives, how it came about.
 
     Args:
         closed: From `close`.
+        nearest: From `eased`, of one that does not meet everything; None where there is none.
         all_rounds: Every round; else the first, the first of every other kind of step, and the last.
     """
     grid = Grid(show_header=False)
     grid.add_column("what", no_wrap=True)
     grid.add_column("value")
-    for name, value in _closed_rows(closed, all_rounds=all_rounds):
+    for name, value in _closed_rows(closed, nearest, all_rounds=all_rounds):
         grid.add_row(name, value)
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
     same = [Text("Nothing to change: the file gives the design as it is closed.")] if closed.changes_nothing else []
@@ -99,7 +100,7 @@ def variants_text(found: Variants) -> RenderableType:
     return Group(grid, Text(f"The nearest variant: {changes}."))
 
 
-def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
+def _closed_rows(closed: Closed, nearest: Eased | None, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
     yield "train as sized", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
@@ -123,10 +124,11 @@ def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str
         best = f"the best that was found is {check_sentence(unmet.check)}{kept}"
         yield f"not met: {unmet.requirement}", f"{best}. Searched: {unmet.searched}. What helps: {unmet.helps}"
     if closed.unmet:
-        yield (
-            "nearest that meets all",
-            "--variants looks for the smallest change of what is given that meets everything",
-        )
+        further = "--variants looks for the smallest change of what is given that meets everything"
+        found = "none in these sizes with less life, less power or other speeds"
+        if nearest is not None:
+            found = f"in these sizes, {nearest.what}: then the worst is {check_sentence(nearest.worst)}"
+        yield "nearest that meets all", f"{found}. {further}"
     if closed.kept:
         yield "given and kept", ", ".join(closed.kept)
     yield from effort_rows(closed.effort)

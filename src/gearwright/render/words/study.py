@@ -320,6 +320,15 @@ def optimum_sentences(optimum: Optimum) -> Iterator[str]:
     looked = f"{counts.screened:,} designs screened, {counts.bred:,} in {generations}"
     ended = "the hypervolume stands still" if optimum.still else "the evaluations ran out while the hypervolume grew"
     yield f"Looked at: {looked}, {counts.polished:,} in the polish; {ended}."
+    if not optimum.gaps:
+        yield "One start: it tells nothing of how far the best lies; --restarts 4 does."
+    else:
+        gaps = ", ".join(
+            f"{heading(gap.objective)} {text(gap.best, results[gap.objective].dimension)} at best, and by about"
+            f" {text(gap.beyond, results[gap.objective].dimension)} better may be had"
+            for gap in optimum.gaps
+        )
+        yield f"{optimum.starts} independent starts of as many designs: {gaps}."
     if optimum.regrets:
         own = optimum.regrets[0]
         yield (

@@ -150,7 +150,7 @@ def is_given(stage: Pair | Planetary | Epicyclic) -> bool:
 
 
 def given_teeth(design: Design) -> dict[str, int]:
-    """Return the tooth number of every gear of a design whose stages all give theirs.
+    """Return the tooth number of every gear that a design gives; a gear that stages share is given by any of them.
 
     Args:
         design: As read.
@@ -161,11 +161,23 @@ def given_teeth(design: Design) -> dict[str, int]:
             teeth |= teeth_of(design, name)
             continue
         if isinstance(stage, Planetary):
-            numbers = list(stage.known_teeth or (0, 0, 0))
+            numbers = list(stage.known_teeth or (None, None, None))
         else:
-            numbers = [stage.pinion_teeth or 0, stage.wheel_teeth or 0]
-        teeth |= zip(gears_of(name, stage), numbers, strict=True)
+            numbers = [stage.pinion_teeth, stage.wheel_teeth]
+        teeth |= {gear: own for gear, own in zip(gears_of(name, stage), numbers, strict=True) if own}
     return teeth
+
+
+def gives_all(design: Design) -> bool:
+    """Tell whether a design gives the teeth of every gear and the planets of every set, so that nothing is chosen.
+
+    Args:
+        design: As read.
+    """
+    teeth, stages = given_teeth(design), design.stages.items()
+    return all(
+        len(planet_counts(name, design)) == 1 and teeth.keys() >= set(gears_of(name, stage)) for name, stage in stages
+    )
 
 
 def candidates(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:

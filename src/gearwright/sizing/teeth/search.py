@@ -20,6 +20,7 @@ from gearwright.sizing.teeth.candidates import (
     assembled,
     candidates,
     given_teeth,
+    gives_all,
     is_given,
     is_shifted,
     planet_counts,
@@ -240,7 +241,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
-    if all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
+    if gives_all(design):
         return [Chosen(given_teeth(design), {})]  # which say every speed, with what holds in each case
     nominal = targets(design)
     for name, stage in design.planetaries.items():
