@@ -138,7 +138,7 @@ def curve(case: Case) -> tuple[list[Point], Point]:
     own = 1e3 * chosen.gears[0].module
     near = [module for module in STANDARD_MODULES if BESIDE[0] * own <= module <= BESIDE[1] * own]
     points = [point for module in near for point in _points(edited(design, {case.path: module}), module)]
-    return points, Point(own, chosen.mass, not any(check.fails for check in chosen.checks))
+    return points, Point(own, gw.complete_mass(chosen).total, not any(check.fails for check in chosen.checks))
 
 
 def _points(design: Design, module: float) -> Iterator[Point]:
@@ -147,7 +147,7 @@ def _points(design: Design, module: float) -> Iterator[Point]:
         sizing = gw.size(design)
     except gw.DesignError:
         return
-    yield Point(module, sizing.mass, not any(check.fails for check in sizing.checks))
+    yield Point(module, gw.complete_mass(sizing).total, not any(check.fails for check in sizing.checks))
 
 
 def choice_figure() -> Figure:
@@ -166,7 +166,7 @@ def choice_figure() -> Figure:
         axes.scatter([chosen.module], [chosen.mass], 60.0, color=theme.ORANGE, zorder=1.0)
         axes.set_title(case.title)
         axes.set_xlabel("module [mm]")
-        axes.set_ylabel("mass [kg]")
+        axes.set_ylabel("complete mass [kg]")
     return figure
 
 
