@@ -138,7 +138,7 @@ def curve(case: Case) -> tuple[list[Point], Point]:
     own = 1e3 * chosen.gears[0].module
     near = [module for module in STANDARD_MODULES if BESIDE[0] * own <= module <= BESIDE[1] * own]
     points = [point for module in near for point in _points(edited(design, {case.path: module}), module)]
-    return points, Point(own, complete_mass(chosen).total, not any(check.fails for check in chosen.checks))
+    return points, Point(own, gw.complete_mass(chosen).total, not any(check.fails for check in chosen.checks))
 
 
 def _points(design: Design, module: float) -> Iterator[Point]:
@@ -147,11 +147,11 @@ def _points(design: Design, module: float) -> Iterator[Point]:
         sizing = gw.size(design)
     except gw.DesignError:
         return
-    yield Point(module, complete_mass(sizing).total, not any(check.fails for check in sizing.checks))
+    yield Point(module, gw.complete_mass(sizing).total, not any(check.fails for check in sizing.checks))
 
 
 def choice_figure() -> Figure:
-    """Return complete mass over module of six designs, filled where all checks pass, with the chosen point."""
+    """Return mass over module of six designs, filled where all checks pass, with the chosen point."""
     figure, panels = theme.tiles(len(CASES), 3, frame=14.0, row=52.0)
     for place, case in enumerate(CASES):
         axes = panels[divmod(place, 3)]

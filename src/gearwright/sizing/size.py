@@ -148,6 +148,8 @@ COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 at most, where none passes so far [-]."""
 BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
 """Modes of checks of the bearings of planets, to which a wider face helps."""
+NARROW = 20
+"""Gears passed over as too narrow that count as a transmission [-]."""
 HOPE = 0.7
 """Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
@@ -218,6 +220,8 @@ class _Looked:
     """Choices of teeth whose gears came out [-]."""
     off: float = math.inf
     """Mass of sized gears over the estimate of the search, the least of all [-]."""
+    narrow: int = 0
+    """Gears that are passed over as too narrow for the bearings of their planets [-]."""
     short: list[Geared] = field(default_factory=list)
     """Gears of those that fall short of what is asked of them."""
     refused: list[DesignError] = field(default_factory=list)
@@ -349,6 +353,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
     while queue or waiting:
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
+        tried += looked.narrow // NARROW
         if tried >= (max(enough, design.teeth.sized) if passes else most if looked.hope >= HOPE else most // 2):
             break
         while waiting:
@@ -359,7 +364,9 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             break
         _, _, course = heapq.heappop(queue)
         if course.gears is not None:
-            if not looked.is_too_narrow(course.gears):
+            if looked.is_too_narrow(course.gears):
+                looked.narrow += 1
+            else:
                 looked.complete(course.gears, given, still=still)
             waiting.append(course)
         elif looked.sized >= (FIRST if passes else SIZED):

@@ -16,7 +16,7 @@ from gearwright.sizing.rating import Context, Demand, bevel_pair, cylindrical_me
 from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.size_grids import Option, Part, StageSize, options
-from gearwright.spec import Epicyclic, Pair, Planetary
+from gearwright.spec import Epicyclic, Pair, Planetary, case_named, levels_of, shares_of
 from gearwright.spec.design import module_owners, relative_modules, split_levels
 from gearwright.train import INTERNAL, Mesh
 
@@ -78,10 +78,23 @@ class _Open(NamedTuple):
         """Return what is the same of parts that do the same, such as the stages of equal engines, each in its case."""
         rows = [
             (context.ratings[part.stage], part.ratio, part.width,
-             [(context.asks[mesh.name], demands[mesh.name][1:]) for mesh in part.meshes])
+             [(context.asks[mesh.name], demands[mesh.name][1:], _loads(context, mesh)) for mesh in part.meshes])
             for part in self.parts
         ]  # fmt: skip
         return _DECIMALS.sub(lambda found: f"{float(found[0]):.9g}", repr((self.unit, self.is_open, rows)))
+
+
+def _loads(context: Context, mesh: Mesh) -> list[tuple[str, float, bool, tuple[tuple[float, float], ...]]]:
+    """Return the loads of a row in order, without names of cases; of limit loads those that exceed the others."""
+    design, shares = context.design, shares_of(context.design)
+    torques = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in context.flows.items()}
+    limits = {case: case_named(design, case).static for case in torques}
+    most = max((torque for case, torque in torques.items() if not limits[case]), default=0.0)
+    return sorted(
+        (f"{torque:.9g} {abs(context.rolling(mesh, case)):.9g}", shares.get(case, 0.0), limits[case],
+         tuple(levels_of(design, case)))
+        for case, torque in torques.items() if torque > (most if limits[case] else 0.0)
+    )  # fmt: skip
 
 
 def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
