@@ -351,7 +351,10 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
         tried += looked.narrow // NARROW
-        if tried >= (max(enough, design.teeth.sized) if passes else most if looked.hope >= HOPE else most // 2):
+        wanted = max(enough, design.teeth.sized)
+        if len(looked.passing) >= wanted or tried >= (
+            2 * wanted if passes else most if looked.hope >= HOPE else most // 2
+        ):
             break
         while waiting:
             course = waiting.pop()
