@@ -251,6 +251,11 @@ class _Looked:
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
     @property
+    def by_bearings(self) -> int:
+        """How many transmissions fail by the bearings of their planets [-]."""
+        return sum(any(check.fails and check.mode in BEARINGS for check in sizing.checks) for sizing in self.whole)
+
+    @property
     def hope(self) -> float:
         """Margin of the worst check of the transmission that comes nearest to passing [-]."""
         worst = (
@@ -352,9 +357,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
         tried += looked.narrow // NARROW
         wanted = max(enough, design.teeth.sized)
-        if len(looked.passing) >= wanted or tried >= (
-            2 * wanted if passes else most if looked.hope >= HOPE else most // 2
-        ):
+        wanted += min(looked.by_bearings, wanted)
+        if tried >= (wanted if passes else most if looked.hope >= HOPE else most // 2):
             break
         while waiting:
             course = waiting.pop()
