@@ -253,6 +253,11 @@ class _Looked:
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
     @property
+    def by_bearings(self) -> int:
+        """How many transmissions fail by the bearings of their planets [-]."""
+        return sum(any(check.fails and check.mode in BEARINGS for check in sizing.checks) for sizing in self.whole)
+
+    @property
     def hope(self) -> float:
         """Margin of the worst check of the transmission that comes nearest to passing [-]."""
         worst = (
@@ -354,7 +359,9 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
         tried += looked.narrow // NARROW
-        if tried >= (max(enough, design.teeth.sized) if passes else most if looked.hope >= HOPE else most // 2):
+        wanted = max(enough, design.teeth.sized)
+        wanted += min(looked.by_bearings, wanted)
+        if tried >= (wanted if passes else most if looked.hope >= HOPE else most // 2):
             break
         while waiting:
             course = waiting.pop()
