@@ -109,6 +109,12 @@ def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> tu
     return mass, oil_mass(around, teeth, modules, widths)
 
 
+def _masses(context: Context, part: Part, modules: Floats, widths: Floats) -> tuple[Floats, Floats]:
+    """Return what the gears of a part with sizes weigh with the oil that cools them, and about what is around them [kg]."""
+    around, oil = _around(context, part, modules, widths)
+    return part_weight(context, part) * widths * modules**2 + oil, around
+
+
 def _around_compound(
     context: Context, part: Part, around: Around, modules: Floats, widths: Floats
 ) -> tuple[Floats, Floats]:
@@ -333,10 +339,7 @@ def _as_given(context: Context, parts: Sequence[Part], unit: float) -> Option:
     row = list[_Widths]()
     for part in parts:
         widths, modules = widths_at(context, part, unit * part.ratio)
-        masses = part_weight(context, part) * widths * modules**2
-        row.append(
-            _Widths(part, widths, modules, np.ones(1), masses, _around(context, part, modules, widths), is_array=False)
-        )
+        row.append(_Widths(part, widths, modules, np.ones(1), *_masses(context, part, modules, widths), is_array=False))
     return Option(tuple(own.size for own in row), _mass(tuple(row)), 1.0)
 
 
@@ -462,9 +465,7 @@ def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple
         values for mesh in part.meshes if (values := sizes_near(context, mesh, modules, widths, left_out)) is not None
     ]
     least = np.minimum.reduce([np.full(len(widths), math.inf), *near])
-    weight = part_weight(context, part)
-    around, oil = _around(context, part, modules, widths)
-    masses = weight * widths * modules**2 + oil
+    masses, around = _masses(context, part, modules, widths)
     ends = np.cumsum([len(own) for own, _ in grids])[:-1]
     columns = [np.split(values, ends) for values in (widths, modules, least, masses, around)]
     return [
