@@ -110,7 +110,7 @@ def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> tu
 
 
 def _masses(context: Context, part: Part, modules: Floats, widths: Floats) -> tuple[Floats, Floats]:
-    """Return what the gears of a part with sizes weigh with the oil that cools them, and about what is around them [kg]."""
+    """Return what gears of a part weigh with sizes and the oil that cools them, and about what is around them [kg]."""
     around, oil = _around(context, part, modules, widths)
     return part_weight(context, part) * widths * modules**2 + oil, around
 
