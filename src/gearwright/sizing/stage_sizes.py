@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import heapq
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -62,10 +61,6 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-_DECIMALS = re.compile(r"\d+\.\d+(?:e[+-]?\d+)?")
-"""Numbers that may differ by rounding between parts that do the same."""
-
-
 class _Open(NamedTuple):
     """Parts that are sized together by a standard."""
 
@@ -76,22 +71,32 @@ class _Open(NamedTuple):
 
     def kind(self, context: Context, demands: Mapping[str, Demand]) -> object:
         """Return what is the same of parts that do the same, such as the stages of equal engines, each in its case."""
-        rows = [
-            (context.ratings[part.stage], part.ratio, part.width,
-             [(context.asks[mesh.name], demands[mesh.name][1:], _loads(context, mesh)) for mesh in part.meshes])
+        rules = [(context.ratings[part.stage], part.width) for part in self.parts]
+        numbers = [
+            (
+                part.ratio,
+                [(context.asks[mesh.name], demands[mesh.name][1:], _loads(context, mesh)) for mesh in part.meshes],
+            )
             for part in self.parts
-        ]  # fmt: skip
-        return _DECIMALS.sub(lambda found: f"{float(found[0]):.9g}", repr((self.unit, self.is_open, rows)))
+        ]
+        return repr((rules, self.is_open, _but_for_rounding((self.unit, numbers))))
 
 
-def _loads(context: Context, mesh: Mesh) -> list[tuple[str, float, bool, tuple[tuple[float, float], ...]]]:
+def _but_for_rounding(value: object) -> object:
+    """Return rows of numbers without the digits by which those of parts that do the same may differ."""
+    if isinstance(value, float):
+        return float(f"{value:.9g}")
+    return [_but_for_rounding(one) for one in value] if isinstance(value, (tuple, list)) else value
+
+
+def _loads(context: Context, mesh: Mesh) -> list[tuple[float, float, float, bool, tuple[tuple[float, float], ...]]]:
     """Return the loads of a row in order, without names of cases; of limit loads those that exceed the others."""
     design, shares = context.design, shares_of(context.design)
     torques = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in context.flows.items()}
     limits = {case: case_named(design, case).static for case in torques}
     most = max((torque for case, torque in torques.items() if not limits[case]), default=0.0)
     return sorted(
-        (f"{torque:.9g} {abs(context.rolling(mesh, case)):.9g}", shares.get(case, 0.0), limits[case],
+        (float(f"{torque:.9g}"), float(f"{abs(context.rolling(mesh, case)):.9g}"), shares.get(case, 0.0), limits[case],
          tuple(levels_of(design, case)))
         for case, torque in torques.items() if torque > (most if limits[case] else 0.0)
     )  # fmt: skip
