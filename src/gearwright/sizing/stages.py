@@ -9,7 +9,6 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from operator import attrgetter
 
 from gearwright.base import (
     Check,
@@ -22,6 +21,7 @@ from gearwright.base import (
     gear_part,
     not_assessed,
     refuse,
+    smallest,
     text,
 )
 from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, least_cutter_radius
@@ -426,7 +426,7 @@ def pass_checks(context: Context) -> Iterator[Check]:
                     check = _held(part, name, band, harmonic * frequency, case=case)
                     where = "" if harmonic == 1 else f"{harmonic} times"
                     rows.setdefault(mesh.name, []).append(replace(check, place=where))
-        yield from (min(checks, key=attrgetter("ratio")) for checks in rows.values())
+        yield from (smallest(checks, lambda check: check.ratio or 0.0) for checks in rows.values())
 
 
 def _part(context: Context, mesh: Mesh) -> PartId:

@@ -751,6 +751,7 @@ class _Kept:
 
     def _words(self, course: Course, journal: Path) -> str:
         """Write what there is, and say where."""
+        from gearwright.checks import worst
         from gearwright.closure import best_so_far
         from gearwright.render.tables.checks import check_sentence
         from gearwright.study.closing import keep_in
@@ -762,9 +763,9 @@ class _Kept:
         try:
             best = best_so_far(course.best, self.source, self.design)
             write_text(target, best.text)
-            worst = min(best.sizing.checks, key=lambda check: check.margin or 1.0, default=None)
+            least = worst(best.sizing.checks)
             words = f"the best so far, {text(best.sizing.mass, 'mass')}, is in {target}"
-            words += f": {check_sentence(worst)}" if worst is not None and worst.fails else ""
+            words += f": {check_sentence(least)}" if least is not None and least.fails else ""
             keep_in(journal, self.asked, self.design, course.known)
         except GearwrightError as error:
             return f"what was found could not be kept: {' '.join(str(error).split())}"

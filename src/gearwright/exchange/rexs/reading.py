@@ -11,7 +11,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from gearwright.base import ALIKE, DesignError, Problem, Ratio, Role, Shown, refuse, verb
+from gearwright.base import ALIKE, DesignError, Problem, Ratio, Role, Shown, largest, refuse, smallest, verb
 from gearwright.exchange.rexs.arrangement import (
     Bodies,
     Gearing,
@@ -234,7 +234,7 @@ def _known(asking: Asking, gearing: Gearing, loads: Mapping[int, str], cases: li
              if asking.text(asking.document.components[load], "defines_torque") != "false"] or stated  # fmt: skip
     free = free_speeds(gearing, [clutch for clutch, held in gearing.engaged.items() if held[0]])
     while given and len(given) > max(len(loads) - free, 1):
-        most = min(given, key=lambda load: cases[0].power(load, loads[load]))
+        most = smallest(given, lambda load: cases[0].power(load, loads[load]))
         asking.notes.append(f"the torque of {asking.document.components[most].path} follows from all others")
         given.remove(most)
     return given
@@ -314,7 +314,7 @@ def _is_enough(
 
 def _machine(tables: Table, name: str, shaft: str, powers: list[float], speeds: list[float]) -> None:
     """Add what drives as a motor, and what is driven as a load."""
-    most = max(range(len(powers)), key=lambda place: abs(powers[place]))
+    most = largest(range(len(powers)), lambda place: abs(powers[place]))
     if powers[most] > 0.0:
         machine: Table = {"shaft": shaft, "power_w": max(powers), "speed_rad_s": abs(speeds[most])}
         leads = next(iter(tables["motors"].values()), None)

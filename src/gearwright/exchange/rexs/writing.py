@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from gearwright.base import Floats, Problem, Shown, near, refuse, verb
+from gearwright.base import Floats, Problem, Shown, near, refuse, smallest, verb
 from gearwright.exchange.rexs.files import (
     ABSORBS,
     BEARING_TYPES,
@@ -619,7 +619,7 @@ def write_machines(task: Task) -> None:
     """
     sizing = task.sizing
     powers = sizing.reference.machine_powers
-    follows = min(powers, key=lambda name: powers[name])  # what takes most follows from all others
+    follows = smallest(powers, powers.__getitem__)  # what takes most follows from all others
     for machine in sizing.machines:
         number = task.sheet.add("external_load", machine.name, {
             "u_coordinate_on_shaft": sizing.arrangement.plans[machine.shaft].places[machine.name],

@@ -6,7 +6,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from gearwright.base import shown, text, written
+from gearwright.base import largest, shown, smallest, text, written
 from gearwright.closure import Closed, Contradiction, Eased, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
@@ -223,7 +223,7 @@ def _moved(modes: Modes, traces: Mapping[str, Trace], campbell: Sequence[SpeedCa
         yield "lowest frequency", f"{text(lowest, 'frequency')}, of {len(modes.frequency) - modes.rigid} modes"
     judged = [critical for case in campbell for critical in case.nearest]
     if judged:
-        near = min(judged, key=lambda critical: critical.over_limit)
+        near = smallest(judged, lambda critical: critical.over_limit)
         above = "above" if near.separation_margin > 0.0 else "below"
         apart = f"the gearbox runs {abs(near.separation_margin):.1%} {above} it"
         yield "nearest resonance", f"{near.order} meets mode {near.mode}; {apart}"
@@ -235,6 +235,6 @@ def _moved(modes: Modes, traces: Mapping[str, Trace], campbell: Sequence[SpeedCa
 def _peaks(sizing: Sizing, traces: Mapping[str, Trace]) -> Iterator[tuple[str, str]]:
     for case, trace in traces.items():
         if loads := dynamic_loads(sizing, trace):
-            peak = max(loads, key=lambda load: load.peak_over_mean)
+            peak = largest(loads, lambda load: load.peak_over_mean)
             words = f"{written(peak.peak_over_mean, 3)} in the teeth of {peak.mesh}, case {case}"
             yield "peak over mean", words

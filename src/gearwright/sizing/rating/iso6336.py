@@ -382,7 +382,7 @@ class Iso6336Rating:
     @property
     def nearest(self) -> MeshResonance | None:
         """Case in which the mesh runs nearest to its main resonance, for the range there."""
-        return min(self.resonances, key=lambda found: found.separation / found.least, default=None)
+        return _nearest(self.resonances)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -396,6 +396,11 @@ HELPS = "other teeth, modules or speeds lie beside it; gearwright close looks fo
 """What to do about a mesh in its main resonance."""
 
 
+def _nearest(found: Sequence[MeshResonance]) -> MeshResonance | None:
+    """Return the case that runs nearest to the main resonance, the first of equals; None where there is none."""
+    return smallest(found, lambda one: one.separation / one.least) if found else None
+
+
 def resonance_checks(found: Sequence[MeshResonance], mesh: PartId) -> Iterator[Check]:
     """Yield the case in which a mesh runs nearest to its main resonance, with what it passes on the way to others.
 
@@ -403,7 +408,7 @@ def resonance_checks(found: Sequence[MeshResonance], mesh: PartId) -> Iterator[C
         found: N in every case that matters.
         mesh: The mesh.
     """
-    nearest = min(found, key=lambda one: one.separation / one.least, default=None)
+    nearest = _nearest(found)
     if nearest is None:
         return
     slow, fast = (pick(found, key=lambda one: one.ratio) for pick in (min, max))
