@@ -7,8 +7,7 @@ import pytest
 from gearwright.identity import Kind, PartId
 from gearwright.shipped import shipped_design
 from gearwright.sizing.rating import Ask, rating_of
-from gearwright.sizing.rating.agma2001 import Agma2001
-from gearwright.sizing.rating.agma2003 import Agma2003
+from gearwright.sizing.rating.agma import Agma2001, Agma2003
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso10300 import Iso10300
 from gearwright.sizing.rating.lewis_hertz import LewisHertz

@@ -46,7 +46,7 @@ ALLOWED = {
     "render/diagrams.py": "keys of a design file",
     "render/drawings/entities.py": "subscripts of a text",
     "render/drawings/paper.py": "lines of a text",
-    "render/html.py": "markup of templates and formulas",
+    "render/pages/page.py": "markup of templates and formulas",
     # Names of fields, files, modules, addresses.
     "sizing/result.py": "names of fields",
     "lanes/twins.py": "names of Python modules",

@@ -81,7 +81,7 @@ from pathlib import Path
 from mutators import faults_of
 from concerned import source_of
 
-module = "gearwright.parts.gears.lewis_hertz"
+module = "gearwright.parts.gears.gear_pair"
 fault = next(faults_of(module, source_of(module)))
 for test in sys.argv[1:]:
     noticed = noticed_anew([Trial(fault, [test], {test: 1.0})], 1)

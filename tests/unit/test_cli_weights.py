@@ -7,7 +7,7 @@ import typer
 from typer.testing import CliRunner
 
 from gearwright import complete_mass, read, size
-from gearwright.cli.commands import engines as cli_weights
+from gearwright.cli.commands import flights as cli_weights
 from gearwright.errors import DesignError
 
 app = typer.Typer()

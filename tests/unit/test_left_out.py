@@ -22,12 +22,12 @@ from gearwright.parts import (
     iso10300 as bevel_bending,
     iso10300 as bevel_pitting,
     iso10300 as bevel_rating,
-    joints as key,
-    joints as press_fit,
     losses as mesh_loss,
     losses as oil,
     shaft_fatigue,
     shaft_fatigue as fatigue,
+    shafts as key,
+    shafts as press_fit,
     shafts as shaft,
     stiffness as energy,
     stiffness as kuang_yang,
@@ -35,22 +35,21 @@ from gearwright.parts import (
     stiffness as passing_pairs,
 )
 from gearwright.parts.bearings import life as bearing_life, life as bearing_load, rolling_bearing
-from gearwright.parts.gears import cylindrical_gear, lewis_hertz as hertz, lewis_hertz as lewis
+from gearwright.parts.gears import cylindrical_gear, gear_pair as hertz, gear_pair as lewis
 from gearwright.parts.iso6336 import (
-    bending,
     geometry,
+    geometry as root,
     loads,
     loads as face,
-    pitting,
     steels as life,
     steels as strength,
-    tooth_root as root,
+    tooth_strength,
 )
 from gearwright.parts.scuffing import Oil, ScuffingMesh
 from gearwright.parts.shafts import lumped_shaft
 from gearwright.sizing import shaft_results as mounted
 from gearwright.sizing.bearing_seats import Seat
-from gearwright.sizing.rating import geometry as standard_teeth, lewis_hertz as record, protocol, rules
+from gearwright.sizing.rating import geometry as standard_teeth, lewis_hertz as record, protocol
 from gearwright.sizing.shafts import stretches
 
 ONES = [
@@ -62,16 +61,16 @@ ONES = [
     (agma_rating.agma_rating, "reliability temperature"),
     (bevel_geometry.cone_forces, "pushed"),
     (bevel_pitting.BevelDuty, "application_factor"),
-    (bending.RootBody, "rim deep_tooth"),
-    (bending.RootStrengthFactors, "life notch_sensitivity surface size mean_stress"),
+    (tooth_strength.RootBody, "rim deep_tooth"),
+    (tooth_strength.RootStrengthFactors, "life notch_sensitivity surface size mean_stress"),
     (loads.MeshDuty, "application_factor mesh_load_factor"),
     (loads.MeshQuality, "profile_factor"),
-    (pitting.LoadFactors,
+    (tooth_strength.LoadFactors,
      "application mesh_load dynamic face_contact transverse_contact face_bending transverse_bending"),
-    (pitting.ContactStrengthFactors, "life lubricant speed roughness work_hardening size"),
-    (pitting.single_contact_factors, "profile_factor"),
-    (pitting.contact_geometry_factors, "profile_factor"),
-    (pitting.pitting_rating, "profile_factor"),
+    (tooth_strength.ContactStrengthFactors, "life lubricant speed roughness work_hardening size"),
+    (tooth_strength.single_contact_factors, "profile_factor"),
+    (tooth_strength.contact_geometry_factors, "profile_factor"),
+    (tooth_strength.pitting_rating, "profile_factor"),
     (face.deflection_misalignment, "paths"),
     (key.key_pressure, "keys"),
     (key.key_length, "keys"),
@@ -98,7 +97,7 @@ ZEROS = [
     (bevel_geometry.BevelTooth, "profile_shift thickness_shifts"), (bevel_geometry.BevelPair, "spiral_angle"),
     (cylindrical_gear.CylindricalGear, "helix_angle profile_shift tip_alteration"),
     (hertz.module_hertz, "helix_angle"), (lewis.module_lewis, "helix_angle"),
-    (bending.rim_factor, "internal"), (face.PinionShaft, "offset span"),
+    (tooth_strength.rim_factor, "internal"), (face.PinionShaft, "offset span"),
     (geometry.ToothProportions, "profile_shift undercut"),
     (geometry.MeshGeometry, "helix_angle"), (life.contact_life_curve, "some_pitting"),
     (loads.MeshQuality, "tip_relief"), (root.LoadedTooth, "thickness_shift"),
@@ -113,7 +112,7 @@ ZEROS = [
     (Seat, "swung across rotor_side"), (mounted.SectionStrength, "fillet"),
     (mounted.JointSizing, "interference module"),
     (protocol.Unloaded, "module_bending module_contact bending_stress contact_stress"),
-    (rules.Ask, "internal speed"), (standard_teeth.cylindrical_mesh, "internal"),
+    (protocol.Ask, "internal speed"), (standard_teeth.cylindrical_mesh, "internal"),
     (stretches.Stretch, "diameter shoulder fillet"),
 ]  # fmt: skip
 """Angles, shifts, errors, dampings, bores and loads: left out, there is none."""
@@ -162,7 +161,7 @@ USUAL = [
     (energy.mesh_stiffness_energy, {"harmonics": 8}),
     (kuang_yang.mesh_stiffness_kuang_yang, {"harmonics": 8}),
     (mesh_stiffness.mesh_curve_iso6336, {"harmonics": 8}),
-    (rules.Ask, {"idlers": (False, False), "passes": (1.0, 1.0)}),
+    (protocol.Ask, {"idlers": (False, False), "passes": (1.0, 1.0)}),
 ]  # fmt: skip
 
 

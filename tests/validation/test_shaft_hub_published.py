@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from gearwright.catalogue import key_for_shaft, standard_keys
-from gearwright.parts.joints import MODULES, KeySection, key_length, key_pressure, spline, spline_length
 from gearwright.parts.shaft_fatigue import (
     Concentration,
     FatigueStrength,
@@ -28,7 +27,17 @@ from gearwright.parts.shaft_fatigue import (
     yield_limits,
     yield_safety,
 )
-from gearwright.parts.shafts import Sections, critical_speed, influence
+from gearwright.parts.shafts import (
+    MODULES,
+    KeySection,
+    Sections,
+    critical_speed,
+    influence,
+    key_length,
+    key_pressure,
+    spline,
+    spline_length,
+)
 from gearwright.units import GRAVITY, INCH, POUND, POUND_FORCE
 
 POUND_INCH = POUND_FORCE * INCH

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, ToothProportions
-from gearwright.parts.iso6336.tooth_root import Edition, outer_single_contact, root_section, tip_loaded
+from gearwright.parts.iso6336.geometry import Edition, outer_single_contact, root_section, tip_loaded
 
 ANGLE = math.radians(20.0)
 MESH = MeshGeometry(

@@ -8,7 +8,7 @@ import pytest
 from designs import PAIR
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.front import Task
+from gearwright.sizing.teeth.candidates import Task
 from gearwright.sizing.teeth.search import _candidates, _near
 from gearwright.spec import edited, parse
 from gearwright.train.kinematics import edge_of

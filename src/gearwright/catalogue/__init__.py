@@ -22,17 +22,6 @@ from gearwright.catalogue.bearings import (
     pressure_centre,
     with_ratings,
 )
-from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
-from gearwright.catalogue.gearboxes import (
-    LEAST_SHARING,
-    PublishedGearbox,
-    gearbox_classes,
-    level_load_factor,
-    load_factor_tables,
-    load_factors,
-    published_gearboxes,
-    weighed_gearboxes,
-)
 from gearwright.catalogue.materials import (
     USUAL_HARDNESS,
     HousingMaterial,
@@ -72,6 +61,24 @@ from gearwright.catalogue.propellers_in_flight import (
     TailRotor,
     propeller_loads,
     rotor,
+)
+from gearwright.catalogue.published import (
+    LEAST_SHARING,
+    Engine,
+    Printed,
+    PublishedGearbox,
+    Series,
+    all_series,
+    engines,
+    gearbox_classes,
+    level_load_factor,
+    load_factor_tables,
+    load_factors,
+    nearest,
+    notes,
+    published_gearboxes,
+    select,
+    weighed_gearboxes,
 )
 from gearwright.catalogue.standard_parts import (
     CENTRE_FITS,

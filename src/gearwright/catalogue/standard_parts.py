@@ -16,7 +16,7 @@ from typing import Literal, NamedTuple
 from gearwright.base import DesignError, Force, Length, Mass, Problem, Velocity, near
 from gearwright.catalogue.tables import data_rows
 from gearwright.parts.bearings import BearingKind
-from gearwright.parts.joints import KeySection
+from gearwright.parts.shafts import KeySection
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Limits and fits of ISO 286 for seats on shafts, and the tolerance classes that bearing seats usually take.

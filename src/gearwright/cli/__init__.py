@@ -41,9 +41,8 @@ from gearwright.cli.commands.designs import (
     size,
 )
 from gearwright.cli.commands.dynamics import campbell, response, runup, sharing, validate, window
-from gearwright.cli.commands.engines import engines, mass, turboshaft
 from gearwright.cli.commands.exchange import draw, export, import_
-from gearwright.cli.commands.flights import duty, fly, mix, propeller, rotor
+from gearwright.cli.commands.flights import duty, engines, fly, mass, mix, propeller, rotor, turboshaft
 from gearwright.cli.commands.replay import colibri, replay, thesis
 from gearwright.cli.commands.search import architectures, optimise
 from gearwright.cli.commands.studies import cluster, compare, merge, resume, status, study

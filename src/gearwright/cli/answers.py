@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 
 import typer
 
-from gearwright.cli.idle_options import refuse_idle
+from gearwright.cli.options import refuse_idle
 from gearwright.cli.terminal import show_json, tell
 from gearwright.signals import ENDING, answered, heard_by, interrupt
 from gearwright.version import __version__

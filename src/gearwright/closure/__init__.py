@@ -3,14 +3,27 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
-from gearwright.closure.close import OnMission, Source, as_sized, best_so_far, close
-from gearwright.closure.course import Course, Effort
+from gearwright.closure.close import (
+    Contradiction,
+    OnMission,
+    Source,
+    Tried,
+    Variant,
+    Variants,
+    as_sized,
+    best_so_far,
+    close,
+    contradictions,
+    nearest_variant,
+)
 from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
     FREEDOMS,
     REQUIREMENTS,
     Closed,
+    Course,
+    Effort,
     Outcome,
     Requirement,
     Round,
@@ -20,7 +33,6 @@ from gearwright.closure.requirements import (
     Wishes,
     requirement_of,
 )
-from gearwright.closure.variants import Contradiction, Tried, Variant, Variants, contradictions, nearest_variant
 
 __all__ = [
     "FREEDOMS",

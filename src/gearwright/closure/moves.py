@@ -1,6 +1,6 @@
 """Single changes of a proportioned design: rims and webs, planet bearings, critical speeds and mass.
 
-The loop that settles a change is for `closure/loop.py`, what becomes of one change for `closure/options.py`.
+The loop that settles a change is for `closure/loop.py`, what becomes of one change for `closure/loop.py`.
 """
 
 import math
@@ -10,11 +10,22 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from gearwright.base import Check, GearwrightError, Role, Status, smallest_first
-from gearwright.closure.course import now, sized
-from gearwright.closure.loop import Settled, Task, changes_of, settled
-from gearwright.closure.options import MOVED, Candidate, Change, Confirmed, Option, complete_of, judged, options
+from gearwright.closure.loop import (
+    MOVED,
+    Candidate,
+    Change,
+    Confirmed,
+    Option,
+    Settled,
+    Task,
+    changes_of,
+    complete_of,
+    judged,
+    options,
+    settled,
+)
 from gearwright.closure.proportion import Proportioned, is_tied, proportioned, searched, teeth_of
-from gearwright.closure.requirements import STRENGTH, Round, Step, Wishes, requirement_of, wanted
+from gearwright.closure.requirements import STRENGTH, Round, Step, Wishes, now, requirement_of, sized, wanted
 from gearwright.parts.gears import ISO53_A
 from gearwright.sizing import Sizing
 from gearwright.sizing.making import built_checks

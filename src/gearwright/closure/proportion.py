@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Floats, Role, smallest
-from gearwright.closure.course import sized
-from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, without
+from gearwright.closure.requirements import STRENGTH, Wishes, requirement_of, sized, without
 from gearwright.sizing import Sizing, Trial, trial_of
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design, edited

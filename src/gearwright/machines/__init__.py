@@ -31,16 +31,11 @@ from gearwright.machines.electric import (
     straight,
     warmed,
 )
-from gearwright.machines.hamilton_standard import (
+from gearwright.machines.propeller_charts import (
+    INSIDE,
     SMALL_THRUST,
     Blades,
     Charts,
-    compressibility,
-    ideal_power,
-    performance,
-)
-from gearwright.machines.propeller_map import (
-    INSIDE,
     Governor,
     GovernorState,
     LimitCycle,
@@ -52,12 +47,15 @@ from gearwright.machines.propeller_map import (
     angle_near,
     blade_angles,
     coefficients,
+    compressibility,
     governor_rates,
     governs,
+    ideal_power,
     limit_cycle,
     look_up,
     map_at,
     marched,
+    performance,
 )
 from gearwright.machines.rotors import (
     Airframe,

@@ -12,8 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Floats
-from gearwright.machines.hamilton_standard import Blades
-from gearwright.machines.propeller_map import PropellerMap
+from gearwright.machines.propeller_charts import Blades, PropellerMap
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Lift and drag of a propeller's section at every angle of attack, with camber, thickness and Mach number.

@@ -8,8 +8,7 @@ import numpy as np
 from gearwright.base import Bools, DesignError, Floats, Ints
 from gearwright.catalogue.propeller_maps import ALL_STATES, MAPS, hamilton_standard_charts
 from gearwright.machines import Blades, Charts, MachMap, PropellerMap, map_at
-from gearwright.machines.hamilton_standard import STATIC_FADE, Look, parabola
-from gearwright.machines.propeller_map import SAME_ANGLE
+from gearwright.machines.propeller_charts import SAME_ANGLE, STATIC_FADE, Look, parabola
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Propeller maps over arrays of points: coefficients, blade angles, and the factor of compressibility.

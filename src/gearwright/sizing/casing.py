@@ -15,7 +15,7 @@ import numpy as np
 from gearwright.base import HOUSING, Floats, Kind, following, smallest
 from gearwright.catalogue import housing_materials
 from gearwright.memo import of_latest
-from gearwright.parts.joints import MODULES, ROOT_DEPTH, Spline, spline, spline_length, spline_pressure
+from gearwright.parts.shafts import MODULES, ROOT_DEPTH, Spline, spline, spline_length, spline_pressure
 from gearwright.sizing.gear_geometry import ring_radii
 from gearwright.sizing.housing_shell import (
     CLEAR,

@@ -54,8 +54,8 @@ from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import MESHES, Context, Known
 from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
-from gearwright.sizing.shafts.bending import face_load_checks
-from gearwright.sizing.size_grids import StageSize
+from gearwright.sizing.shafts.stretches import face_load_checks
+from gearwright.sizing.stage_sizes import StageSize
 from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts

@@ -1,23 +1,521 @@
-"""Module and face width of stages, including compound stages, unloaded gears and load sharing by size."""
+"""Modules and face widths of stages: the lightest of a grid with which every strength of their teeth is met."""
 
 from __future__ import annotations
 
 import heapq
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import count
 from typing import NamedTuple
 
-from gearwright.base import DesignError, Problem, Role, refuse
-from gearwright.catalogue import LEAST_SHARING
+import numpy as np
+
+from gearwright.base import ROUNDING, DesignError, Floats, Problem, Role, refuse
+from gearwright.catalogue import LEAST_SHARING, bearings
+from gearwright.parts.bearings import BearingKind
+from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.iso6336 import mesh_springs
-from gearwright.parts.planetary import clocking_load_factor, path_stiffness, tolerance_load_factor
-from gearwright.sizing.rating import Context, Demand, bevel_pair, cylindrical_mesh, load_sharing
+from gearwright.parts.planetary import clocking_load_factor, path_stiffness, planes, tolerance_load_factor
+from gearwright.sizing.rating import (
+    AROUND,
+    REST,
+    STANDARD_MODULES,
+    Context,
+    Demand,
+    Unloaded,
+    bevel_pair,
+    cone_ratio,
+    cylindrical_mesh,
+    least_bevel_width,
+    least_width,
+    load_sharing,
+    made_share,
+    mean_module,
+    method_for,
+    rate_row,
+    row_reserve,
+    sizes_near,
+    widest_bevel,
+)
 from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.size_grids import Option, Part, StageSize, options
+from gearwright.sizing.rough_mass import Around, Turned, around_mass, around_stage, oil_mass
 from gearwright.spec import Epicyclic, Pair, Planetary, case_named, levels_of, shares_of
-from gearwright.spec.design import module_owners, relative_modules, split_levels
-from gearwright.train import INTERNAL, Mesh
+from gearwright.spec.design import BUILT, module_owners, relative_modules, split_levels
+from gearwright.train import INTERNAL, Gear, Mesh
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What is sized together: parts, each of one face width, whose modules are in fixed ratios.
+#
+# A stage is one part; a stage whose gears other stages share is several, and so are stages on common axes and the
+# groups of gears of a compound set.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class StageSize(NamedTuple):
+    """Size of one stage."""
+
+    module: float
+    """m_n, of bevel gears m_mn [m]."""
+    face_width: float
+    """b, as far as it can carry [m]."""
+    asked_width: float
+    """b as the user gives it, which may be more than a bevel gear can have [m]."""
+
+    def planes(self, count: int) -> StageSize:
+        """Return the size of a gear that lies in several planes of one face width each.
+
+        Args:
+            count: Planes [-].
+        """
+        return self._replace(face_width=count * self.face_width)
+
+
+class Part(NamedTuple):
+    """Meshes of one face width, whose module is in a fixed ratio to that of the others."""
+
+    name: str
+    """Stage, or group of gears of a compound set."""
+    stage: str
+    """Whose rules it has."""
+    meshes: tuple[Mesh, ...]
+    ratio: float = 1.0
+    """Module over the unit that all modules go with, of bevel gears the outer one [-]."""
+    width: float | None = None
+    """b where it is given [m]."""
+    within: str = ""
+    """Part whose gears it shares, so that it is no wider; empty: of gears of its own."""
+
+
+def part_weight(context: Context, part: Part) -> float:
+    """Return what the gears of a part weigh over b m_n², as they are made at their level [kg/m³].
+
+    Args:
+        context: What gear sizing reads.
+        part: The part.
+    """
+    return sum(_weight(context, gear) for gear in context.train.gears if gear.sized == part.name)
+
+
+def _around(context: Context, part: Part, modules: Floats, widths: Floats) -> tuple[Floats, Floats]:
+    """Return about what carries and encloses the gears of a part with sizes, and what cools them [kg]."""
+    stage, rating = context.design.stages[part.stage], context.ratings[part.stage]
+    around = around_stage(part.stage, context.design, context.train, context.flows, rating.helix_angle)
+    teeth = [np.asarray(context.teeth[gear]) for gear in around.gears]
+    if isinstance(stage, Epicyclic):
+        return _around_compound(context, part, around, modules, widths)
+    planet = np.zeros(1)
+    if isinstance(stage, Planetary):
+        gear = context.train.gear(part.meshes[0].gears[1])
+        planet = _weight(context, gear) / gear.bodies * widths * modules**2
+    planets = stage.planets if isinstance(stage, Planetary) else 1
+    mass = around_mass(around, teeth, modules, widths, planet=planet, planets=planets, factor=rating.load_factor)
+    return mass, oil_mass(around, teeth, modules, widths)
+
+
+def _masses(context: Context, part: Part, modules: Floats, widths: Floats) -> tuple[Floats, Floats]:
+    """Return what gears of a part weigh with sizes and the oil that cools them, and about what is around them [kg]."""
+    around, oil = _around(context, part, modules, widths)
+    return part_weight(context, part) * widths * modules**2 + oil, around
+
+
+def _around_compound(
+    context: Context, part: Part, around: Around, modules: Floats, widths: Floats
+) -> tuple[Floats, Floats]:
+    """Return the same of a group of gears of a compound set."""
+    own = [place for place, gear in enumerate(around.gears) if context.train.gear(gear).sized == part.name]
+    names = [mesh.name for mesh in context.train.meshes if mesh.stage == part.stage]
+    rows = [
+        (names.index(mesh.name), (around.gears.index(mesh.gears[0]), around.gears.index(mesh.gears[1]), mesh.sign))
+        for mesh in part.meshes
+    ]
+    cases = tuple(
+        Turned(
+            tuple(case.powers[row[0]] for row in rows),
+            tuple(case.speeds[place] if place in own else 0.0 for place in range(len(around.gears))),
+        )
+        for case in around.cases
+    )
+    around = around._replace(rows=tuple(row for _, row in rows), cases=cases)
+    teeth = [np.asarray(context.teeth[gear]) for gear in around.gears]
+    mass = around_mass(around, teeth, modules, widths, planet=np.zeros(1), planets=1, factor=1.0)
+    first, second = (context.teeth[gear] for gear in part.meshes[0].gears)
+    rings = [context.teeth[gear] for mesh in part.meshes for gear in mesh.gears if gear in context.train.internal]
+    mass = mass + AROUND * (max(rings, default=first + 2 * second) * modules) ** 3
+    return mass, oil_mass(around, teeth, modules, widths)
+
+
+def _weight(context: Context, gear: Gear) -> float:
+    rating, teeth = context.ratings[gear.stage], context.teeth[gear.name]
+    rules, shift = rating.rules, rating.shift_of(gear).profile_shift if rating.kind == "cylindrical" else 0.0
+    stage, pitch = context.design.stages[gear.stage], teeth / math.cos(rating.helix_angle)
+    if gear.name in context.train.internal:
+        square = (pitch - 2.0 * shift + 2.0 * rules.rim_thickness_ratio) ** 2 - (pitch - 2.0 * shift) ** 2
+    else:
+        square = (pitch + 2.0 * shift) ** 2 * (rules.web_ratio if gear.role is Role.WHEEL else 1.0)
+        square *= made_share(gear.role, teeth, rules)
+    deep = len(planes(stage.compound)[gear.own]) if isinstance(stage, Epicyclic) else 1
+    return gear.bodies * deep * rating.material.density * math.pi / 4.0 * square
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The grid: modules of ISO 54, or fine steps where they need not be standard or share a centre distance, and whole
+# millimetres of face width.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_MM = 1e-3
+LEAST = 0.6
+"""Least module that is tried over that which the heaviest case asks for at the widest face, all life long [-]."""
+MOST = 3.0
+"""Largest module that is tried over the same [-]."""
+STEPS = (0.02, 1e-3, 5e-5)
+"""Steps of modules that need not be standard, as parts of them: over all, then beside the best of each round [-]."""
+BEYOND = 1.1
+"""Step of modules beyond those of ISO 54 [-]."""
+
+
+def standard_grid(needed: float) -> list[float]:
+    """Return the standard modules around one, one at least; beyond the last of them in steps [m].
+
+    Args:
+        needed: That the heaviest case asks for at the widest face [m].
+    """
+    low, high = LEAST * needed, MOST * needed
+    series = [module * _MM for module in STANDARD_MODULES]
+    while series[-1] < high:
+        series.append(series[-1] * BEYOND)
+    return [module for module in series if low <= module <= high] or [next(m for m in series if m >= low)]
+
+
+def fine_grid(middle: float, around: tuple[float, float], step: float) -> list[float]:
+    """Return units in even steps of their logarithm, over a range around one of them [m].
+
+    Args:
+        middle: That one [m].
+        around: Where to begin and end, over it [-].
+        step: Part of a unit by which the next one is larger [-].
+    """
+    first, last = (round(math.log(end) / step) for end in around)
+    return [middle * math.exp(step * place) for place in range(first, last + 1)]
+
+
+def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floats]:
+    """Return face widths that a part may have with a module, and the module by which each is rated [m].
+
+    Args:
+        context: What gear sizing reads.
+        part: The part.
+        module: m_n, of bevel gears m_et [m].
+    """
+    rating, ratio = context.ratings[part.stage], context.width_ratios[part.stage]
+    bevel = rating.kind == "bevel"
+    teeth = _teeth(context, part)
+    widest = min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * module if bevel else ratio * module
+    if part.width is not None:
+        widths = np.array([min(part.width, widest) if bevel else part.width])
+    elif not rating.width_is_open:
+        widths = np.array([widest_bevel(teeth, module, ratio, rating) if bevel else widest])
+    else:
+        usual = least_bevel_width(teeth, module, rating) if bevel else least_width(rating, module)
+        least = min(max(usual, _bearing_width(context, part)), widest)
+        low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
+        widths = np.arange(min(low, high), high + 1) * _MM
+    return widths, np.asarray(mean_module(teeth, module, widths, rating)) if bevel else np.full(len(widths), module)
+
+
+def _bearing_width(context: Context, part: Part) -> float:
+    """Return the narrowest planet in which a bearing of the catalogue has room, where the design asks for one [m]."""
+    stage = context.design.stages[part.stage]
+    asked = stage.planet_bearing if isinstance(stage, Planetary) else None
+    if asked is None or not asked.is_fitted or asked.width is not None or asked.designation is not None:
+        return 0.0
+    return asked.side_by_side * _narrowest_roller()
+
+
+@cache
+def _narrowest_roller() -> float:
+    """Return the width of the narrowest cylindrical roller bearing of the catalogue [m]."""
+    return min(size.width for size in bearings().values() if size.kind is BearingKind.CYLINDRICAL)
+
+
+def _teeth(context: Context, part: Part) -> tuple[int, int]:
+    first, second = part.meshes[0].gears
+    return context.teeth[first], context.teeth[second]
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The lightest of the grid that passes: by arrays what they can tell, then in full, the lightest first.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SPEEDS = ("main resonance", "speed of K_V")
+LENIENT: Sequence[tuple[str, ...]] = ((), _SPEEDS, (*_SPEEDS, "scuffing", "micropitting"), (REST,))
+"""What is left out of what is asked, where nothing that is tried meets all of it; at last all but roots and flanks."""
+NEAR = 1.25
+"""Gears that fall short over the lightest of their kind, up to which the nearest of them is taken [-]."""
+STRENGTHS = ("pitting", "tooth root")
+"""Modes of the checks of flanks and roots against fatigue."""
+WIDER = 1.15
+"""Face over the one before that is tried for the bearings of planets, and for keys in hubs of built gearboxes [-]."""
+STEEP = 0.3
+"""Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
+AS_NEAR = 0.01
+"""Difference of two values over their limits that counts as none, so that the lighter is taken [-]."""
+
+
+class Option(NamedTuple):
+    """A size of every part."""
+
+    sizes: tuple[StageSize, ...]
+    """Of every part."""
+    mass: float
+    """Of their gears by the estimate [kg]."""
+    nearness: float
+    """Least value over limit of all that is asked of them [-]."""
+
+
+@dataclass
+class _Widths:
+    """Widths of a part at one unit, of which one is looked at."""
+
+    part: Part
+    widths: Floats
+    modules: Floats
+    near: Floats
+    """Least value over limit of each as far as arrays tell [-]."""
+    masses: Floats
+    """Of its gears [kg]."""
+    around: Floats
+    """Of what carries them, by an estimate [kg]."""
+    is_array: bool
+    """Whether arrays tell anything."""
+    at: int = 0
+
+    @property
+    def size(self) -> StageSize:
+        """The one that is looked at."""
+        width = float(self.widths[self.at])
+        return StageSize(float(self.modules[self.at]), width, width if self.part.width is None else self.part.width)
+
+    def passing(self, least: float = 0.0) -> list[int]:
+        """Return the places, from that which is looked at, that pass and are no narrower than something.
+
+        Args:
+            least: That width [m].
+        """
+        good = (self.near >= 1.0 - ROUNDING) & (self.widths >= least * (1.0 - ROUNDING))
+        return [int(place) for place in np.flatnonzero(good) if place >= self.at]
+
+
+_Row = tuple[_Widths, ...]
+
+
+def options(
+    context: Context, parts: Sequence[Part], unit: float, demands: Mapping[str, Demand], *, is_open: bool
+) -> Iterator[Option]:
+    """Yield the lightest sizes of all parts with every unit that pass, the lightest first; the nearest if none does.
+
+    Args:
+        context: What gear sizing reads.
+        parts: What is sized together; those that share gears of another one before it.
+        unit: That is given, or that the heaviest case asks for at the widest face [m].
+        demands: Mesh row -> what it asks for.
+        is_open: Whether the unit is looked for.
+    """
+    rules = context.ratings[parts[0].stage].proportions
+    if not is_open and all(part.width is not None for part in parts):
+        yield _as_given(context, parts, unit)
+    elif not is_open or rules is None:
+        yield from _best(context, parts, (unit,), demands)
+    elif rules.standard_modules and len({part.stage for part in parts if not part.within}) == 1:
+        yield from _best(context, parts, standard_grid(unit), demands)
+    else:
+        around = (LEAST, MOST)
+        for step in STEPS:
+            found = next(_best(context, parts, fine_grid(unit, around, step), demands))
+            unit, around = _unit_of(context, parts[-1], found.sizes[-1]), (1.0 - step, 1.0 + step)
+        yield found
+
+
+def _as_given(context: Context, parts: Sequence[Part], unit: float) -> Option:
+    """Return the sizes that a design gives: there is nothing to choose, and what they lack their checks tell."""
+    row = list[_Widths]()
+    for part in parts:
+        widths, modules = widths_at(context, part, unit * part.ratio)
+        row.append(_Widths(part, widths, modules, np.ones(1), *_masses(context, part, modules, widths), is_array=False))
+    return Option(tuple(own.size for own in row), _mass(tuple(row)), 1.0)
+
+
+def _unit_of(context: Context, part: Part, size: StageSize) -> float:
+    """Return the unit of a size of a part [m]."""
+    rating = context.ratings[part.stage]
+    if rating.kind != "bevel":
+        return size.module / part.ratio
+    return size.module / math.cos(rating.helix_angle) + size.face_width / (
+        2.0 * float(cone_ratio(*_teeth(context, part)))
+    )
+
+
+def _best(
+    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
+) -> Iterator[Option]:
+    """Yield the options that pass, the lightest first; where none does, the nearest to it."""
+    for left_out in LENIENT:
+        found = list[Option]()
+        for option in _options(context, parts, units, demands, left_out=left_out):
+            if left_out and found and option.mass > NEAR * found[0].mass:
+                break
+            found.append(option)
+            if not left_out:
+                yield option
+        if found:
+            if left_out:
+                best = max(option.nearness for option in found)
+                yield next(option for option in found if option.nearness >= best - AS_NEAR)
+            return
+    yield _strongest(context, parts, units, demands)
+
+
+def _options(
+    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand],
+    *, left_out: tuple[str, ...],
+) -> Iterator[Option]:  # fmt: skip
+    """Yield the lightest size of all parts with every unit, the lightest of them first."""
+    order, heap = count(), list[tuple[float, int, _Row]]()
+    for row in zip(*(_tried(context, part, units, left_out) for part in parts), strict=True):
+        _put(heap, order, row)
+    while heap:
+        mass, _, row = heapq.heappop(heap)
+        nearness = 1.0
+        for own in row:
+            all_of_it, asked = _near(context, own, demands, left_out)
+            if asked < 1.0 - ROUNDING:
+                if _widen(context, own, demands, left_out, ratio=asked):
+                    _put(heap, order, row)
+                break
+            nearness = min(nearness, all_of_it)
+        else:
+            yield Option(tuple(own.size for own in row), mass, nearness)
+            sets = any(isinstance(context.design.stages[own.part.stage], Planetary) for own in row)
+            if sets or context.design.level == BUILT:
+                _put(heap, order, tuple(_wider(own) for own in row))
+
+
+def _mass(row: _Row) -> float:
+    """Return what parts weigh with what carries the gears of each stage, to rank them [kg]."""
+    around = dict[str, float]()
+    for own in row:
+        around[own.part.stage] = max(around.get(own.part.stage, 0.0), float(own.around[own.at]))
+    return sum(float(own.masses[own.at]) for own in row) + sum(around.values())
+
+
+def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -> None:
+    """Add parts at their least widths that may pass, those that share gears before those whose gears they share."""
+    for own in row:
+        shared = max((other.size.face_width for other in row if other.part.within == own.part.name), default=0.0)
+        places = own.passing(shared)
+        if not places:
+            return
+        own.at = places[0]
+    heapq.heappush(heap, (_mass(row), next(order), row))
+
+
+def _wider(own: _Widths) -> _Widths:
+    """Return a part at a wider face, for what its gears turn or sit on, which no strength of teeth asks for."""
+    return replace(own, at=int(np.searchsorted(own.widths, WIDER * own.widths[own.at])))
+
+
+def _widen(
+    context: Context, own: _Widths, demands: Mapping[str, Demand], left_out: tuple[str, ...], *, ratio: float
+) -> bool:
+    """Go on to a wider face that passes in full; tell whether there is one.
+
+    Where arrays tell the strengths, films ask for it: in steps that are too short, as their safeties rise slowly and
+    not evenly with the width, by the micrometres of tip relief. Else by halves, as strengths rise with it.
+    """
+
+    def passes(place: int) -> bool:
+        nonlocal ratio
+        own.at = place
+        ratio = _near(context, own, demands, left_out)[1]
+        return ratio >= 1.0 - ROUNDING
+
+    places = own.passing()[1:]
+    if own.is_array:
+        while places:
+            wanted = own.widths[own.at] * max(ratio, 1e-3) ** (-1.0 / STEEP)
+            place = next((place for place in places if own.widths[place] >= wanted), places[-1])
+            if passes(place):
+                own.at = next((between for between in places if between == place or passes(between)), place)
+                return True
+            places = [later for later in places if later > place]
+        return False
+    if not places or not passes(places[-1]):
+        return False
+    low, high = 0, len(places) - 1
+    while low < high:
+        middle = (low + high) // 2
+        low, high = (low, middle) if passes(places[middle]) else (middle + 1, high)
+    own.at = places[high]
+    return True
+
+
+def _tried(context: Context, part: Part, units: Sequence[float], left_out: tuple[str, ...]) -> list[_Widths]:
+    """Return the widths of a part at every unit, with what arrays tell of them."""
+    grids = [widths_at(context, part, unit * part.ratio) for unit in units]
+    widths, modules = (np.concatenate(columns) for columns in zip(*grids, strict=True))
+    near = [
+        values for mesh in part.meshes if (values := sizes_near(context, mesh, modules, widths, left_out)) is not None
+    ]
+    least = np.minimum.reduce([np.full(len(widths), math.inf), *near])
+    masses, around = _masses(context, part, modules, widths)
+    ends = np.cumsum([len(own) for own, _ in grids])[:-1]
+    columns = [np.split(values, ends) for values in (widths, modules, least, masses, around)]
+    return [
+        _Widths(part, own, size, rated, mass, carried, bool(near))
+        for own, size, rated, mass, carried in zip(*columns, strict=True)
+    ]
+
+
+def _near(
+    context: Context, own: _Widths, demands: Mapping[str, Demand], left_out: tuple[str, ...]
+) -> tuple[float, float]:
+    """Return the least value over limit of a part at the width that is looked at: of all, and of what is asked [-]."""
+    size, every, asked = own.size, math.inf, math.inf
+    method = method_for(context.ratings[own.part.stage])
+    for mesh in own.part.meshes:
+        if not own.is_array:  # which is quicker to tell than a whole rating
+            reserve = row_reserve(context, mesh, size.module, size.face_width)
+            if reserve is not None and reserve < 1.0 - ROUNDING:
+                return reserve, reserve
+        rated = rate_row(context, mesh, size.module, size.face_width, asked=demands[mesh.name][2:])
+        if isinstance(rated, Unloaded):
+            continue
+        gears = context.train.gear(mesh.gears[0]).part, context.train.gear(mesh.gears[1]).part
+        for check in method.checks(rated, mesh.part, gears):
+            if check.ratio is not None and check.name not in context.design.waivers:
+                every = min(every, check.ratio)
+                counts = check.mode in STRENGTHS if REST in left_out else check.mode not in left_out
+                asked = min(asked, check.ratio) if counts else asked
+    return every, asked
+
+
+def _strongest(
+    context: Context, parts: Sequence[Part], units: Sequence[float], demands: Mapping[str, Demand]
+) -> Option:
+    """Return the sizes at which the weakest part comes nearest to its strengths; without arrays, the widest."""
+    rows = list(zip(*(_tried(context, part, units, LENIENT[-1]) for part in parts), strict=True))
+    near = list[float]()
+    for row in rows:
+        for own in row:
+            own.at = int(np.argmax(own.near)) if own.is_array else len(own.near) - 1
+        near.append(min(_near(context, own, demands, LENIENT[-1])[1] for own in row))
+    best = rows[int(np.argmax(near))]
+    return Option(tuple(own.size for own in best), _mass(best), max(near))
+
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears that no load case loads: strength asks nothing of them, so that they have no size but a given one.

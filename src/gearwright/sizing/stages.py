@@ -68,8 +68,7 @@ from gearwright.sizing.rating import (
     shared,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.size_grids import StageSize
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, all_sizes, combinations, sharing_of_sizes
+from gearwright.sizing.stage_sizes import ROUNDS, STILL, StageSize, all_sizes, combinations, sharing_of_sizes
 from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of

@@ -33,6 +33,7 @@ from gearwright.spec.edit import (
     as_concept,
     at_level,
     design_text,
+    design_text_like,
     edited,
     edited_mission,
     entry_of,
@@ -118,7 +119,6 @@ from gearwright.spec.studies import (
     study_problems,
     value_at,
 )
-from gearwright.spec.texts import design_text_like
 
 __all__ = [
     "GROUND",

@@ -1,6 +1,5 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
-from gearwright.train.efficiency import STANDSTILL, Efficiency, Turn, Turning, asked_speeds, efficiencies, holding
 from gearwright.train.graph import (
     EXTERNAL,
     INTERNAL,
@@ -16,16 +15,24 @@ from gearwright.train.graph import (
 )
 from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
 from gearwright.train.load_case import (
+    STANDSTILL,
+    Efficiency,
     Loads,
+    Turn,
+    Turning,
     along,
+    asked_speeds,
     can_be_along,
+    efficiencies,
+    holding,
     is_slight,
     left_alone,
     overruns,
     power_flow,
     power_flows,
 )
-from gearwright.train.power_flow import (
+from gearwright.train.ratios import Targets, speed_range, targets, tooth_ratio_range
+from gearwright.train.torques import (
     Attachment,
     Branch,
     Loop,
@@ -37,7 +44,6 @@ from gearwright.train.power_flow import (
     recirculation,
     shaft_powers,
 )
-from gearwright.train.ratios import Targets, speed_range, targets, tooth_ratio_range
 
 __all__ = [
     "EXTERNAL",

@@ -13,7 +13,6 @@ from gearwright.base import SIDES, DesignError, Floats, Problem
 from gearwright.parts.planetary import most_planet_teeth
 from gearwright.spec import GROUND, Clutch, Design, Epicyclic, Machine, Pair, Planetary, Record, case_named, cases_of
 from gearwright.spec.design import MACHINES, SUN_LIMITS
-from gearwright.train.efficiency import asked_speeds
 from gearwright.train.graph import null_space, remembered
 from gearwright.train.kinematics import (
     Edge,
@@ -25,6 +24,7 @@ from gearwright.train.kinematics import (
     willis_ratio,
     willis_speed,
 )
+from gearwright.train.load_case import asked_speeds
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A design as one of its cases holds it: what brakes hold belongs to the ground, and open clutches join nothing.

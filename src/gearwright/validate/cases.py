@@ -1,17 +1,17 @@
 """Every published case that gearwright knows."""
 
 from gearwright.base import DesignError, Problem, verb
-from gearwright.validate import engines, gearboxes, gears, shafts, trains, vibration
+from gearwright.validate import engines, gearboxes, gears, shafts, trains
 from gearwright.validate.case import Case, Checked, check
 
 ALL = (
     *trains.PLANETARY_CASES,
     *trains.COMPOUND_CASES,
     *trains.SHIFT_CASES,
-    *vibration.TORSIONAL_CASES,
-    *vibration.GEARED_CASES,
+    *shafts.TORSIONAL_CASES,
+    *shafts.GEARED_CASES,
     *shafts.BEAM_CASES,
-    *vibration.ROTOR_CASES,
+    *shafts.ROTOR_CASES,
     *engines.ENGINE_CASES,
     *engines.PROPELLER_CASES,
     *gears.CASES,

@@ -16,7 +16,7 @@ class Asked:
 
     def __init__(self, folder, name="in-line-h2", *, shipped=True):
         from gearwright.app.guard import Guard
-        from gearwright.app.routes import Opened, workbench
+        from gearwright.app.serving import Opened, workbench
 
         self.ended, self.folder = [], folder
         self.app = workbench(Opened(folder, name, shipped, lambda: self.ended.append(True)))

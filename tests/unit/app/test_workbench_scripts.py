@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import gearwright.app
-from gearwright.app.routes import bundled, files, index
+from gearwright.app.serving import bundled, files, index
 
 STATIC = Path(gearwright.app.__file__).parent / "static"
 OWN = sorted(path for path in STATIC.rglob("*.js") if path.parent.name != "vendor")

@@ -7,7 +7,7 @@ import typer
 from typer.testing import CliRunner
 
 from gearwright.catalogue import read_engine_deck
-from gearwright.cli.commands.engines import turboshaft
+from gearwright.cli.commands.flights import turboshaft
 from gearwright.errors import DesignError
 
 APP = typer.Typer()

@@ -7,9 +7,8 @@ import pytest
 import gearwright.closure.moves as separate
 from designs import PAIR, changed
 from gearwright.closure import Wishes, close
-from gearwright.closure.loop import Task, settled
+from gearwright.closure.loop import Candidate, Change, Task, judged, options, settled
 from gearwright.closure.moves import other_teeth
-from gearwright.closure.options import Candidate, Change, judged, options
 from gearwright.closure.requirements import stage_lives
 from gearwright.sizing import size
 from gearwright.spec import edited, parse

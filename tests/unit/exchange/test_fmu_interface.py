@@ -15,8 +15,8 @@ import gearwright as gw
 from fmu_host import COMPILER, COMPILES, ERROR, OK, Instance, Unpacked, compile_in
 from gearwright.dynamics import Model
 from gearwright.errors import DesignError, SolveError
-from gearwright.exchange import fmu_of_system, to_fmu
-from gearwright.exchange.fmu import MachinePort, write as compiling
+from gearwright.exchange import fmu as compiling, fmu_of_system, to_fmu
+from gearwright.exchange.fmu import MachinePort
 
 OUTPUTS = ["first.sun.speed", "first.sun-planet-1.force", "propeller.acting_torque"]
 

@@ -9,11 +9,16 @@ from designs import PAIR
 from gearwright.catalogue import gear_steel
 from gearwright.errors import DesignError
 from gearwright.parts.iso6336 import GearSteel, Treatment, bending_life_curve, contact_life_curve, life_factor
-from gearwright.parts.iso6336.bending import bending_size_factor, notch_sensitivity_factor, slip_layer, surface_factor
 from gearwright.parts.iso6336.dynamic import running_in_allowance
 from gearwright.parts.iso6336.loads import lead_allowance
-from gearwright.parts.iso6336.pitting import work_hardening_factor
 from gearwright.parts.iso6336.rating import static_notch_sensitivity
+from gearwright.parts.iso6336.tooth_strength import (
+    bending_size_factor,
+    notch_sensitivity_factor,
+    slip_layer,
+    surface_factor,
+    work_hardening_factor,
+)
 from gearwright.sizing import size
 from gearwright.spec import parse
 

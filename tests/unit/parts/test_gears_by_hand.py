@@ -42,16 +42,19 @@ from gearwright.parts.gears.cylindrical_gear import (
     spanned_teeth,
     tip_thickness,
 )
-from gearwright.parts.gears.gear_pair import assembly_room, interference, involute_clearance, tip_clearance_angle
-from gearwright.parts.gears.lewis_hertz import (
+from gearwright.parts.gears.gear_pair import (
     HERTZ_COEFFICIENT,
+    assembly_room,
     bending_stress_lewis,
     contact_angles,
     contact_stress,
     hertz_coefficient,
+    interference,
+    involute_clearance,
     lewis_form_factor,
     module_hertz,
     module_lewis,
+    tip_clearance_angle,
 )
 
 PI = math.pi

@@ -63,10 +63,17 @@ from gearwright.parts.iso6336 import (
     transverse_load_factor,
     work_hardening_factor,
 )
-from gearwright.parts.iso6336.bending import RootBody, RootStrengthFactors, bending_rating, slip_layer
 from gearwright.parts.iso6336.dynamic import mesh_springs
 from gearwright.parts.iso6336.loads import USUAL, HelixModification, MeshQuality, flank_tolerances, specific_load
-from gearwright.parts.iso6336.pitting import ContactStrengthFactors, contact_ratio_factor, zone_factor
+from gearwright.parts.iso6336.tooth_strength import (
+    ContactStrengthFactors,
+    RootBody,
+    RootStrengthFactors,
+    bending_rating,
+    contact_ratio_factor,
+    slip_layer,
+    zone_factor,
+)
 
 ST, V, EH, IF, NT, NV, NVC, *_ = Treatment
 HARD = GearSteel("hard", EH, "MQ", 700.0, 1500e6, 461e6, 206e9, 0.3, 7830.0)

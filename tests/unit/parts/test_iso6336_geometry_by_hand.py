@@ -26,7 +26,7 @@ from gearwright.parts.iso6336 import (
 )
 from gearwright.parts.iso6336.geometry import mesh_geometry
 from gearwright.parts.iso6336.loads import MeshDuty, flank_tolerances, load_cycles, specific_load
-from gearwright.parts.iso6336.pitting import contact_ratio_factor, zone_factor
+from gearwright.parts.iso6336.tooth_strength import contact_ratio_factor, zone_factor
 
 PINION, WHEEL = ToothProportions(1.25, 0.38, 0.21, 0.0), ToothProportions(1.31, 0.29, 0.06, 0.0)
 

@@ -8,25 +8,6 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.gears import CylindricalGear, GearPair, ToothShift
-from gearwright.parts.joints import (
-    LONGEST_BEARING,
-    MODULES,
-    SHORTEST_RATIO,
-    FitPart,
-    KeySection,
-    Spline,
-    bearing_length,
-    fit_interference,
-    fit_pressure,
-    fit_torque,
-    hub_stress,
-    key_length,
-    key_pressure,
-    shaft_fit_stress,
-    spline,
-    spline_length,
-    spline_pressure,
-)
 from gearwright.parts.losses import (
     HIGHEST_FRICTION,
     OIL_DENSITY,
@@ -66,6 +47,25 @@ from gearwright.parts.planetary import (
     plate_mass,
     plate_shear_stress,
     sun_to_ring_phase,
+)
+from gearwright.parts.shafts import (
+    LONGEST_BEARING,
+    MODULES,
+    SHORTEST_RATIO,
+    FitPart,
+    KeySection,
+    Spline,
+    bearing_length,
+    fit_interference,
+    fit_pressure,
+    fit_torque,
+    hub_stress,
+    key_length,
+    key_pressure,
+    shaft_fit_stress,
+    spline,
+    spline_length,
+    spline_pressure,
 )
 
 PI = math.pi

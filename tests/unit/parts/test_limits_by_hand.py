@@ -11,8 +11,8 @@ from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.gear_pair import assembly_room
 from gearwright.parts.iso6336 import Treatment
-from gearwright.parts.iso6336.pitting import contact_size_factor
 from gearwright.parts.iso6336.steels import knee_curve
+from gearwright.parts.iso6336.tooth_strength import contact_size_factor
 from gearwright.parts.iso10300 import VirtualPair, tip_loaded_section
 from gearwright.parts.planetary import CompoundSet, touching
 from gearwright.parts.shaft_fatigue import SteelGroup, blank_factor

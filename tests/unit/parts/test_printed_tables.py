@@ -11,11 +11,11 @@ from gearwright.parts.agma2001 import AgmaSteel, agma_strength
 from gearwright.parts.bearings import life, life as load, rolling_bearing as rating
 from gearwright.parts.bearings.rolling_bearing import BearingKind
 from gearwright.parts.gears.cylindrical_gear import feed_grade
-from gearwright.parts.gears.lewis_hertz import lewis_form_factor
+from gearwright.parts.gears.gear_pair import lewis_form_factor
 from gearwright.parts.iso6336 import GearSteel, Treatment, life_factor
-from gearwright.parts.iso6336.bending import slip_layer
-from gearwright.parts.joints import MODULES
+from gearwright.parts.iso6336.tooth_strength import slip_layer
 from gearwright.parts.material import ROCKWELL, VICKERS, vickers_of_rockwell
+from gearwright.parts.shafts import MODULES
 from gearwright.units import INCH, POUND_FORCE
 
 E140 = {

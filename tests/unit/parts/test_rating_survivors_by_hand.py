@@ -21,8 +21,8 @@ from gearwright.parts.iso6336 import (
     shifted_mesh,
     specific_slidings,
 )
-from gearwright.parts.iso6336.pitting import contact_size_factor
 from gearwright.parts.iso6336.rating import sliding_balance, strength_balance
+from gearwright.parts.iso6336.tooth_strength import contact_size_factor
 
 PAIR = MeshGeometry((18.0, 43.0), 2.0, 20.0, 62.0, (20.9, 45.6))
 """Unequal teeth at a centre distance of 62, lengths in mm."""

@@ -8,21 +8,6 @@ from hypothesis import given, strategies as st
 
 from gearwright.catalogue import key_for_shaft
 from gearwright.errors import DesignError
-from gearwright.parts.joints import (
-    FitPart,
-    KeySection,
-    bearing_length,
-    centrifugal_loss,
-    fit_interference,
-    fit_pressure,
-    fit_torque,
-    hub_stress,
-    key_pressure,
-    shaft_fit_stress,
-    spline,
-    spline_length,
-    spline_pressure,
-)
 from gearwright.parts.shaft_fatigue import (
     AxialLoad,
     Concentration,
@@ -44,13 +29,26 @@ from gearwright.parts.shaft_fatigue import (
     yield_safety,
 )
 from gearwright.parts.shafts import (
+    FitPart,
+    KeySection,
     PointLoads,
     Sections,
+    bearing_length,
     bent_line,
+    centrifugal_loss,
     critical_speed,
     diagram,
+    fit_interference,
+    fit_pressure,
+    fit_torque,
+    hub_stress,
     influence,
+    key_pressure,
     lumped_shaft,
+    shaft_fit_stress,
+    spline,
+    spline_length,
+    spline_pressure,
     supported,
 )
 

@@ -15,7 +15,7 @@ from gearwright.parts.iso6336 import (
     outer_single_contact,
     root_section,
 )
-from gearwright.parts.iso6336.tooth_root import shaped_fillet
+from gearwright.parts.iso6336.geometry import shaped_fillet
 from gearwright.sizing import size
 from gearwright.spec import parse
 from gearwright.validate.gears.ratings import PLANET_RING

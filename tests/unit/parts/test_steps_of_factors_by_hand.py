@@ -45,7 +45,7 @@ from gearwright.parts.iso6336 import (
     rate_mesh,
     rim_factor,
 )
-from gearwright.parts.iso6336.tooth_root import shaped_fillet
+from gearwright.parts.iso6336.geometry import shaped_fillet
 from gearwright.parts.iso10300 import HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
 from gearwright.parts.scuffing import Oil, ScuffingMesh, flash_temperature, load_sharing
 

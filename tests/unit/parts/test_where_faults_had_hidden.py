@@ -24,7 +24,7 @@ from gearwright.parts.iso6336 import (
     contact_life_curve,
     endurable_cycles,
 )
-from gearwright.parts.iso6336.tooth_root import LoadedTooth, root_section, shaped_fillet
+from gearwright.parts.iso6336.geometry import LoadedTooth, root_section, shaped_fillet
 from gearwright.parts.losses import oil_viscosity
 from gearwright.parts.micropitting import BASES, OilGrade
 

@@ -6,7 +6,7 @@ import pytest
 
 from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.entities import Layer, Path, Words, drawn
-from gearwright.render.drawings.tooth_data import hard_grid, hard_teeth
+from gearwright.render.drawings.gear_sheet import hard_grid, hard_teeth
 from gearwright.shape.stands import gear_of
 from shipped_work import sized
 

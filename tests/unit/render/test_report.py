@@ -6,8 +6,7 @@ from drawn_designs import MIXED, sized
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
-from gearwright.render.html import symbols
-from gearwright.render.pages.page import Stamp, hash_of
+from gearwright.render.pages.page import Stamp, hash_of, symbols
 from gearwright.render.pages.report import report
 from gearwright.render.style import mathml
 from gearwright.render.words.design_file import entries

@@ -6,7 +6,7 @@ import pytest
 
 from designs import ONE_SET, PAIR
 from gearwright.particulars import particulars
-from gearwright.render.drawings.tooth_data import tooth_grid
+from gearwright.render.drawings.gear_sheet import tooth_grid
 from gearwright.render.tables.sizing import tables_of
 from gearwright.sizing import size
 from gearwright.spec import parse

@@ -8,7 +8,7 @@ from gearwright.parts.agma2003 import BENDING, BENDING_CRITICAL, CONTACT, BevelE
 from gearwright.parts.iso6336 import damage_part
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, Ask, MeshSpectrum, bevel_pair, rating_of
-from gearwright.sizing.rating.agma2003 import duty_of, making_of
+from gearwright.sizing.rating.agma import bevel_making_of as making_of, duty_of
 from gearwright.spec import parse
 
 BEVEL = f"""\

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import admissible, planet_counts
-from gearwright.sizing.teeth.front import Front, Task
-from gearwright.sizing.teeth.masses import weigh
+from gearwright.sizing.teeth.candidates import Front, Task, admissible, planet_counts
+from gearwright.sizing.teeth.criteria import weigh
 from gearwright.sizing.teeth.search import STEP, Branch, _branch, _of_variant, branches_of, rest_of
 from gearwright.sizing.teeth.stage import tooth_ratio
 from gearwright.spec import parse

@@ -15,11 +15,18 @@ from gearwright.parts.shaft_fatigue import Shoulder
 from gearwright.sizing import ShaftPlan, size
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.rating import context_of
-from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE, bend, slope_excess
 from gearwright.sizing.shafts.building import Task, items_on, seat_of
-from gearwright.sizing.shafts.joints import Seat, keyway_depth, size_joint
-from gearwright.sizing.shafts.sections import Section, Strength, sections_of, strengths
-from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
+from gearwright.sizing.shafts.sections import Seat, Section, Strength, keyway_depth, sections_of, size_joint, strengths
+from gearwright.sizing.shafts.stretches import (
+    BEARING_SLOPES,
+    GEAR_SLOPE,
+    Item,
+    Stretch,
+    Wanted,
+    bend,
+    lay,
+    slope_excess,
+)
 from gearwright.spec import parse
 from gearwright.spec.design import BearingSeat, Joint, ShaftRules
 from mounted_designs import HELICOPTER, PAIR, ROTOR, sized

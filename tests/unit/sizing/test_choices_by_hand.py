@@ -13,10 +13,8 @@ from gearwright.parts.gears import ToothShift
 from gearwright.parts.planetary import _least_gap
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import admissible, fewest_teeth
-from gearwright.sizing.teeth.forbidden import _distinct
-from gearwright.sizing.teeth.front import Ban, Front, Task
-from gearwright.sizing.teeth.masses import weigh
+from gearwright.sizing.teeth.candidates import Ban, Front, Task, admissible, fewest_teeth
+from gearwright.sizing.teeth.criteria import _distinct, weigh
 from gearwright.sizing.teeth.stage import weighed_front
 from gearwright.spec import parse
 from gearwright.spec.design import StageShifts

@@ -5,7 +5,7 @@ import pytest
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import context_of
-from gearwright.sizing.shafts.bending import face_factor_by_lines
+from gearwright.sizing.shafts.stretches import face_factor_by_lines
 from gearwright.spec import edited, read
 
 HELICOPTER = read(shipped_design("ec120b"))

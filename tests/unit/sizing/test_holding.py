@@ -24,7 +24,7 @@ from gearwright.sizing.shafts import (
     threads,
     undercuts_of,
 )
-from gearwright.sizing.shafts.grooves import groove_strengths
+from gearwright.sizing.shafts.ends import groove_strengths
 from gearwright.sizing.shafts.retention import clamped_plate
 from gearwright.spec import edited
 from shipped_work import ball_bearings_of_the_tail, sized

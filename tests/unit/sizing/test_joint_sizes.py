@@ -11,7 +11,7 @@ from gearwright.errors import DesignError
 from gearwright.render.drawings.shaft_view import shaft_body
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.sizing.shaft_results import hub_bore_of
-from gearwright.sizing.shafts.joints import (
+from gearwright.sizing.shafts.sections import (
     Seat,
     joint_fits,
     keyway_depth,

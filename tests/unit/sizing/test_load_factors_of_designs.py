@@ -8,7 +8,7 @@ import pytest
 from designs import problem
 from gearwright.errors import DesignError
 from gearwright.parts.iso6336 import running_in_relief
-from gearwright.render.drawings.tooth_data import tooth_grid
+from gearwright.render.drawings.gear_sheet import tooth_grid
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.insight import gear_relief, made_of, rating_as_sized

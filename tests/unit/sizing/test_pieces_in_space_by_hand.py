@@ -15,11 +15,10 @@ from gearwright.sizing.bearing_seats import Fitting
 from gearwright.sizing.housing_shell import CLEARANCE, _Round
 from gearwright.sizing.losses import seal_losses
 from gearwright.sizing.mass import tooth_of
-from gearwright.sizing.mass.bearings import bored_mass
-from gearwright.sizing.mass.bodies import PIN_BORE, cage_of
+from gearwright.sizing.mass.bodies import PIN_BORE, bored_mass, cage_of
 from gearwright.sizing.places import PLATE_GAP, runs
 from gearwright.sizing.places.bodies import _free
-from gearwright.sizing.places.solids import _coaxial
+from gearwright.sizing.places.frames import _coaxial
 from gearwright.sizing.shafts.shafts import _stiffness
 from gearwright.spec import parse
 from gearwright.train.torques import _inverse, _prepared

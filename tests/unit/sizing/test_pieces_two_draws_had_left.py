@@ -19,8 +19,8 @@ from gearwright.sizing import TeethSearch, size
 from gearwright.sizing.housing_shell import shell_around
 from gearwright.sizing.losses import gear_losses
 from gearwright.sizing.mass import Wall, wall_of
-from gearwright.sizing.mass.housing import _boss
-from gearwright.sizing.places.solids import Solid, _likely, _sphere
+from gearwright.sizing.mass.complete import _boss
+from gearwright.sizing.places.frames import Solid, _likely, _sphere
 from gearwright.spec import parse
 from gearwright.train.torques import _halves
 

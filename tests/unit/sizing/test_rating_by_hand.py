@@ -12,7 +12,7 @@ from gearwright.parts.iso6336 import damage_part
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, Ask, modules, rating_of, row_ask
-from gearwright.sizing.rating.agma2001 import making_of
+from gearwright.sizing.rating.agma import making_of
 from gearwright.sizing.rating.geometry import bevel_pair, cone_ratio, fewest_virtual_teeth, mean_module
 from gearwright.sizing.rating.iso6336_inputs import duty_of, quality_of
 from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshSpectrum

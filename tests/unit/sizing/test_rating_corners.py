@@ -10,7 +10,7 @@ from gearwright.identity import Role
 from gearwright.parts.agma2003 import BevelEdition
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, Factor, rim_below_roots
-from gearwright.sizing.rating.agma2003 import limited
+from gearwright.sizing.rating.agma import limited
 from gearwright.sizing.rating.geometry import narrowest
 from gearwright.spec import parse
 

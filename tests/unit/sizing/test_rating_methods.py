@@ -19,7 +19,7 @@ from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size
 from gearwright.sizing.rating import METHODS, STANDARD_MODULES, ClassDamage, Factor, Making, rating_of
-from gearwright.sizing.rating.agma2001 import Agma2001Rating
+from gearwright.sizing.rating.agma import Agma2001Rating
 from gearwright.sizing.rating.lewis_hertz import LewisHertzRating
 from gearwright.spec import edited, parse, read, read_mission, schema
 from gearwright.spec.design import RATINGS, RatingMethod

@@ -14,19 +14,17 @@ from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bearings import BearingKind
 from gearwright.sizing import Body, Direction, Point, Station, bearings as running, size
 from gearwright.sizing.bearing_seats import _rotor, bearing_seats
-from gearwright.sizing.mass.bearings import (
+from gearwright.sizing.mass.bodies import (
     _estimated as bearings_by_load,
     _estimated_bore as planet_on_rollers,
     bored_mass,
     loaded_mass,
 )
 from gearwright.sizing.places import solid_of
-from gearwright.sizing.places.room import _sphere
-from gearwright.sizing.places.solids import _inside, coaxial_checks, owner
-from gearwright.sizing.teeth.candidates import ring_variants
-from gearwright.sizing.teeth.forbidden import _is_clear
-from gearwright.sizing.teeth.front import Front, _stands_alone
-from gearwright.sizing.teeth.masses import aligned
+from gearwright.sizing.places.frames import _inside, coaxial_checks, owner
+from gearwright.sizing.places.positioning import _sphere
+from gearwright.sizing.teeth.candidates import Front, _stands_alone, ring_variants
+from gearwright.sizing.teeth.criteria import _is_clear, aligned
 from gearwright.spec import GROUND, edited, parse, read
 from gearwright.spec.design import module_owners
 from gearwright.train import build_train, passes, power_flow

@@ -10,7 +10,9 @@ from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.candidates import (
+    Front,
     Reach,
+    Task,
     admissible,
     all_candidates,
     candidates,
@@ -18,7 +20,6 @@ from gearwright.sizing.teeth.candidates import (
     given_teeth,
     is_given,
 )
-from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.stage import refusal
 from gearwright.spec import edited, parse
 from gearwright.train import targets as targets_of

@@ -13,12 +13,12 @@ from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.gear_pair import passing_tip, tip_halves
 from gearwright.parts.gears.tooth_form import TransverseTooth, _cut_by_shaper
 from gearwright.sizing import size, size_many
-from gearwright.sizing.places.solids import _meet
+from gearwright.sizing.places.frames import _meet
 from gearwright.sizing.result import Body, Station
 from gearwright.sizing.shafts import holders_of
 from gearwright.sizing.shafts.ends import _is_integral
 from gearwright.sizing.teeth import search
-from gearwright.sizing.teeth.front import Front
+from gearwright.sizing.teeth.candidates import Front
 from gearwright.spec import edited, parse, read
 from shipped_work import sized
 

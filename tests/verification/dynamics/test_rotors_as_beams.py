@@ -18,7 +18,7 @@ from gearwright.dynamics.model import (
     add_rotor,
 )
 from gearwright.errors import DesignError, SolveError
-from gearwright.validate.shafts import timoshenko_frequency, whirl
+from gearwright.validate.shafts import shaft_whirl as whirl, timoshenko_frequency
 
 LENGTH, DIAMETER = 0.25, 0.05
 WALL = 1e15

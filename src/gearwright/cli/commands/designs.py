@@ -627,7 +627,7 @@ def close(
     from gearwright.cli.commands.flights import mission_of
     from gearwright.closure import OnMission, Outcome, close as closed_by, contradictions, eased, nearest_variant
     from gearwright.render.answers.review import close_answer
-    from gearwright.spec.texts import design_text_like
+    from gearwright.spec.edit import design_text_like
     from gearwright.study.closing import digest_of
 
     refuse_files(None, None, out, journal)

@@ -235,7 +235,7 @@ def _harmonics(rates: Floats) -> Sequence[tuple[int, int, int]]:
 
 
 _SLACK = 1e-9
-"""Part of a cell by which rounding may leave the map, as in `machines.propeller_map` [-]."""
+"""Part of a cell by which rounding may leave the map, as in `machines.propeller_charts` [-]."""
 _MAP = 11
 """Numbers of a propeller's record before its map: diameter, governor, rows and columns."""
 

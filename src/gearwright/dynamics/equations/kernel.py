@@ -33,7 +33,7 @@ from gearwright.machines import Governor, GovernorState, governor_rates
 
 _governor_rates = njit(error_model="numpy")(governor_rates)
 _SLACK = 1e-9
-"""Part of a cell by which rounding may leave the map, as in `machines.propeller_map` [-]."""
+"""Part of a cell by which rounding may leave the map, as in `machines.propeller_charts` [-]."""
 
 
 @compiled

@@ -3,20 +3,6 @@
 Scuffing has a folder of its own; bevel gears are in `bevel`.
 """
 
-from gearwright.parts.iso6336.bending import (
-    BendingRating,
-    RootBody,
-    RootStrengthFactors,
-    bending_rating,
-    bending_size_factor,
-    contact_ratio_factor_root,
-    deep_tooth_factor,
-    helix_factor,
-    load_sharing_factor,
-    notch_sensitivity_factor,
-    rim_factor,
-    surface_factor,
-)
 from gearwright.parts.iso6336.dynamic import (
     FASTEST,
     RESONANCE_ENDS,
@@ -38,14 +24,21 @@ from gearwright.parts.iso6336.dynamic import (
 from gearwright.parts.iso6336.geometry import (
     USUAL_CHOICES,
     Choices,
+    Edition,
+    LoadedTooth,
     MeshGeometry,
     RatingMethod,
+    RootSection,
     ShaperCutter,
     ToothProportions,
     Value,
     as_value,
     mesh_geometry,
+    outer_single_contact,
+    root_section,
+    shaped_fillet_radius,
     shifted_mesh,
+    tip_loaded,
 )
 from gearwright.parts.iso6336.loads import (
     CENTRED,
@@ -70,20 +63,6 @@ from gearwright.parts.iso6336.loads import (
     running_in_relief,
     transverse_load_factor,
     usual_class,
-)
-from gearwright.parts.iso6336.pitting import (
-    RZ_OVER_RA,
-    LoadFactors,
-    PittingRating,
-    elasticity_factor,
-    equivalent_roughness,
-    lubricant_factor,
-    pitting_rating,
-    roughness_factor,
-    single_contact_factors,
-    speed_factor,
-    work_hardening_factor,
-    zone_factor,
 )
 from gearwright.parts.iso6336.rating import (
     BALANCES,
@@ -117,14 +96,31 @@ from gearwright.parts.iso6336.steels import (
     life_factor,
     spectrum_damage,
 )
-from gearwright.parts.iso6336.tooth_root import (
-    Edition,
-    LoadedTooth,
-    RootSection,
-    outer_single_contact,
-    root_section,
-    shaped_fillet_radius,
-    tip_loaded,
+from gearwright.parts.iso6336.tooth_strength import (
+    RZ_OVER_RA,
+    BendingRating,
+    LoadFactors,
+    PittingRating,
+    RootBody,
+    RootStrengthFactors,
+    bending_rating,
+    bending_size_factor,
+    contact_ratio_factor_root,
+    deep_tooth_factor,
+    elasticity_factor,
+    equivalent_roughness,
+    helix_factor,
+    load_sharing_factor,
+    lubricant_factor,
+    notch_sensitivity_factor,
+    pitting_rating,
+    rim_factor,
+    roughness_factor,
+    single_contact_factors,
+    speed_factor,
+    surface_factor,
+    work_hardening_factor,
+    zone_factor,
 )
 
 __all__ = [

@@ -32,8 +32,8 @@ from gearwright.parts.iso6336.geometry import (
     Value,
     as_value,
 )
-from gearwright.parts.iso6336.pitting import contact_ratio_factor
 from gearwright.parts.iso6336.steels import GearSteel
+from gearwright.parts.iso6336.tooth_strength import contact_ratio_factor
 from gearwright.parts.material import STEEL_MODULUS
 from gearwright.parts.stiffness import LINEAR_LOAD, theoretical_stiffness
 

@@ -11,19 +11,17 @@ import numpy as np
 
 from gearwright.base import DesignError, Origin, Problem, Quantity, SolveError
 from gearwright.parts.gears import GearPair
-from gearwright.parts.iso6336.bending import (
-    BendingRating,
-    RootBody,
-    RootStrengthFactors,
-    bending_rating,
-    bending_size_factor,
-    deep_tooth_factor,
-    loaded_tooth,
-    notch_sensitivity_factor,
-    surface_factor,
-)
 from gearwright.parts.iso6336.dynamic import DynamicFactor, DynamicFactorBySpeed, MeshSprings, mesh_springs
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value, mesh_geometry
+from gearwright.parts.iso6336.geometry import (
+    Edition,
+    MeshGeometry,
+    RootSection,
+    Value,
+    as_value,
+    mesh_geometry,
+    outer_single_contact,
+    root_section,
+)
 from gearwright.parts.iso6336.loads import (
     USUAL,
     FaceLoadFactor,
@@ -38,21 +36,29 @@ from gearwright.parts.iso6336.loads import (
     specific_load,
     tip_relief,
 )
-from gearwright.parts.iso6336.pitting import (
+from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment, life_curves, life_factor
+from gearwright.parts.iso6336.tooth_strength import (
     SMOOTH,
+    BendingRating,
     ContactStrengthFactors,
     LoadFactors,
     PittingRating,
+    RootBody,
+    RootStrengthFactors,
+    bending_rating,
+    bending_size_factor,
     contact_size_factor,
+    deep_tooth_factor,
     equivalent_roughness,
+    loaded_tooth,
     lubricant_factor,
+    notch_sensitivity_factor,
     pitting_rating,
     roughness_factor,
     speed_factor,
+    surface_factor,
     work_hardening_factor,
 )
-from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment, life_curves, life_factor
-from gearwright.parts.iso6336.tooth_root import Edition, RootSection, outer_single_contact, root_section
 from gearwright.parts.material import BRINELL_PER_VICKERS
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 

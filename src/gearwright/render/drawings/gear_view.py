@@ -10,7 +10,7 @@ from gearwright.base import Role
 from gearwright.catalogue import LARGEST, SMALLEST, key_for_shaft, standard_tolerance
 from gearwright.parts.bevel_geometry import BevelProfile, bevel_way, face_and_root
 from gearwright.parts.gears import CylindricalGear, TransverseTooth, face_reach, face_way
-from gearwright.parts.joints import KeySection, Spline
+from gearwright.parts.shafts import KeySection, Spline
 from gearwright.render.drawings.entities import (
     Corner,
     Distance,

@@ -39,6 +39,7 @@ from gearwright.render.drawings.entities import (
     trimmed,
     words_length,
 )
+from gearwright.render.drawings.gear_sheet import Zone, tooth_grid, zone_grid, zone_lines, zones
 from gearwright.render.drawings.paper import Content, Grid, Rows, Title
 from gearwright.render.drawings.shaft_view import (
     ACROSS,
@@ -60,7 +61,6 @@ from gearwright.render.drawings.shaft_view import (
     thread_name,
     undercut_detail,
 )
-from gearwright.render.drawings.tooth_data import Zone, tooth_grid, zone_grid, zone_lines, zones
 from gearwright.render.style import spread
 from gearwright.shape.stands import cylindrical_gear, gear_of, kind_of, making_of
 from gearwright.sizing import Sizing

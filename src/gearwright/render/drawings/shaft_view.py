@@ -19,7 +19,7 @@ from gearwright.catalogue.standard_parts import SHAFT as UNDER_SEAL
 from gearwright.memo import of_latest
 from gearwright.parts.bevel_geometry import BevelProfile, bevel_profile as bevel_teeth
 from gearwright.parts.gears import Blank
-from gearwright.parts.joints import KeySection, Spline, spline
+from gearwright.parts.shafts import KeySection, Spline, spline
 from gearwright.render.drawings.entities import (
     GAP,
     SMALL,

@@ -55,8 +55,7 @@ from gearwright.render.figures.motion import (
     phase_figure,
     transmission_error_figure,
 )
-from gearwright.render.html import environment
-from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, figure, set_page
+from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, environment, figure, set_page
 from gearwright.render.schematic import schematic_figure
 from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
 from gearwright.render.tables.weights import summary as mass_summary

@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.base import DesignError, Problem, margin_text, text
 from gearwright.render import style as theme
 from gearwright.render.grid import MARKS, Table
-from gearwright.render.html import environment
+from gearwright.render.pages.page import environment
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.sizing import chosen_teeth, gear_table
 from gearwright.train import build_train

@@ -1,6 +1,9 @@
-"""What every page has: a head with the verdict and key numbers, contents, numbered sections, appendices."""
+"""What every page has: templates with their filters, a head with verdict and key numbers, contents, sections."""
+
+from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -9,12 +12,13 @@ from hashlib import sha256
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from markupsafe import Markup
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from gearwright.base import Check, Origin, margin_text, number_text, shown, unit, written
 from gearwright.render import live, style as theme, uplot
 from gearwright.render.grid import MARKS, Table
-from gearwright.render.html import environment
+from gearwright.render.style import mathml
 from gearwright.render.vector.figure import Figure as Drawing
 from gearwright.render.vector.live import Numbers, live_panels
 from gearwright.render.vector.svg import style_of
@@ -24,6 +28,94 @@ from gearwright.reviews import Review, Verdict as Judgement
 from gearwright.sizing import Sizing
 from gearwright.spec import Design, line_in
 from gearwright.version import __version__
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Where the templates of the HTML pages are, with the filters that they use.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+_SUBSCRIPT = re.compile(
+    r"`([^`]+)`|(?<![\w.])([A-Za-zα-ωΑ-Ω]{1,2}[′*]?)_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])(?![A-Za-z0-9_α-ω])"
+)
+"""Code between backticks, or a symbol of one or two letters with its index: keys of files have longer names."""
+
+
+@cache
+def environment(package: str = "gearwright.render") -> Environment:
+    """Return where the templates of a package are, with the filter that all of them use.
+
+    Args:
+        package: The one beside whose modules the folder ``templates`` is.
+    """
+    templates = Environment(
+        loader=PackageLoader(package),
+        autoescape=_is_html,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    templates.filters["symbols"] = symbols
+    templates.filters["mathml"] = _mathematics
+    templates.filters["exact"] = exact
+    templates.filters["lean"] = lean
+    return templates
+
+
+def _is_html(template: str | None) -> bool:
+    """Tell whether a template is HTML; Markdown is left as it is."""
+    return template is None or ".html" in template
+
+
+def symbols(words: str) -> Markup:
+    """Return words whose ``m_n`` and the like are set with a subscript.
+
+    Args:
+        words: An equation or a symbol.
+    """
+    return Markup(_SUBSCRIPT.sub(_set, str(escape(words))))
+
+
+def exact(number: float, text: str) -> Markup:
+    """Return the attribute that holds a number's further digits; nothing where its text has all of them.
+
+    Args:
+        number: Of a cell.
+        text: As it is read.
+    """
+    value = f"{number:.7g}"
+    try:
+        said = float(text.replace("−", "-"))
+    except ValueError:
+        return Markup(f" data-v={value}")
+    return Markup("" if said == float(value) else f" data-v={value}")
+
+
+def _set(match: re.Match[str]) -> str:
+    code, symbol, index = match.groups()
+    return f"<code>{code}</code>" if code else f"{symbol}<sub>{index}</sub>"
+
+
+_INDENTED = re.compile(r"^[ \t]+|^/\*[^\n]*\*/\n", re.MULTILINE)
+
+
+def lean(script: str) -> Markup:
+    """Return a script or a style of ours without what only its readers need: indents, and comments of one line.
+
+    Args:
+        script: Without texts of several lines.
+    """
+    return Markup(_INDENTED.sub("", script))
+
+
+def _mathematics(formula: str) -> Markup:
+    return Markup(mathml(formula))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What every page has: a head with the verdict and key numbers, contents, numbered sections, appendices.
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 _NONE = Markup()
 _HASH = 12

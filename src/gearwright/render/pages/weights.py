@@ -8,7 +8,6 @@ from markupsafe import Markup
 from gearwright.base import RPM, Origin, text
 from gearwright.catalogue import Engine, Series, all_series
 from gearwright.render.figures.masses import figure_densities, figure_mass_over_power, figure_methods
-from gearwright.render.html import environment
 from gearwright.render.pages.page import (
     Figure,
     Number,
@@ -16,6 +15,7 @@ from gearwright.render.pages.page import (
     Section,
     Tone,
     Verdict as Judged,
+    environment,
     figure,
     quantity,
     set_page,

@@ -6,7 +6,7 @@ from enum import Enum
 
 from gearwright.base import RPM
 from gearwright.parts.bearings import LoadFactors
-from gearwright.parts.joints import KeySection
+from gearwright.parts.shafts import KeySection
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The gear formulas of the EC120B "Colibri" term project, as printed and as they were executed.

@@ -11,8 +11,7 @@ from typing import Any
 from jinja2 import Environment
 from markupsafe import Markup
 
-from gearwright.render.html import environment
-from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict, set_page
+from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict, environment, set_page
 from gearwright.replays.colibri import replay as words
 from gearwright.replays.colibri.replay import Outcome, Replay, Replayed, finding_in_unit, reason_keys, replay
 from gearwright.replays.colibri.report import SOURCE, Step

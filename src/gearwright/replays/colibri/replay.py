@@ -27,8 +27,8 @@ from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, BevelForces,
 from gearwright.parts.gears import CylindricalGear
 from gearwright.parts.iso6336 import LoadedTooth, ToothProportions, root_section
 from gearwright.parts.iso10300 import BevelDuty, VirtualPair, bevel_bending, bevel_load_factors, bevel_pitting
-from gearwright.parts.joints import key_length, key_pressure
 from gearwright.parts.shaft_fatigue import SectionLoad, section_stress
+from gearwright.parts.shafts import key_length, key_pressure
 from gearwright.render.terminal import Grid
 from gearwright.replays.colibri.formulas import Reading, ReportForces, ReportGear, pitting_module
 from gearwright.replays.colibri.report import (

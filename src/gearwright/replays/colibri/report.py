@@ -19,8 +19,7 @@ import numpy as np
 
 from gearwright.base import RPM
 from gearwright.parts.bearings import ISO_R281_1962, LoadFactors, deep_groove_factors
-from gearwright.parts.joints import KeySection
-from gearwright.parts.shafts import PointLoads, bearing_reactions, diagram, shaft_diameter, supported
+from gearwright.parts.shafts import KeySection, PointLoads, bearing_reactions, diagram, shaft_diameter, supported
 from gearwright.replays.colibri.formulas import (
     Reading,
     ReportForces,

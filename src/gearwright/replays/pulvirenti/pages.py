@@ -15,8 +15,7 @@ from gearwright.base import Floats, Row, mesh_part, unit, written
 from gearwright.dynamics import Samples
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render import style as theme
-from gearwright.render.html import environment
-from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict as Judged, set_page
+from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict as Judged, environment, set_page
 from gearwright.render.style import WIDTH
 from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Axes, Figure

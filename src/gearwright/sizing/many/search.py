@@ -12,10 +12,18 @@ from gearwright.base import Bools, Floats, Ints
 from gearwright.lanes import Lanes, Unsupported, lanes_of
 from gearwright.sizing.many.by_lane import of_lane
 from gearwright.sizing.many.twinned import twinned
-from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
-from gearwright.sizing.teeth.forbidden import clear
-from gearwright.sizing.teeth.front import EQUAL, Front, Needs, needs_of, states_of
-from gearwright.sizing.teeth.masses import aligned
+from gearwright.sizing.teeth.candidates import (
+    EQUAL,
+    REACHES,
+    Front,
+    Needs,
+    Reach,
+    is_given,
+    needs_of,
+    planet_counts,
+    states_of,
+)
+from gearwright.sizing.teeth.criteria import aligned, clear
 from gearwright.sizing.teeth.search import MANY, Chosen, carried_over, is_ready
 from gearwright.sizing.teeth.stage import (
     PARENTS,

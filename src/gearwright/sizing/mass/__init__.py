@@ -22,14 +22,16 @@ from gearwright.sizing.mass.bodies import (
     seat_names,
     tooth_of,
 )
-from gearwright.sizing.mass.complete import complete_mass, oil_flow, summed
-from gearwright.sizing.mass.housing import (
+from gearwright.sizing.mass.complete import (
     MOUNTS,
     RIBS,
     Wall,
     carried_in_walls,
+    complete_mass,
     held_torques,
+    oil_flow,
     reaction_torque,
+    summed,
     wall_of,
     weighed_flanges,
     weighed_wall,

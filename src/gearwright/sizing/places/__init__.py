@@ -18,21 +18,7 @@ from gearwright.sizing.places.bodies import (
     ring_torque,
     runs,
 )
-from gearwright.sizing.places.positioning import ROUNDS, Settled, settle
-from gearwright.sizing.places.room import (
-    BOSS,
-    Meeting,
-    Rules,
-    beside_checks,
-    hollow_checks,
-    keep_out_checks,
-    meetings,
-    order_checks,
-    pin_checks,
-    room_checks,
-    rules_of,
-)
-from gearwright.sizing.places.solids import (
+from gearwright.sizing.places.frames import (
     CLAUSE,
     Room,
     Solid,
@@ -43,6 +29,22 @@ from gearwright.sizing.places.solids import (
     room_between,
     solid_of,
     solid_room,
+)
+from gearwright.sizing.places.positioning import (
+    BOSS,
+    ROUNDS,
+    Meeting,
+    Rules,
+    Settled,
+    beside_checks,
+    hollow_checks,
+    keep_out_checks,
+    meetings,
+    order_checks,
+    pin_checks,
+    room_checks,
+    rules_of,
+    settle,
 )
 
 __all__ = [

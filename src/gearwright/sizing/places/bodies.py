@@ -15,8 +15,7 @@ from gearwright.parts.bevel_geometry import bevel_profile
 from gearwright.parts.gears import revolved_volume
 from gearwright.sizing.axis_order import PLATE_GAP, set_length, slots
 from gearwright.sizing.gear_geometry import ring_radii
-from gearwright.sizing.places.frames import apart_of, bevel_cones, frames_of, set_members
-from gearwright.sizing.places.solids import room_between
+from gearwright.sizing.places.frames import apart_of, bevel_cones, frames_of, room_between, set_members
 from gearwright.sizing.rating import BACKUP, Context
 from gearwright.sizing.result import Arrangement, Body, Frame, GearSizing, Point, Sizing, Station
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, ShaftSizing

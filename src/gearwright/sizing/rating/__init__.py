@@ -5,6 +5,7 @@ The formulas are in `parts`. `protocol` says what a method does, `methods` has a
 
 from gearwright.sizing.rating.context import (
     MESHES,
+    METHODS,
     REST,
     Context,
     Demand,
@@ -12,12 +13,15 @@ from gearwright.sizing.rating.context import (
     bore_of,
     context_of,
     demands_of,
+    method_for,
+    modules,
     rate_row,
     reverse_parts,
     row_ask,
     row_reserve,
     shared,
     sizes_near,
+    stage_width_ratio,
     worn_torque,
 )
 from gearwright.sizing.rating.geometry import (
@@ -56,23 +60,27 @@ from gearwright.sizing.rating.geometry import (
     working_radii,
 )
 from gearwright.sizing.rating.lewis_hertz import width_ratio
-from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
     LEAST_TORQUE,
+    Ask,
     ClassDamage,
     Damage,
     Factor,
     Load,
     LoadedMesh,
+    LoadSharing,
+    Made,
     Making,
     MeshRating,
     MeshSpectrum,
     Method,
+    Rating,
     SizesNear,
     Unloaded,
     factor_rows,
+    load_sharing,
+    rating_of,
 )
-from gearwright.sizing.rating.rules import Ask, LoadSharing, Made, Rating, load_sharing, rating_of
 
 __all__ = [
     "AROUND",

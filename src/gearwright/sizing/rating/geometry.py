@@ -14,7 +14,7 @@ from gearwright.base import Floats, Problem, Role
 from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import ISO53_A, least_teeth
 from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, Value, as_value, rim_factor, shifted_mesh
-from gearwright.sizing.rating.rules import Rating
+from gearwright.sizing.rating.protocol import Rating
 from gearwright.spec.design import GearRules, working_angle
 
 # ----------------------------------------------------------------------------------------------------------------------

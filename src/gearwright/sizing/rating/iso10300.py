@@ -42,17 +42,18 @@ from gearwright.sizing.rating.iso6336 import (
 from gearwright.sizing.rating.iso6336_inputs import SQUARE_MM, steel_of
 from gearwright.sizing.rating.iso6336_scuffing import FlashPeak, flash_peak, oil_of, scuffing_checks
 from gearwright.sizing.rating.protocol import (
+    Ask,
     ClassDamage,
     Factor,
     Load,
     LoadedMesh,
     Making,
     MeshSpectrum,
+    Rating,
+    by_teeth,
     factor_rows,
     steel_rows,
 )
-from gearwright.sizing.rating.rules import Ask, Rating
-from gearwright.sizing.rating.search import by_teeth
 from gearwright.spec.missions import GearLifeRules
 
 # ----------------------------------------------------------------------------------------------------------------------

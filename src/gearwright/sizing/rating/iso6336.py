@@ -56,18 +56,20 @@ from gearwright.sizing.rating.iso6336_scuffing import (
 )
 from gearwright.sizing.rating.protocol import (
     WEAR,
+    Ask,
     ClassDamage,
     Factor,
     Load,
     LoadedMesh,
+    Made,
     Making,
     MeshSpectrum,
+    Rating,
     SizesNear,
     factor_rows,
+    module_for,
     steel_rows,
 )
-from gearwright.sizing.rating.rules import Ask, Made, Rating
-from gearwright.sizing.rating.search import module_for
 from gearwright.spec.missions import GearLifeRules
 
 # ----------------------------------------------------------------------------------------------------------------------

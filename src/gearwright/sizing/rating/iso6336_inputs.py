@@ -36,7 +36,7 @@ from gearwright.parts.iso6336 import (
     contact_life_curve,
 )
 from gearwright.sizing.rating.geometry import body_inside, rim_factors
-from gearwright.sizing.rating.rules import Ask, FarGear, Rating
+from gearwright.sizing.rating.protocol import Ask, FarGear, Rating
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What ISO 6336 is told of a stage: steel, quality of flanks and roots, and duty.

@@ -26,9 +26,16 @@ from gearwright.parts.gears import (
 )
 from gearwright.sizing.rating.geometry import push_angle, working_radii
 from gearwright.sizing.rating.iso6336 import Iso6336
-from gearwright.sizing.rating.protocol import ClassDamage, Factor, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rules import Ask, Rating
-from gearwright.sizing.rating.search import untabulated
+from gearwright.sizing.rating.protocol import (
+    Ask,
+    ClassDamage,
+    Factor,
+    LoadedMesh,
+    Making,
+    MeshSpectrum,
+    Rating,
+    untabulated,
+)
 from gearwright.spec import GearLifeRules, GearRules
 from gearwright.spec.design import Iso6336Rules
 

@@ -5,21 +5,25 @@ What holds parts and bearings along sized shafts is the room `holding`.
 
 from gearwright.sizing.bearings import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.building import Built
-from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.ends import (
+    Groove,
     Held,
     Leaving,
     Sealed,
+    Thread,
     case_hardened,
+    cut_steps,
+    groove_checks,
+    grooves,
     held_rings,
     holders_of,
     holding_checks,
     leaving_of,
     seal_checks,
     sealed_exits,
+    threads,
     unsealed_exits,
 )
-from gearwright.sizing.shafts.grooves import Groove, Thread, cut_steps, groove_checks, grooves, threads
 from gearwright.sizing.shafts.retention import ENDS, Holder, Retention, ends, retention_checks, retentions
 from gearwright.sizing.shafts.sections import Cut, Section, Strength, strengths, undercuts_of
 from gearwright.sizing.shafts.shafts import (
@@ -29,6 +33,7 @@ from gearwright.sizing.shafts.shafts import (
     refuse_idle_shafts,
     shaft_checks,
     shaft_material,
+    size_carriers,
     size_shafts,
 )
 

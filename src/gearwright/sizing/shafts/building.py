@@ -19,28 +19,25 @@ from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.rating import TOOTH_HEIGHT, Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, JointSizing, ShaftStep
-from gearwright.sizing.shafts.bending import Bent, bend, slope_excess
-from gearwright.sizing.shafts.joints import (
+from gearwright.sizing.shafts.sections import (
+    NO_LIMIT,
+    Borne,
+    HubNotch,
     Seat,
+    Section,
+    Strength,
+    borne,
     hub_bore,
     joint_fits,
     keyway_depth,
     refuse_long,
     refuse_thick,
+    sections_of,
     size_joint,
     spline_root,
-)
-from gearwright.sizing.shafts.sections import (
-    NO_LIMIT,
-    Borne,
-    HubNotch,
-    Section,
-    Strength,
-    borne,
-    sections_of,
     strengths,
 )
-from gearwright.sizing.shafts.stretches import LARGEST_BODY, SAME, Item, Stretch, Wanted, lay
+from gearwright.sizing.shafts.stretches import LARGEST_BODY, SAME, Bent, Item, Stretch, Wanted, bend, lay, slope_excess
 from gearwright.spec.checks import MOST_HOLLOW
 from gearwright.spec.design import NOTHING_GIVEN, Joint
 

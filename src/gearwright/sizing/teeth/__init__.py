@@ -3,7 +3,7 @@
 How large the teeth become is for `stages`.
 """
 
-from gearwright.sizing.teeth.front import EQUAL
+from gearwright.sizing.teeth.candidates import EQUAL
 from gearwright.sizing.teeth.search import CONSIDERED, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.stage import refuse_contradictions
 

@@ -15,7 +15,11 @@ from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import TeethSearch
 from gearwright.sizing.rough_mass import around_stage
 from gearwright.sizing.teeth.candidates import (
+    EQUAL,
+    Front,
+    Part,
     Reach,
+    Task,
     admissible,
     assembled,
     candidates,
@@ -23,12 +27,13 @@ from gearwright.sizing.teeth.candidates import (
     gives_all,
     is_given,
     is_shifted,
+    needs_of,
     planet_counts,
+    ranks_of,
     ring_variants,
+    with_twins,
 )
-from gearwright.sizing.teeth.forbidden import banned, clear_places
-from gearwright.sizing.teeth.front import EQUAL, Front, Part, Task, needs_of, ranks_of, with_twins
-from gearwright.sizing.teeth.masses import aligned, bevel_rows, weigh
+from gearwright.sizing.teeth.criteria import aligned, banned, bevel_rows, clear_places, weigh
 from gearwright.sizing.teeth.stage import extend, refusal, tooth_ratio
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, levels_of, shares_of
 from gearwright.spec.design import RATINGS, SUN_LIMITS, module_owners

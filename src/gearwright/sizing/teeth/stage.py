@@ -13,21 +13,23 @@ from gearwright.base import Bools, DesignError, Floats, Ints, Problem, apart, re
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.teeth.candidates import (
     REACHES,
+    Front,
+    Needs,
     Reach,
+    Task,
     admissible,
     admitted,
     admitted_candidates,
     all_candidates,
     fewest_teeth,
     is_given,
+    lightest,
     planet_counts,
     ring_teeth,
     ring_variants,
     shares_gear,
 )
-from gearwright.sizing.teeth.forbidden import clear, refused
-from gearwright.sizing.teeth.front import Front, Needs, Task, lightest
-from gearwright.sizing.teeth.masses import weigh
+from gearwright.sizing.teeth.criteria import clear, refused, weigh
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import SUN_LIMITS

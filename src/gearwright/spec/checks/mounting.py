@@ -7,8 +7,8 @@ from itertools import combinations
 
 from gearwright.base import MEMBERS, DesignError, Problem, apart, near
 from gearwright.catalogue import Bearing, bearing, bearings
-from gearwright.parts.joints import MODULES
 from gearwright.parts.shaft_fatigue import RELIABILITY_DEVIATES
+from gearwright.parts.shafts import MODULES
 from gearwright.spec.design import (
     LOCATES,
     NOTHING_GIVEN,

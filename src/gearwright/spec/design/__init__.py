@@ -75,26 +75,24 @@ from gearwright.spec.design.rules import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.shafts import (
+from gearwright.spec.design.stages import (
     LOCATES,
     NOTHING_GIVEN,
     SIDE_ANGLES,
     BearingSeat,
-    Joint,
-    KeepOut,
-    ShaftLayout,
-    ShaftRules,
-    Support,
-)
-from gearwright.spec.design.stages import (
     CentralGear,
     Clutch,
     Damper,
     Epicyclic,
+    Joint,
+    KeepOut,
     Pair,
     Planetary,
     PlanetBearing,
     PlanetGear,
+    ShaftLayout,
+    ShaftRules,
+    Support,
     gear_named,
 )
 from gearwright.spec.design.teeth import (

@@ -46,17 +46,22 @@ from gearwright.spec.design.rules import (
     TeethRules,
     method_of,
 )
-from gearwright.spec.design.shafts import (
+from gearwright.spec.design.stages import (
     NOTHING_GIVEN,
     BearingSeat,
     CarrierRules,
+    Clutch,
+    Damper,
+    Epicyclic,
     Joint,
     KeepOut,
+    Pair,
+    Planetary,
+    PlanetBearing,
     ShaftLayout,
     ShaftRules,
     Support,
 )
-from gearwright.spec.design.stages import Clutch, Damper, Epicyclic, Pair, Planetary, PlanetBearing
 from gearwright.spec.record import Key as Written, Name, Record, keys_of, range_of
 
 # ----------------------------------------------------------------------------------------------------------------------

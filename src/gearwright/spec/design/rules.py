@@ -22,7 +22,7 @@ from gearwright.spec.record import OneOf, Record
 # ----------------------------------------------------------------------------------------------------------------------
 # Methods by which gears are rated, as design files name them: what each covers, and which rules it alone reads.
 #
-# Who computes by them is `sizing.rating.methods`, which has a method for each of these names.
+# Who computes by them is `sizing.rating.context`, which has a method for each of these names.
 # ----------------------------------------------------------------------------------------------------------------------
 
 

@@ -10,14 +10,14 @@ from gearwright.parts.agma908 import bending_geometry
 from gearwright.parts.agma2001 import overload_distribution
 from gearwright.parts.agma2003 import BENDING, CONTACT
 from gearwright.parts.iso6336 import Treatment, damage_part
-from gearwright.sizing.rating.agma2001 import (
+from gearwright.sizing.rating.agma import (
+    bevel_making_of,
     hobbed_pair,
     making_of as cylindrical_making_of,
     worst_yielding,
     yield_strength_of,
     yielding_checks,
 )
-from gearwright.sizing.rating.agma2003 import making_of as bevel_making_of
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.sizing.rating.protocol import MeshSpectrum

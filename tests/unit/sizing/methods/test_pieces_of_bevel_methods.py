@@ -9,7 +9,7 @@ import pytest
 
 from gearwright.parts.iso6336 import Treatment
 from gearwright.parts.iso10300 import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE
-from gearwright.sizing.rating.agma2003 import making_of as bevel_making_of
+from gearwright.sizing.rating.agma import bevel_making_of
 from gearwright.sizing.rating.geometry import bevel_pair, bevel_width
 from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.sizing.rating.iso10300 import bevel_duty, bevel_surfaces, limited as bevel_limited

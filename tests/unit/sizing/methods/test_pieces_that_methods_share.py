@@ -31,8 +31,7 @@ from gearwright.sizing.rating.geometry import (
     working_radii,
 )
 from gearwright.sizing.rating.lewis_hertz import working_angles
-from gearwright.sizing.rating.rules import _open_shifts
-from gearwright.sizing.rating.search import by_teeth, module_for
+from gearwright.sizing.rating.protocol import _open_shifts, by_teeth, module_for
 from gearwright.spec import edited, read
 from rated_pieces import OFF_SET, near, rating
 

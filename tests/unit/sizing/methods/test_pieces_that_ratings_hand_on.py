@@ -5,8 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from gearwright.sizing.rating.agma2001 import Agma2001
-from gearwright.sizing.rating.agma2003 import Agma2003
+from gearwright.sizing.rating.agma import Agma2001, Agma2003
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso6336_inputs import steel_of
 from gearwright.sizing.rating.iso10300 import Iso10300
