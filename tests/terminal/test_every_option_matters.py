@@ -326,6 +326,7 @@ CASES = {
             "--keep": "--keep mass<=45",
             "--screened": "--screened 4",
             "--evaluations": "--evaluations 6",
+            "--restarts": "--restarts 2",
             "--seed": "--seed 2",
             "--journal": "--journal found",
             "--anyway": "--anyway",
