@@ -83,7 +83,7 @@ teeth = 32
 meshes = ["ring"]
 in_one_piece_with = "wide"
 """
-BESIDE = (0.55, 2.6)
+BESIDE = (0.55, 1.75)
 """Modules that are drawn, over the chosen one [-]."""
 
 
@@ -109,7 +109,7 @@ CASES = (
     _of("planetary set, 400 kW", SET.format("ground", "b", 3, 30, 36, 102), "planetaries.stage.module_mm", power=400,
         speed=6000, slow=6000 / 4.4),
     _of("planetary set, 1.5 MW", SET.format("ground", "b", 4, 40, 38, 116), "planetaries.stage.module_mm", power=1500,
-        speed=6000, slow=6000 / 3.9),
+        speed=4000, slow=4000 / 3.9),
     _of("star, 800 kW", SET.format("b", "ground", 5, 40, 35, 110), "planetaries.stage.module_mm", power=800,
         speed=9000, slow=9000 * 40 / 110),
     _of("stepped set, 1.9 MW", STEPPED, "epicyclics.stage.suns.sun.module_mm", power=1874, speed=12112,
