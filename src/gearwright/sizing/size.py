@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
 from operator import itemgetter
@@ -346,57 +346,108 @@ class _Course(NamedTuple):
 
 
 def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
-    """Size choices of teeth and complete gears with them, always what weighs least by the estimate, until it is enough.
-
-    None with teeth of a stage that fell short before.
-    """
-    choices, known, poor = choose_teeth(considering(design), train), MESHES.now(), set[StageTeeth]()
-    queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
-    order, waiting = count(len(queue)), list[_Course]()
-    enough, most = COMPLETED[design.level]
-    heapq.heapify(queue)
-    while queue or waiting:
-        spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
-        tried, passes = len(looked.whole) + len(looked.refused) // spared, bool(looked.passing)
-        tried += looked.narrow // NARROW
-        wanted = max(enough, design.teeth.sized)
-        wanted += min(looked.by_bearings, wanted)
-        if tried >= (wanted if passes else most if looked.hope >= HOPE else most // 2):
-            break
-        while waiting:
-            course = waiting.pop()
-            if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
-                heapq.heappush(queue, (gears.estimate, next(order), course._replace(gears=gears)))
-        if not queue:
-            break
-        _, _, course = heapq.heappop(queue)
+    """Size teeth and complete gears with them, always what weighs least by the estimate, until it is enough."""
+    search = _Comparison(design, train, given, looked, choose_teeth(considering(design), train))
+    while not search.is_enough() and (course := search.lightest()) is not None:
         if course.gears is not None:
-            if looked.is_too_narrow(course.gears):
-                looked.narrow += 1
-            else:
-                looked.complete(course.gears, given, still=still)
-            waiting.append(course)
-        elif looked.sized >= (FIRST if passes else SIZED):
+            search.complete(course, course.gears, still=still)
+        elif search.has_enough_teeth():
             continue
         elif looked.sized >= FIRST and looked.off < math.inf and not course.expected:
-            mass = choices[course.place].gear_mass * max(looked.off, 1.0)
-            heapq.heappush(queue, (mass, course.place, course._replace(expected=True)))
-        elif not (teeth := stage_teeth(train, choices[course.place])) & poor:
-            try:
-                others = gearings(design, train, choices[course.place], given=given, known=known)
-                gears = next(others)
-            except DesignError as error:
-                looked.refused.append(error)
-                continue
-            looked.sized += 1
-            if gears.passes:
-                looked.off = min(looked.off, gears.estimate / max(choices[course.place].gear_mass, 1e-9))
-                heapq.heappush(queue, (gears.estimate, next(order), _Course(course.place, gears, others)))
-            else:
-                looked.short.append(gears)
-                poor |= {own for own in teeth if own[0] in gears.failing}
+            search.put_back(course)
+        else:
+            search.size_gears(course)
     if not looked.whole and (nearest := looked.nearest) is not None:
         looked.complete(nearest, given, still=still)
+
+
+class _Comparison:
+    """Choices of teeth, and gears with them in several sizes, of which the lightest by the estimate comes next."""
+
+    def __init__(
+        self, design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, choices: Sequence[Chosen]
+    ) -> None:
+        self.design, self.train, self.given, self.looked, self.choices = design, train, given, looked, choices
+        self.known = MESHES.now()
+        self.queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
+        """What they weigh by the estimate [kg], then in which order they came."""
+        heapq.heapify(self.queue)
+        self.order = count(len(choices))
+        self.waiting = list[_Course]()
+        """Gears of which the next size is not looked for yet."""
+        self.poor = set[StageTeeth]()
+        """Teeth of stages that fell short."""
+
+    def is_enough(self) -> bool:
+        """Tell whether so many transmissions are completed that no more are, as one passes or none comes near to it."""
+        looked, (enough, most) = self.looked, COMPLETED[self.design.level]
+        spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
+        tried = len(looked.whole) + len(looked.refused) // spared + looked.narrow // NARROW
+        if looked.passing:
+            wanted = max(enough, self.design.teeth.sized)
+            return tried >= wanted + min(looked.by_bearings, wanted)
+        return tried >= (most if looked.hope >= HOPE else most // 2)
+
+    def has_enough_teeth(self) -> bool:
+        """Tell whether so many choices of teeth are sized that no more are."""
+        return self.looked.sized >= (FIRST if self.looked.passing else SIZED)
+
+    def lightest(self) -> _Course | None:
+        """Return what weighs least by the estimate; None where nothing is left."""
+        while self.waiting:
+            course = self.waiting.pop()
+            if (gears := next((gears for gears in course.others if gears.passes), None)) is not None:
+                self._put(gears.estimate, course._replace(gears=gears))
+        return heapq.heappop(self.queue)[2] if self.queue else None
+
+    def _put(self, mass: float, course: _Course) -> None:
+        heapq.heappush(self.queue, (mass, next(self.order), course))
+
+    def complete(self, course: _Course, gears: Geared, *, still: bool) -> None:
+        """Complete gears, but for those whose planets are too narrow.
+
+        Args:
+            course: Where they stand; those of other sizes come after them.
+            gears: Those.
+            still: Whether open axes stay where they stand first.
+        """
+        if self.looked.is_too_narrow(gears):
+            self.looked.narrow += 1
+        else:
+            self.looked.complete(gears, self.given, still=still)
+        self.waiting.append(course)
+
+    def put_back(self, course: _Course) -> None:
+        """Put a choice of teeth where it is expected by what others came to.
+
+        Args:
+            course: That choice.
+        """
+        mass = self.choices[course.place].gear_mass * max(self.looked.off, 1.0)
+        heapq.heappush(self.queue, (mass, course.place, course._replace(expected=True)))
+
+    def size_gears(self, course: _Course) -> None:
+        """Size gears with a choice of teeth, unless a stage with the same teeth fell short before.
+
+        Args:
+            course: That choice.
+        """
+        looked, choice = self.looked, self.choices[course.place]
+        if (teeth := stage_teeth(self.train, choice)) & self.poor:
+            return
+        try:
+            others = gearings(self.design, self.train, choice, given=self.given, known=self.known)
+            gears = next(others)
+        except DesignError as error:
+            looked.refused.append(error)
+            return
+        looked.sized += 1
+        if gears.passes:
+            looked.off = min(looked.off, gears.estimate / max(choice.gear_mass, 1e-9))
+            self._put(gears.estimate, _Course(course.place, gears, others))
+        else:
+            looked.short.append(gears)
+            self.poor |= {own for own in teeth if own[0] in gears.failing}
 
 
 def considering(design: Design) -> Design:
