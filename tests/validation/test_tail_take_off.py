@@ -61,9 +61,10 @@ def take_off(sizing):
 
 
 def test_the_tail_take_off_is_sized_for_what_the_tail_rotor_takes():
-    """45 kg, as told; 2 kg for what a change of the rating's factors may make of it."""
+    """45 kg, as told, with the least module that bears the load; the lightest gears have a larger one, narrower faces,
+    and weigh 42 kg; 2 kg for what a change of the rating's factors may make of it."""
     sizing = size(parse(SLOW + CASES))
-    assert take_off(sizing) == pytest.approx(45.0, abs=2.0)
+    assert take_off(sizing) == pytest.approx(42.0, abs=2.0)
     for case, taken in (("hover", 350e3), ("one-engine-out", 250e3)):
         flow = sizing.flows[case]
         assert flow.machine_powers["tail-rotor"] == pytest.approx(-taken, rel=1e-12)

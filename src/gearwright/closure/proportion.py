@@ -53,6 +53,10 @@ class StageSize(NamedTuple):
     """Of its gears as cylinders [m³]."""
 
 
+BY_ARRAYS = frozenset({"flank", "root"})
+"""Requirements of which arrays of sizes tell."""
+
+
 class StageTask(NamedTuple):
     """A stage that is proportioned."""
 
@@ -107,12 +111,14 @@ class StageTask(NamedTuple):
     def near(self, modules: Sequence[float], widths: Sequence[float]) -> Floats | None:
         """Return about what `governing` finds of flanks and roots, of many sizes at once: to begin a search there [-].
 
-        None where its method takes sizes one by one.
+        None where its method takes sizes one by one, and where one of the two does not count.
 
         Args:
             modules: m_n [m].
             widths: b, of as many sizes [m].
         """
+        if not self.left_out.isdisjoint(BY_ARRAYS):
+            return None
         found = self.trial.near(self.name, np.asarray(modules), np.asarray(widths))
         return None if found is None else np.where(found > 0.0, found, 0.0) / self.target
 

@@ -390,7 +390,7 @@ class _Comparison:
 
     def has_enough_teeth(self) -> bool:
         """Tell whether so many choices of teeth are sized that no more are."""
-        return self.looked.sized >= (FIRST if self.looked.passing else SIZED)
+        return self.looked.sized >= max(FIRST if self.looked.passing else SIZED, self.design.teeth.sized)
 
     def lightest(self) -> _Course | None:
         """Return what weighs least by the estimate; None where nothing is left."""

@@ -23,7 +23,8 @@ from gearwright.weights import laws as willis, mass_afdd00, refit, scores
 # All wind gearboxes: ISO 6336 with 18CrNiMo7-6, S_H = 1.25 and S_F = 1.56 (IEC 61400-4), 200 000 h at 1.1 times the
 # rated load (WindPACT). Which stages a catalogue's gearbox has is not published: below 1 MW one planetary set and two
 # helical pairs, as the 750 kW gearbox of the Gearbox Reliability Collaborative; above two sets and a pair, as the 5
-# MW reference gearbox. WindPACT's have one set and two pairs. Masses are dry: no oil is in them. The propeller gear
+# MW reference gearbox. WindPACT's have one set and two pairs. Faces are 20 modules at least: of the one whose teeth are
+# published, SIMPACK's, they are 17.5 to 21.7. Masses are dry: no oil is in them. The propeller gear
 # of a piston engine has its published teeth; its life of 2000 h and K_A = 1.25 behind a flexible coupling are
 # assumed.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -56,6 +57,7 @@ bending_safety = 1.56
 tolerance_class = 6
 oil_viscosity = 320
 oil_temperature = 70
+narrowest_modules = 20
 widest_modules = 25
 widest_diameters = 1.2
 standard_modules = false

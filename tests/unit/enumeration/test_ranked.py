@@ -69,11 +69,12 @@ def test_a_journal_is_gone_on_with_and_gives_the_same(tmp_path, monkeypatch):
 
 def test_numbers_that_are_chosen_anew_lack_no_more_than_before():
     asked = requirement_of(gw.read("in-line-h2"))
-    one = Architecture(("star", "planetary set"), Place(Seat.SHAFT, 0))
+    one = Architecture(("pair", "planetary set"), Place(Seat.SHAFT, 0))
     row = rated(asked, sketched(asked, one), life=LIFE)
     better = proportioned(asked, row, life=LIFE)
     assert row.lacks and better.proportioned
     assert better.promise < 0.999 * row.promise
+    assert min(ratio for _, ratio in better.lacks) > min(ratio for _, ratio in row.lacks)
 
 
 @pytest.mark.parametrize(
