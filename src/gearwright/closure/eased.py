@@ -13,7 +13,7 @@ from typing import NamedTuple
 from gearwright.base import Check, GearwrightError, Mass, Shown, accepted, verb, worst
 from gearwright.closure.requirements import FATIGUE, HOUR, Closed, Outcome, wanted
 from gearwright.dynamics.sharing import sharing_checks
-from gearwright.dynamics.vibration import peak_checks, resonance_checks
+from gearwright.dynamics.vibration import motion_checks
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import complete_mass
@@ -210,5 +210,5 @@ def _passes(closed: Closed, way: Way, part: float, *, whole: bool) -> bool:
 def _checks(closed: Closed, sizing: Sizing, *, whole: bool) -> list[Check]:
     checks = [*sizing.checks, *built_checks(sizing)]
     if whole:
-        checks += [*sharing_checks(sizing), *resonance_checks(sizing), *peak_checks(sizing)]
+        checks += [*sharing_checks(sizing), *motion_checks(sizing)]
     return list(accepted(wanted(checks, closed.wishes.left_out), sizing.design.waivers))

@@ -675,7 +675,7 @@ LEAST_MODULE = 1.0
 """Module below which the roughness of the teeth is held [mm]."""
 
 
-def windage_power(radius: float, face_width: float, speed: Values, *, viscosity: Values) -> Values:
+def windage_power(radius: Values, face_width: Values, speed: Values, *, viscosity: Values) -> Values:
     """Return the windage of one gear in the oil mist of a dry-sump gearbox [W].
 
     Args:
@@ -687,7 +687,7 @@ def windage_power(radius: float, face_width: float, speed: Values, *, viscosity:
     Source: Anderson and Loewenthal, NASA TP-1622 (1980): 2.82e-7 (1 + 2.3 F/R) n^2.8 R^4.6 (0.028 μ_0 + 0.019)^0.2 kW
         with n in 1/min and μ_0 in mPa s.
     """
-    of, turns = functions(speed, viscosity), abs(speed) * 30.0 / math.pi
+    of, turns = functions(radius, speed, viscosity), abs(speed) * 30.0 / math.pi
     mist = of.pow(0.028 * viscosity * 1e3 + 0.019, 0.2)
     return 1e3 * 2.82e-7 * (1.0 + 2.3 * face_width / radius) * of.pow(turns, 2.8) * of.pow(radius, 4.6) * mist
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.base import Floats
 from gearwright.catalogue.materials import housing_materials
+from gearwright.parts.losses import windage_power
 from gearwright.parts.planetary import Plate, first_carrier_mass
 from gearwright.spec import GROUND, Design, Planetary, case_named
 from gearwright.train import INTERNAL, Mesh, PowerFlow, Train, gears_of
@@ -163,8 +164,8 @@ COOLER = 2.5e-4
 """Cooler over the power that it takes [kg/W]."""
 RUBBING = 0.08
 """Part of its power that a mesh loses, over 1/z_1 ± 1/z_2 [-]."""
-MIST = 0.7
-"""Windage in the mist of a turbine oil over that of a mist of 1 [-]."""
+MIST = 5.324e-3
+"""Dynamic viscosity of a warm turbine oil, of whose mist windage comes [Pa s]."""
 
 
 def around_mass(
@@ -228,7 +229,7 @@ def oil_mass(around: Around, teeth: Sequence[Floats], modules: Floats, widths: F
         widths: b [m].
         planets: Number of planets; 0: as the stage has them [-].
 
-    Source: mesh losses, P (1/z_1 ± 1/z_2); windage, Anderson and Loewenthal, NASA TP-1622 (1980).
+    Source: mesh losses, P (1/z_1 ± 1/z_2); windage, `windage_power`.
     """
     if not around.per_heat:
         return np.zeros(np.broadcast_shapes(np.shape(modules), np.shape(widths)))
@@ -241,7 +242,6 @@ def oil_mass(around: Around, teeth: Sequence[Floats], modules: Floats, widths: F
         for place, (radius, speed) in enumerate(zip(radii, case.speeds, strict=True)):
             if speed:
                 count = planets if planets and place == 1 else around.bodies[place]
-                turns = (speed * 30.0 / math.pi) ** 2.8
-                heat = heat + count * MIST * 2.82e-4 * turns * (1.0 + 2.3 * widths / radius) * radius**4.6
+                heat = heat + count * windage_power(radius, widths, speed, viscosity=MIST)
         heats.append(heat)
     return np.asarray(around.per_heat * np.maximum.reduce(heats)) if heats else np.zeros(np.shape(widths))

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import count
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -580,7 +580,7 @@ class _Open(NamedTuple):
         return repr((rules, self.is_open, _but_for_rounding((self.unit, numbers))))
 
 
-def _but_for_rounding(value: object) -> object:
+def _but_for_rounding(value: Any) -> Any:
     """Return rows of numbers without the digits by which those of parts that do the same may differ."""
     if isinstance(value, float):
         return float(f"{value:.9g}")
@@ -594,8 +594,8 @@ def _loads(context: Context, mesh: Mesh) -> list[tuple[float, float, float, bool
     limits = {case: case_named(design, case).static for case in torques}
     most = max((torque for case, torque in torques.items() if not limits[case]), default=0.0)
     return sorted(
-        (float(f"{torque:.9g}"), float(f"{abs(context.rolling(mesh, case)):.9g}"), shares.get(case, 0.0), limits[case],
-         tuple(levels_of(design, case)))
+        (_but_for_rounding(torque), _but_for_rounding(abs(context.rolling(mesh, case))), shares.get(case, 0.0),
+         limits[case], tuple(levels_of(design, case)))
         for case, torque in torques.items() if torque > (most if limits[case] else 0.0)
     )  # fmt: skip
 
