@@ -290,9 +290,13 @@ class _Looked:
 
 
 def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
-    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission."""
+    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission.
+
+    Other teeth may ask for the same module, to the last bit but one.
+    """
     gear = next(gear for gear in sizing.gears if gear.stage == stage)
-    return size.module <= gear.module and size.face_width <= gear.face_width
+    largest_equal = 1.0 + EQUAL
+    return size.module <= gear.module * largest_equal and size.face_width <= gear.face_width * largest_equal
 
 
 def _failing(sizing: Sizing) -> int:
