@@ -429,7 +429,6 @@ shape.gears shape.bodies
 shape.glb shape.scene
 shape.housing shape.bodies
 shape.masses shape.scene
-shape.meshing shape.overlaps
 shape.phases shape.scene
 shape.record shape.stands
 shape.solids.chambers shape.chambers

@@ -22,7 +22,16 @@ from gearwright.render.pages.motion import sharing_page, turning
 from gearwright.shape import glb
 from gearwright.spec.record import Record
 
-LAYERS = ("closure", "dynamics/equations", "dynamics/sharing/of_design", "machines", "mission", "parts", "shape", "sizing")
+LAYERS = (
+    "closure",
+    "dynamics/equations",
+    "dynamics/sharing/of_design",
+    "machines",
+    "mission",
+    "parts",
+    "shape",
+    "sizing",
+)
 """Those that compute a gearbox; of the rest of `dynamics`, names of orders and bodies are looked up."""
 
 
