@@ -84,8 +84,7 @@ def _rexs(
 def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.store import text_of_value
 
-    content = text_of_value(sizing).encode()
-    return content, "the sizing; gw.load reads it"
+    return text_of_value(sizing).encode(), "the sizing; gw.load reads it"
 
 
 def _fmu(sizing: Sizing, wanted: Wanted, *, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:

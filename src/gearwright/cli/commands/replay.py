@@ -43,8 +43,7 @@ def thesis(
     from gearwright.replays.pulvirenti.pages import claims_table, errata_table, thesis_markdown, thesis_page
 
     show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))
-    page = thesis_markdown() if out.suffix == ".md" else thesis_page()
-    write_text(out, page)
+    write_text(out, thesis_markdown() if out.suffix == ".md" else thesis_page())
     show(f"wrote {out}, with the reasons")
 
 

@@ -681,8 +681,7 @@ def _unit_errors(planetary: PlanetarySet, force: float, error: Mapping[int, Plan
     """Return what a unit error puts on every line [m]."""
     arrays = _system(planetary, force, error).arrays
     sums = np.zeros(len(arrays.stiffness))
-    lines = np.repeat(np.arange(len(sums)), np.diff(arrays.error.start))
-    np.add.at(sums, lines, arrays.error.cosine)
+    np.add.at(sums, np.repeat(np.arange(len(sums)), np.diff(arrays.error.start)), arrays.error.cosine)
     return sums
 
 
