@@ -6,8 +6,10 @@ processor time, `teeth` two minutes; `step` needs Open CASCADE. `docs/how-to/see
 
 import argparse
 import statistics
+import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -16,11 +18,13 @@ from gearwright.exchange.step import to_step
 from gearwright.identity import HOUSING
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import Scene, casing_masses, glb, kind_of, sized_mesh, solid_masses
-from gearwright.shape.overlaps import crossed_depths, deepest, overlaps, planar_contacts
 from gearwright.shape.scene import CORNERS
 from gearwright.shape.stands import triangles_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import bevel_cones
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+from overlaps import crossed_depths, deepest, overlaps, planar_contacts
 
 MOMENTS = np.linspace(0.0, 0.3, 50)
 """Instants at which teeth are looked at: hundreds of turns [s]."""

@@ -12,15 +12,17 @@ from gearwright.particulars import used_material
 from gearwright.parts import Material
 from gearwright.render.diagrams import DIAGRAMS
 from gearwright.render.tables.sizing import properties
-from gearwright.render.words.design_file import (
+from gearwright.replays.colibri.pages import colibri_markdown
+from gearwright.units import written
+
+sys.path.insert(0, str(Path(__file__).parent))
+from file_reference import (
     anchor,
     design_file_markdown,
     mission_file_markdown,
     mix_file_markdown,
     study_file_markdown,
 )
-from gearwright.replays.colibri.pages import colibri_markdown
-from gearwright.units import written
 
 FOLDER = Path(__file__).parent
 

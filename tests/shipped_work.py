@@ -4,6 +4,7 @@ from functools import cache
 
 from gearwright.mission import durability, fly
 from gearwright.reviews import review_of
+from gearwright.shape import scene
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import read, read_mission
@@ -13,6 +14,11 @@ from gearwright.spec import read, read_mission
 def sized(name="in-line-h2"):
     """Return the sizing of a shipped design."""
     return size(read(shipped_design(name)))
+
+
+def coarse(sizing):
+    """Return the coarse solids of a sizing, which its drawings show."""
+    return scene(sizing, detail="coarse")
 
 
 def ball_bearings_of_the_tail(front="", rear='locates = "both"\n'):

@@ -51,9 +51,12 @@ def _glb(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
 
 
 def _html(sizing: Sizing, wanted: Wanted) -> tuple[bytes, str]:
+    from gearwright.particulars import particulars
     from gearwright.render.pages.motion import turning
+    from gearwright.shape import glb, scene
 
-    content = turning(sizing, detail=wanted.detail).encode()
+    built = scene(sizing, detail=wanted.detail)
+    content = turning(particulars(sizing), built, glb(built)).encode()
     return content, f"{len(content) / 1e6:.2f} MB, opens in a browser and loads nothing"
 
 
@@ -81,8 +84,7 @@ def _rexs(
 def _json(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     from gearwright.store import text_of_value
 
-    content = text_of_value(sizing).encode()
-    return content, "the sizing; gw.load reads it"
+    return text_of_value(sizing).encode(), "the sizing; gw.load reads it"
 
 
 def _fmu(sizing: Sizing, wanted: Wanted, *, version: Literal["2.0", "3.0"]) -> tuple[bytes, str]:
@@ -139,23 +141,18 @@ def _netcdf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
     return content, f"every table, a group each with its rows as coordinate, {len(content) / 1e3:.0f} kB"
 
 
-def _svg(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
+def _sheet(sizing: Sizing, _: Wanted, *, form: Literal["svg", "dxf"]) -> tuple[bytes, str]:
     from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.writers import sheet_svg
+    from gearwright.render.drawings.writers import sheet_dxf, sheet_svg
+    from gearwright.shape import scene
 
-    return sheet_svg(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
-
-
-def _dxf(sizing: Sizing, _: Wanted) -> tuple[bytes, str]:
-    from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.writers import sheet_dxf
-
-    return sheet_dxf(sheets(sizing, ["arrangement"])[0]).encode(), _DRAWN
+    (drawn,) = sheets(sizing, ["arrangement"], solids=scene(sizing, detail="coarse"))
+    words = "the general arrangement; gearwright draw writes every sheet"
+    return (sheet_svg if form == "svg" else sheet_dxf)(drawn).encode(), words
 
 
 _ENDINGS = {"netcdf": "nc"}
 """Format -> end of the name of its file, where that is another."""
-_DRAWN = "the general arrangement; gearwright draw writes every sheet"
 FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "glb": _glb,
     "html": _html,
@@ -171,7 +168,7 @@ FORMATS: Mapping[str, Callable[[Sizing, Wanted], tuple[bytes, str]]] = {
     "csv": _csv,
     "parquet": _parquet,
     "netcdf": _netcdf,
-    "svg": _svg,
-    "dxf": _dxf,
+    "svg": partial(_sheet, form="svg"),
+    "dxf": partial(_sheet, form="dxf"),
 }
 """Name -> what it holds, and in words what was written."""

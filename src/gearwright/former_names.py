@@ -358,7 +358,7 @@ render.drawings.views.marks render.drawings.shaft_view
 render.drawings.views.positions render.drawings.positions
 render.drawings.views.shaft_parts render.drawings.shaft_view
 render.drawings.views.shaft_view render.drawings.shaft_view
-render.drawings.views.shafts.hardness render.drawings.gear_sheet
+render.drawings.views.shafts.hardness render.drawings.shaft_sheet
 render.drawings.views.shafts.lengths render.drawings.shaft_sheet
 render.drawings.views.weights render.drawings.shaft_view
 render.figures.flights.flight render.figures.flights
@@ -429,7 +429,6 @@ shape.gears shape.bodies
 shape.glb shape.scene
 shape.housing shape.bodies
 shape.masses shape.scene
-shape.meshing shape.overlaps
 shape.phases shape.scene
 shape.record shape.stands
 shape.solids.chambers shape.chambers

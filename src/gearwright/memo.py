@@ -84,8 +84,7 @@ def of_latest(most: int) -> Callable[[Callable[[Value], Result]], Callable[[Valu
 
         @wraps(function)
         def asked(value: Value) -> Result:
-            found = memo.get(id(value))
-            return (found or memo.keep(id(value), (value, function(value))))[1]
+            return (memo.get(id(value)) or memo.keep(id(value), (value, function(value))))[1]
 
         return asked
 

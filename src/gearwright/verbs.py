@@ -85,8 +85,7 @@ def verb(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
     @functools.wraps(function)
     def checked(*args: _P.args, **kwargs: _P.kwargs) -> _R:
-        names = _names(function)
-        arguments = dict(zip(names, args, strict=False)) | kwargs
+        arguments = dict(zip(_names(function), args, strict=False)) | kwargs
         problems = [
             Problem(name, _sentence(value, hint))
             for name, hint in _hints(function).items()

@@ -15,11 +15,24 @@ from sources import ROOT
 
 import gearwright as gw
 from gearwright.cli.commands.designs import report, size
-from gearwright.render.pages.motion import turning
+from gearwright.dynamics.sharing import floating, planet_counts, sharing_problem, sharing_study
+from gearwright.particulars import particulars
+from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.pages.motion import sharing_page, turning
+from gearwright.shape import glb
 from gearwright.spec.record import Record
 
-LAYERS = ("closure", "machines", "mission", "parts", "shape", "sizing")
-"""Those that compute a gearbox; of `dynamics`, names of orders and bodies are looked up."""
+LAYERS = (
+    "closure",
+    "dynamics/equations",
+    "dynamics/sharing/of_design",
+    "machines",
+    "mission",
+    "parts",
+    "shape",
+    "sizing",
+)
+"""Those that compute a gearbox; of the rest of `dynamics`, names of orders and bodies are looked up."""
 
 
 class Rendering:
@@ -83,7 +96,24 @@ def test_nothing_is_computed_while_a_sizing_is_told(json, capsys):
     assert len(capsys.readouterr().out) > 10_000
 
 
+def test_the_page_on_which_a_gearbox_turns_computes_nothing():
+    sizing = gw.size(gw.read("in-line-h2"))
+    facts, built = particulars(sizing), gw.scene(sizing, detail="coarse")
+    model = glb(built)
+    assert computed_while(lambda: turning(facts, built, model)) == {}
+
+
+def test_the_page_on_sharing_computes_nothing():
+    sizing = gw.size(gw.read("face-gear-split-torque"))
+    problem = sharing_problem(sizing)
+    study, floats, counts = sharing_study(problem), floating(sizing), planet_counts(sizing, problem)
+    given = [] if counts is None else [counts]
+    assert computed_while(lambda: sharing_page(sizing, [study], counts=given, floats=floats)) == {}
+
+
 def test_what_is_computed_is_told_with_who_led_there():
-    """`turning` makes its solids itself, as nobody asks for them beside it."""
+    """Sheets are given solids, and cut them."""
     sizing = gw.size(gw.read("star"))
-    assert "shape/scene.py: scene" in computed_while(lambda: turning(sizing, detail="coarse"))
+    solids = gw.scene(sizing, detail="coarse")
+    computed = computed_while(lambda: sheets(sizing, ["arrangement"], solids=solids))
+    assert "shape/chambers.py: cut_chamber" in computed and "shape/scene.py: scene" not in computed

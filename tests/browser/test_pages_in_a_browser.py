@@ -11,7 +11,7 @@ from written import COMMANDS, EVERY_DESIGN, written
 from gearwright.cli.printing import print_pdf
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.sharing import sharing_problem, sharing_study
+from gearwright.dynamics.sharing import floating, sharing_problem, sharing_study
 from gearwright.dynamics.vibration import critical_speeds
 from gearwright.mission import durability
 from gearwright.particulars import particulars
@@ -62,7 +62,7 @@ def reviewed(name):
 def shared():
     """Return the page of a set of planets that share the load."""
     sizing = sized("single-planetary")
-    return sharing_page(sizing, [sharing_study(sharing_problem(sizing))])
+    return sharing_page(sizing, [sharing_study(sharing_problem(sizing))], floats=floating(sizing))
 
 
 @functools.cache

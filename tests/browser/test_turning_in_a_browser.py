@@ -7,7 +7,9 @@ import shutil
 import pytest
 
 import gearwright as gw
+from gearwright.particulars import particulars
 from gearwright.render.pages.motion import turning
+from gearwright.shape import glb, scene
 from shipped_work import sized
 
 pytestmark = pytest.mark.extra("playwright")
@@ -57,7 +59,8 @@ def opened(chromium, tmp_path):
 
     def opening(name):
         file = tmp_path / f"{name}.html"
-        file.write_text(turning(sized(name), detail="coarse"), encoding="utf-8")
+        built = scene(sized(name), detail="coarse")
+        file.write_text(turning(particulars(sized(name)), built, glb(built)), encoding="utf-8")
         page, said, asked = context.new_page(), [], []
         page.on("console", lambda words: said.append(words.text) if words.type == "error" else None)
         page.on("pageerror", lambda reason: said.append(str(reason)))

@@ -14,7 +14,6 @@ from pathlib import Path
 import pytest
 
 from gearwright.catalogue import materials
-from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 from gearwright.spec import Mission, Study, keys_of, records
 from gearwright.spec.design import Design
 
@@ -31,6 +30,9 @@ def beside(name):
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
     return module
+
+
+reference = beside("file_reference")
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +67,11 @@ def test_formulas_become_mathml_in_their_places(hooks):
 
 @pytest.mark.parametrize(
     ("model", "page"),
-    [(Design, design_file_markdown()), (Mission, mission_file_markdown()), (Study, study_file_markdown())],
+    [
+        (Design, reference.design_file_markdown()),
+        (Mission, reference.mission_file_markdown()),
+        (Study, reference.study_file_markdown()),
+    ],
 )
 def test_every_key_of_a_file_is_on_its_page(model, page):
     """One row for each field of each record, with the unit that is shown first and all others."""
@@ -78,14 +84,14 @@ def test_every_key_of_a_file_is_on_its_page(model, page):
 
 
 def test_links_within_a_page_lead_to_a_title():
-    page = design_file_markdown()
+    page = reference.design_file_markdown()
     titles = {re.sub(r"[^a-z_]", "", line.lower()) for line in page.splitlines() if line.startswith("## ")}
     assert set(re.findall(r"\]\(#([a-z_]+)\)", page)) <= titles
 
 
 def test_defaults_and_bounds_are_in_the_unit_of_the_first_key():
     """α_n of 20°, from 14° to 30°; how many planets there are is free."""
-    page = design_file_markdown()
+    page = reference.design_file_markdown()
     assert "| `pressure_angle_deg` (`_rad`) | 20 ° | number; ≥ 14 °; ≤ 30 ° |" in page
     assert "| `planets` | none | whole number; ≥ 1; ≤ 12 |" in page
     assert "| `shafts` | **required** | list; at least 1 |" in page

@@ -242,9 +242,7 @@ def _given(body: bytes, receive: Receive) -> Receive:
     left = [body]
 
     async def give() -> Message:
-        if left:
-            return {"type": "http.request", "body": left.pop(), "more_body": False}
-        return await receive()
+        return {"type": "http.request", "body": left.pop(), "more_body": False} if left else await receive()
 
     return give
 

@@ -367,8 +367,7 @@ def influences(question: Question) -> Answer:
 
     sizing = sized(question)
     moving = influences_answer(find_influences(sizing, 1.0))
-    told = {"factors": factors_answer(rated_factors(sizing)), "influences": moving}
-    return Answer(as_json(plain(told)))
+    return Answer(as_json(plain({"factors": factors_answer(rated_factors(sizing)), "influences": moving})))
 
 
 def meaning(_: Question) -> Answer:

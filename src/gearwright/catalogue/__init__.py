@@ -1,6 +1,7 @@
 """Data that comes with gearwright: materials, engines, gearbox weights; each with its provenance."""
 
 from gearwright.catalogue.bearing_choice import (
+    SIMILARITY,
     BearingCheck,
     BearingDuty,
     BearingOil,
@@ -8,11 +9,14 @@ from gearwright.catalogue.bearing_choice import (
     ModifiedLife,
     bearing_friction,
     bore_around,
+    bored_mass,
     check_bearing,
     equivalent_loads,
     fitting_bearings,
     least_ratings,
+    loaded_mass,
     modified_life,
+    rating_for,
 )
 from gearwright.catalogue.bearings import (
     STEEL_SHARE,
@@ -153,6 +157,7 @@ __all__ = [
     "MAPS",
     "RATIOS",
     "SEAT_SOURCE",
+    "SIMILARITY",
     "SMALLEST",
     "STEEL_DENSITY",
     "STEEL_SHARE",
@@ -201,6 +206,7 @@ __all__ = [
     "bearing_friction",
     "bearings",
     "bore_around",
+    "bored_mass",
     "carried_on",
     "centre_allowance",
     "centre_hole",
@@ -229,6 +235,7 @@ __all__ = [
     "lip_speed",
     "load_factor_tables",
     "load_factors",
+    "loaded_mass",
     "lock_nut",
     "lock_nuts",
     "map_of",
@@ -246,6 +253,7 @@ __all__ = [
     "published_gearboxes",
     "radial_seals",
     "rated_steel",
+    "rating_for",
     "read_blades",
     "read_engine_deck",
     "read_propeller_map",

@@ -28,48 +28,17 @@ if TYPE_CHECKING:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def designs(incomplete: str) -> list[str]:
-    """Return designs that begin so: shipped ones, and TOML files.
+def _shipped_of(kind: str) -> Callable[[str], list[str]]:
+    def completed(incomplete: str) -> list[str]:
+        import gearwright.shipped
 
-    Args:
-        incomplete: What stands on the command line.
-    """
-    from gearwright.shipped import shipped_designs
+        return _beginning(incomplete, getattr(gearwright.shipped, f"shipped_{kind}")())
 
-    return _beginning(incomplete, shipped_designs())
+    return completed
 
 
-def missions(incomplete: str) -> list[str]:
-    """Return missions that begin so: shipped ones, and TOML files.
-
-    Args:
-        incomplete: What stands on the command line.
-    """
-    from gearwright.shipped import shipped_missions
-
-    return _beginning(incomplete, shipped_missions())
-
-
-def mixes(incomplete: str) -> list[str]:
-    """Return mixes that begin so: shipped ones, and TOML files.
-
-    Args:
-        incomplete: What stands on the command line.
-    """
-    from gearwright.shipped import shipped_mixes
-
-    return _beginning(incomplete, shipped_mixes())
-
-
-def studies(incomplete: str) -> list[str]:
-    """Return studies that begin so: shipped ones, and TOML files.
-
-    Args:
-        incomplete: What stands on the command line.
-    """
-    from gearwright.shipped import shipped_studies
-
-    return _beginning(incomplete, shipped_studies())
+designs, missions, mixes, studies = map(_shipped_of, ("designs", "missions", "mixes", "studies"))
+"""Each returns what begins so: shipped files of its kind, and TOML files."""
 
 
 def shipped(incomplete: str) -> list[str]:

@@ -111,8 +111,7 @@ def _stamp() -> str:
 
 def _forget(folders: Path) -> None:
     """Remove the code of all but the latest versions."""
-    known = sorted(folders.glob("code-*"), key=lambda path: path.lstat().st_mtime, reverse=True)
-    for old in known[KEPT:]:
+    for old in sorted(folders.glob("code-*"), key=lambda path: path.lstat().st_mtime, reverse=True)[KEPT:]:
         shutil.rmtree(old, ignore_errors=True)
 
 

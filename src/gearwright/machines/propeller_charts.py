@@ -695,9 +695,7 @@ class Look:
 def _around(nodes: Floats, x: float) -> range:
     """The nodes that count at a point: itself, or the three or four around it."""
     k = int(np.searchsorted(nodes, x, side="right")) - 1
-    if k >= 0 and nodes[k] == x:
-        return range(k, k + 1)
-    return range(max(k - 1, 0), min(k + 3, len(nodes)))
+    return range(k, k + 1) if k >= 0 and nodes[k] == x else range(max(k - 1, 0), min(k + 3, len(nodes)))
 
 
 def _rising(chart: tuple[Floats, Floats]) -> tuple[Floats, Floats]:

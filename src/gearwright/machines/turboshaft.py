@@ -490,10 +490,6 @@ class EngineState(NamedTuple):
         return self.turbine_power - self.compressor_power
 
 
-def _standard() -> Inlet:
-    return Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE)
-
-
 def _compressed(rated: Rated, temperature: float, ratio: float) -> float:
     """Return T_3 [K]."""
     ideal = enthalpy(AIR, isentropic(AIR, temperature, ratio)) - enthalpy(AIR, temperature)
@@ -519,7 +515,7 @@ def engine_of(rated: Rated) -> Turboshaft:
     Raises:
         ValueError: The design point cannot be: the power turbine would need an efficiency above 1.
     """
-    inlet = _standard()
+    inlet = Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE)
     t3 = _compressed(rated, inlet.temperature, rated.pressure_ratio)
     gas, flow = Gas(rated.combustion * rated.fuel_flow / rated.air_flow), rated.air_flow + rated.fuel_flow
     heat = (rated.combustion - rated.casing_loss) * rated.fuel_flow * HEATING_VALUE

@@ -725,15 +725,12 @@ def phase_forces(flight: Flight) -> tuple[PhaseForces, ...]:
     Source: Newton along the path: T = D + μ (m g − L) + m g sin γ + m dV/dt.
     """
     aircraft = flight.mission.aircraft
-    if aircraft is None:
-        return ()
-    return tuple(_phases(flight, aircraft))
+    return () if aircraft is None else tuple(_phases(flight, aircraft))
 
 
 def _phases(flight: Flight, aircraft: Aircraft) -> Iterator[PhaseForces]:
     mission, burnt, last = flight.mission, 0.0, None
-    rows = enumerate(moments(mission, flight.paths))
-    for name, group in groupby(rows, key=lambda row: row[1].phase):
+    for name, group in groupby(enumerate(moments(mission, flight.paths)), key=lambda row: row[1].phase):
         flown, phase, mass = list(group), mission.phases[name], aircraft.mass - burnt
         engines = phase.engines or mission.engines
         sums = list[_Row]()

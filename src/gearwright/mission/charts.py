@@ -262,5 +262,4 @@ def _at(x: Floats, xs: Floats, ys: Floats) -> Read:
 def _through(x: Floats, xs: Floats, table: Floats, first: Ints) -> Floats:
     lanes = np.arange(len(x))
     nodes = [xs[first + place] for place in range(3)]
-    values = [table[lanes, first + place] for place in range(3)]
-    return np.asarray(parabola(x, nodes, values))
+    return np.asarray(parabola(x, nodes, [table[lanes, first + place] for place in range(3)]))

@@ -169,9 +169,7 @@ def pack_of(rules: BatteryRules) -> Pack:
         rules.highest_c_rate,
         rules.minimum_charge,
     )
-    if rules.cells is None:
-        return Pack(battery, None, None, 0.0)
-    return _celled(rules, battery, rules.cells)
+    return Pack(battery, None, None, 0.0) if rules.cells is None else _celled(rules, battery, rules.cells)
 
 
 def _celled(rules: BatteryRules, battery: Battery, cells: CellRules) -> Pack:

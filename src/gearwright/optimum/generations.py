@@ -684,9 +684,7 @@ class Guided:
     def failures(self) -> Process | None:
         """What is known of where designs cannot be sized; nothing where all can."""
         failed = self._judged.failed
-        if not failed.any() or failed.all():
-            return None
-        return fitted(self._all, failed.astype(float))
+        return None if not failed.any() or failed.all() else fitted(self._all, failed.astype(float))
 
     @property
     def reached(self) -> Floats:

@@ -289,8 +289,7 @@ def regrets_of(bench: Bench, answer: Optimum, values: Floats) -> tuple[Regret, .
     span, ideal = np.maximum(np.ptp(values, axis=0), 1e-300), values.min(axis=0)
     for place, sizing in zip(places, sizings, strict=True):
         fixed = _kept(answer, place, teeth_of(sizing))
-        rows = bench.tried([_case(k, fixed, sample) for k, sample in enumerate(samples)])
-        own = judged_rows(study, rows)
+        own = judged_rows(study, bench.tried([_case(k, fixed, sample) for k, sample in enumerate(samples)]))
         merits.append(np.where(own.good, ((own.values - ideal) / span).mean(axis=1), np.inf))
         spreads.append(_bands(study, own.values[~own.failed]))
     merit = np.array(merits)
@@ -596,8 +595,7 @@ def first_places(study: Study, count: int, seed: int) -> Floats:
         count: How many [-].
         seed: Of the scrambling.
     """
-    names = freedoms_of(study).names
-    axes = {name: next(iter(study.axes.values())) for name in names}
+    axes = {name: next(iter(study.axes.values())) for name in freedoms_of(study).names}
     sampling = study.sampling.model_copy(update={"method": "sobol", "count": count, "seed": seed})
     return unit_sample(study.model_copy(update={"axes": axes, "sampling": sampling}))
 

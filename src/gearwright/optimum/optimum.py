@@ -215,9 +215,7 @@ def hypervolume(values: Floats, reference: Floats) -> float:
     if not len(inside):
         return 0.0
     front = np.unique(inside[non_dominated(inside, np.zeros(len(inside)))], axis=0)
-    if front.shape[1] > EXACT:
-        return _estimated(front, reference)
-    return _swept(front, reference)
+    return _estimated(front, reference) if front.shape[1] > EXACT else _swept(front, reference)
 
 
 def _swept(front: Floats, reference: Floats) -> float:

@@ -451,8 +451,7 @@ def fitting_turns(compound: CompoundSet, *, number: int = 1) -> dict[str, Turns]
     own: dict[str, Turns] = dict.fromkeys(compound.bodies.values(), ANY)
     for central, planet in compound.at_centre:
         body, teeth = compound.bodies[planet], compound.teeth[planet]
-        asked = Turns(compound.teeth[central] * part / teeth, teeth)
-        both = own[body].common(asked)
+        both = own[body].common(Turns(compound.teeth[central] * part / teeth, teeth))
         if both is None:
             return None
         own[body] = both

@@ -472,8 +472,7 @@ def relieved_part(mesh: ScuffingMesh) -> float:
     """
     first, second = (float(ratio) for ratio in mesh.geometry.addendum_contact_ratios)
     needed = mesh.nominal_load / mesh.stiffness[1 if mesh.geometry.helix_angle > 0.0 else 0]
-    chosen = mesh.reliefs[0] if first > 1.5 * second else mesh.reliefs[1]
-    return min(chosen, needed) / needed
+    return min(mesh.reliefs[0] if first > 1.5 * second else mesh.reliefs[1], needed) / needed
 
 
 def scuffing_integral_temperature(oil: Oil, structure: float) -> float:

@@ -299,9 +299,7 @@ def _half(name: str, train: Train, outlines: Mapping[str, Outline], scale: float
     if name in train.machines:
         return MACHINE_HALF
     width = _width(name, train, outlines)
-    if not width:
-        return CLUTCH_HALF
-    return max(STAGE_HALF, _columns(name, train) * width * scale / 2.0 + 5.0)
+    return CLUTCH_HALF if not width else max(STAGE_HALF, _columns(name, train) * width * scale / 2.0 + 5.0)
 
 
 def _columns(stage: str, train: Train) -> int:

@@ -341,9 +341,7 @@ def planet_bearing(carrier: CarrierSizing, gear: GearSizing, blank: Blank, halve
         halves: 2 of a double-helical planet.
     """
     inner, outer = carrier.pin_diameter / 2.0, blank.bore_radius
-    if outer - inner < LEAST_RING:
-        return None
-    return bearing(inner, outer, halves * gear.face_width)
+    return None if outer - inner < LEAST_RING else bearing(inner, outer, halves * gear.face_width)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -690,8 +690,7 @@ def plate(arms: Sequence[Arm], outline: Outline, thickness: float, *, pin: float
     radius = plate_form(arms, outline, angles).radii(angles)
     sections = tuple(Section(radius, angles, np.full(len(angles), place)) for place in (-half, half))
     edges: Bools = np.zeros(len(angles), dtype=bool)
-    way = ((half, outline.bore), (-half, outline.bore))
-    return Solid(way, sections, edges, bores=bores)
+    return Solid(((half, outline.bore), (-half, outline.bore)), sections, edges, bores=bores)
 
 
 def _corners(arms: Sequence[Arm], segments: int, rays: Floats) -> Floats:

@@ -272,8 +272,7 @@ def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
     drives = flow.meshes[mesh.name].torques[0] * flow.speeds[pinion] < 0.0
     # Seen from the back towards the apex; a positive speed turns clockwise about the way from first to second end.
     clockwise = (flow.speeds[pinion] >= 0.0) == (stage.pinion_apex == "second")
-    left = (clockwise == drives) == (side == 0)
-    return Hand.LEFT if left else Hand.RIGHT
+    return Hand.LEFT if (clockwise == drives) == (side == 0) else Hand.RIGHT
 
 
 # ----------------------------------------------------------------------------------------------------------------------

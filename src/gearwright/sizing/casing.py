@@ -683,8 +683,7 @@ def ring_frame(sizing: Sizing, ring: GearSizing) -> tuple[Frame, float]:
     frame = sizing.arrangement.frames[host]
     body = next(body for body in sizing.arrangement.bodies if body.part == ring.part)
     start = float((np.asarray(body.origin) - np.asarray(frame.origin)) @ np.asarray(frame.along))
-    way = float(np.asarray(body.direction) @ np.asarray(frame.along))
-    return frame, start + way * body.length / 2.0
+    return frame, start + float(np.asarray(body.direction) @ np.asarray(frame.along)) * body.length / 2.0
 
 
 class Land(NamedTuple):

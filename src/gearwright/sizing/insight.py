@@ -733,8 +733,7 @@ def trial_of(design: Design, sizing: Sizing) -> Trial:
         design: The rules, and what is given.
         sizing: Of it, or of one with the same teeth and cases.
     """
-    given = given_values(design).values
-    return Trial(context_of(design, sizing.train, sizing.teeth, sizing.flows, given))
+    return Trial(context_of(design, sizing.train, sizing.teeth, sizing.flows, given_values(design).values))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -564,8 +564,7 @@ def design_text_like(design: Design, text: str, before: Design) -> str:
         before: Read from it.
     """
     given = tomllib.loads(text)
-    wanted = _table_in_keys(design, before, given)
-    changed = _changed(text, given, wanted)
+    changed = _changed(text, given, _table_in_keys(design, before, given))
     return design_text(design) if changed is None else changed
 
 
@@ -761,8 +760,7 @@ class _Editing:
             self.gone.update(range(first, end))
         elif statement.value is not None and now != was:
             start, stop = statement.value
-            line = self.lines[first][:start] + _inline(now) + self.lines[end - 1][stop:]
-            self.lines[first] = line
+            self.lines[first] = self.lines[first][:start] + _inline(now) + self.lines[end - 1][stop:]
             self.gone.update(range(first + 1, end))
 
     def _add(self, table: Path, given: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:

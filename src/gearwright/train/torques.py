@@ -286,7 +286,7 @@ def states(losing: Losing) -> States:
         state = _settled(losing, fixed) if inverse is not None and _contracts(shift) else None
         if state is None:
             pieces += _halves(fixed, shift)
-        elif _agrees(state, fixed) and not any(_alike(state, other) for other in found):
+        elif bool(np.all(state * fixed >= 0.0)) and not any(_alike(state, other) for other in found):
             found.append(state)
     return States(found, complete=False)
 
@@ -348,10 +348,6 @@ def _halves(fixed: Floats, shift: Floats) -> list[Floats]:
     halves = np.tile(fixed, (2, 1))
     halves[:, int(np.argmax(felt))] = (-1.0, 1.0)
     return list(halves)
-
-
-def _agrees(state: Floats, fixed: Floats) -> bool:
-    return bool(np.all(state * fixed >= 0.0))
 
 
 def _alike(one: Floats, other: Floats) -> bool:

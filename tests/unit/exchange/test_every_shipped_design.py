@@ -19,10 +19,11 @@ import pytest
 import gearwright as gw
 from gearwright.exchange.step import to_step
 from gearwright.exchange.tables import all_tables, letters, table_csv, to_csv, to_netcdf, to_parquet, to_xlsx
+from gearwright.particulars import particulars
 from gearwright.render.pages.motion import turning
 from gearwright.render.pages.report import report, review_page
 from gearwright.reviews import review_of
-from gearwright.shape import COLOURS, scene
+from gearwright.shape import COLOURS, glb, scene
 from gearwright.shape.solids import Fastener, Solid
 from gearwright.shape.stands import triangles_of
 from gearwright.store import text_of_value
@@ -40,7 +41,9 @@ def test_report_review_and_turning_page_are_pages_that_stand_alone(design):
     review = review_of(sizing)
     stands_alone(report(sizing, review=review))
     stands_alone(review_page(review))
-    model = re.search(r'<script type="[^"]+" id="model">(.*?)</script>', turning(sizing, detail="coarse"), re.DOTALL)
+    built = scene(sizing, detail="coarse")
+    page = turning(particulars(sizing), built, glb(built))
+    model = re.search(r'<script type="[^"]+" id="model">(.*?)</script>', page, re.DOTALL)
     assert base64.b64decode(model[1])[:4] == b"glTF"
 
 

@@ -25,7 +25,7 @@ from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass, weighed_flanges
-from shipped_work import sized
+from shipped_work import coarse, sized
 
 MM = 1e3
 WITHOUT = {"face-gear-split-torque"}
@@ -60,7 +60,7 @@ def test_what_is_hatched_is_metal_and_what_is_not_is_none(name):
     """Points at random in the sheet's plane against the depth in the chambers and flanges of the scene."""
     sizing = sized(name)
     plane = positions(sizing)
-    section, scene = casing_section(sizing, plane), gw.scene(sizing)
+    section, scene = casing_section(sizing, coarse(sizing), plane), gw.scene(sizing)
     way = lanes(sizing, plane, joints_of(scene))
     rectangles = [one for cut in section.cuts for one in cut.rectangles]
     box = [pick(values) for values in zip(*((one.start, one.end, one.low, one.high) for one in rectangles), strict=True)
@@ -101,7 +101,7 @@ def near(scene, node, point):
 def test_bosses_around_bearings_are_part_of_the_housing():
     """The boss of a bearing of the mast, 0.12 of its outside diameter thick, is hatched beside it."""
     sizing = sized("ec120b")
-    section = casing_section(sizing, positions(sizing))
+    section = casing_section(sizing, coarse(sizing), positions(sizing))
     lying = positions(sizing).shafts["mast"]
     for bearing in (one for one in sizing.bearings if one.shaft == "mast"):
         for side in (1.0, -1.0):
@@ -165,7 +165,7 @@ def test_machines_towards_which_the_housing_has_no_opening_are_named():
     """Ends of first sizings within the housing; the mast of the EC120B, which is built, goes out through its cover."""
     for name, closed in (("face-gear-split-torque", ("engine", "rotor")), ("ec120b", ()), ("off-set-h1", ())):
         assert closed_towards(sized(name), gw.scene(sized(name))) == closed
-    notes = casing_content(sized("face-gear-split-torque")).notes
+    notes = casing_content(sized("face-gear-split-torque"), coarse(sized("face-gear-split-torque"))).notes
     assert any("No opening is cut towards engine, rotor" in note for note in notes)
 
 
@@ -242,7 +242,7 @@ def test_screws_stand_in_the_faces_of_flanges_as_far_apart_as_a_spanner_asks(nam
 def test_the_sheet_of_the_housing_says_what_is_weighed_and_how_axes_stand():
     """js7 of 213.669 mm, 23 µm; the whole length by its chambers; 46 screws M6 for a girth of 1.377 m, 5 d apart."""
     sizing = sized("ec120b")
-    content = casing_content(sizing)
+    content = casing_content(sizing, coarse(sizing))
     grids = {grid.title: grid.rows for grid in content.grids}
     assert {row[4] for row in grids["Flanges [mm]"]} == {"46 x M6"} and len(grids["Flanges [mm]"]) == 3
     assert ("tail", "-79.231", "0") in grids["Axes along the first shaft [mm]"]
@@ -272,7 +272,7 @@ def test_what_is_seen_from_the_first_end_hides_what_is_behind_it():
 @pytest.mark.parametrize("name", ["ec120b", "in-line-h2", "off-set"])
 def test_centre_lines_of_screws_run_through_both_halves_of_flanges(name):
     """At least one above and one below for every flange that the section meets."""
-    section = casing_section(sized(name), positions(sized(name)))
+    section = casing_section(sized(name), coarse(sized(name)), positions(sized(name)))
     rectangles = [one for cut in section.cuts for one in cut.rectangles]
     assert len(section.screws) >= 4
     for start, end in section.screws:
@@ -288,7 +288,7 @@ def test_the_section_goes_round_and_says_whose_bodies_its_legs_cut_elsewhere(nam
     """Distances from axes to legs by hand: the legs that do not hold an axis but come nearer than its largest gear."""
     sizing = sized(name)
     plane = positions(sizing)
-    way, section = lanes(sizing, plane), casing_section(sizing, plane)
+    way, section = lanes(sizing, plane), casing_section(sizing, coarse(sizing), plane)
     for shaft, lying in plane.shafts.items():
         foot, height = np.array(sizing.arrangement.frames[shaft].origin[1:]), lying.origin.imag / MM
         reach = max(body.radius for body in sizing.arrangement.bodies if body.shaft == shaft)
@@ -369,7 +369,7 @@ def test_the_view_along_the_first_shaft_shows_where_an_unfolded_section_runs(nam
     plane = positions(sizing)
     _, covers = seen_from_second_end(gw.scene(sizing))
     way = cutting_way(sizing, plane, covers)
-    section = casing_section(sizing, plane)
+    section = casing_section(sizing, coarse(sizing), plane)
     high = max(one.high for cut in section.cuts for one in cut.rectangles)
     low = min(one.low for cut in section.cuts for one in cut.rectangles)
     long = sum(abs(other - one) for one, other in itertools.pairwise(way))

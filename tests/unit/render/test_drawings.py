@@ -50,7 +50,7 @@ from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import edited
 from html_checks import stands_alone
-from shipped_work import sized
+from shipped_work import coarse, sized
 
 
 @pytest.fixture(scope="module")
@@ -416,7 +416,7 @@ def test_the_arrangement_lists_every_part_and_shows_the_centre_distance(built, d
 def test_a_shaft_weighs_what_is_cut_from_its_piece():
     """Parts, bearings left out, weigh what the gearbox weighs; within the three digits of the list."""
     sizing = sized("ec120b")
-    grid, axes = arrangement_content(sizing).grids
+    grid, axes = arrangement_content(sizing, coarse(sizing)).grids
     assert {row[0] for row in axes.rows} == {"input", "intermediate", "mast", "tail"}
     parts = [row for row in grid.rows if row[2].startswith(("Shaft", "Gear"))]
     assert len(parts) == 6
@@ -444,7 +444,8 @@ def test_a_bevel_wheel_drawn_into_a_bearing_is_named_on_the_arrangement():
     design = gw.read(gw.shipped_design("ec120b"))
     near = edited(design, {"bearings.mast-lower.position_mm": 29.0})
     said = [
-        [note for note in arrangement_content(gw.size(each)).notes if "elsewhere" in note] for each in (design, near)
+        [note for note in arrangement_content(gw.size(each), coarse(gw.size(each))).notes if "elsewhere" in note]
+        for each in (design, near)
     ]
     assert said == [
         [],
@@ -494,7 +495,7 @@ def test_every_gear_has_a_sheet_with_its_tooth_data_and_sheets_agree(name):
     """Its own, or that of the shaft that it is one piece with; a bevel pinion stands on both, with the same rows."""
     sizing = sized(name)
     told = {}
-    for content in contents(sizing):
+    for content in contents(sizing, coarse(sizing)):
         for grid in content.grids:
             if grid.title.startswith("Tooth data: "):
                 told.setdefault(grid.title.removeprefix("Tooth data: "), []).append((content.name, grid.rows))
@@ -673,7 +674,8 @@ def test_an_undercut_is_named_in_its_place_and_drawn_ten_times_as_large_with_its
 def test_fillets_beside_teeth_stand_in_the_table_too():
     """The weakest section of the intermediate shaft: R2.5 at the small end of the bevel pinion."""
     (sheet,) = sheets(sized("ec120b"), ["shaft-intermediate"])
-    (grid,) = [grid for content in contents(sized("ec120b")) if content.name == "shaft-intermediate"
+    ec120b = sized("ec120b")
+    (grid,) = [grid for content in contents(ec120b, coarse(ec120b)) if content.name == "shaft-intermediate"
                for grid in content.grids if grid.title == "Fillets at shoulders"]  # fmt: skip
     weakest = next(shaft for shaft in sized("ec120b").built_shafts if shaft.name == "intermediate").weakest
     assert f"R{millimetres(1e3 * weakest.fillet)}" in {row[0] for row in grid.rows}
@@ -695,7 +697,9 @@ def test_holes_of_a_web_are_cut_by_the_section_and_told():
 
 
 def test_a_first_sizing_has_no_sheet_of_bores():
-    assert "housing-bores" not in {content.name for content in contents(sized("in-line-h2"))}
+    assert "housing-bores" not in {
+        content.name for content in contents(sized("in-line-h2"), coarse(sized("in-line-h2")))
+    }
 
 
 def test_the_arrangement_shows_and_lists_what_holds_bearings():

@@ -14,7 +14,7 @@ from gearwright.render.drawings.gear_sheet import edge_notes
 from gearwright.render.drawings.gear_view import hub_of
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import edited
-from shipped_work import sized
+from shipped_work import coarse, sized
 
 
 def arcs(sheet, layer):
@@ -70,12 +70,16 @@ def test_edges_follow_module_and_bore():
 def test_the_table_of_a_rated_gear_has_what_its_class_allows_and_how_its_flanks_are_modified():
     """Class 4 of ISO 1328-1 for d = 353.73, m_n = 2, b = 37 mm; the design's relief and lead."""
     sizing = gw.size(edited(gw.read("ec120b"), {"gears.iso6336.tip_relief_m": 2e-5}))
-    (content,) = [one for one in contents(sizing) if one.name == "gear-helical.wheel"]
+    (content,) = [one for one in contents(sizing, coarse(sizing)) if one.name == "gear-helical.wheel"]
     rows = {row[0]: row[2] for row in content.grids[0].rows}
     wheel = next(gear for gear in sizing.gears if gear.name == "helical.wheel")
     may = flank_tolerances(wheel.pitch_diameter, wheel.module, wheel.face_width, grade=4)
     assert rows["Single pitch"] == f"{1e6 * may.single_pitch:.1f} µm"
     assert rows["Run-out of the teeth"] == f"{1e6 * runout_tolerance(wheel.pitch_diameter, wheel.module, 4):.0f} µm"
     assert rows["Tip relief"] == "20 µm" and rows["Lead"].startswith("corrected")
-    plain = next(one for one in contents(sized("in-line-h2")) if one.name == "gear-first.sun").grids[0].rows
+    plain = (
+        next(one for one in contents(sized("in-line-h2"), coarse(sized("in-line-h2"))) if one.name == "gear-first.sun")
+        .grids[0]
+        .rows
+    )
     assert "Single pitch" not in {row[0] for row in plain}

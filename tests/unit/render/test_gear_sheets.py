@@ -8,7 +8,7 @@ from gearwright.render.drawings.catalogue import contents, sheets
 from gearwright.render.drawings.entities import Layer, Path, Words, drawn
 from gearwright.render.drawings.gear_sheet import hard_grid, hard_teeth
 from gearwright.shape.stands import gear_of
-from shipped_work import sized
+from shipped_work import coarse, sized
 
 
 def shown(design, gear):
@@ -78,5 +78,5 @@ def test_the_back_of_a_face_gear_runs_out_against_its_bore():
 
 def test_a_shaft_that_no_solid_has_has_no_sheet():
     """The Wolfrom reducer's cage is a carrier without anything else on its axis: not weighed, not drawn."""
-    names = [content.name for content in contents(sized("wolfrom-reducer"))]
+    names = [content.name for content in contents(sized("wolfrom-reducer"), coarse(sized("wolfrom-reducer")))]
     assert "shaft-cage" not in names and {"shaft-fast", "shaft-slow"} <= set(names)

@@ -4,11 +4,13 @@ import pytest
 
 from gearwright.render.drawings.assembly_sheets import arrangement_content, set_notes
 from gearwright.sizing.mass import complete_mass
-from shipped_work import sized
+from shipped_work import coarse, sized
 
 
 def rows(name):
-    parts = next(grid for grid in arrangement_content(sized(name)).grids if grid.title.startswith("Parts"))
+    parts = next(
+        grid for grid in arrangement_content(sized(name), coarse(sized(name))).grids if grid.title.startswith("Parts")
+    )
     return {row[2]: row for row in parts.rows}
 
 

@@ -10,9 +10,11 @@ import pytest
 from gearwright.dynamics.sharing import (
     PlanetSharing,
     SharingStudy,
+    floating,
     parallel_meshes,
     sharing_problem,
     sharing_study,
+    slow_displacement,
     support_sweep,
 )
 from gearwright.errors import DesignError
@@ -83,17 +85,18 @@ def test_the_answer_holds_what_the_tables_show():
 def test_every_figure_is_drawn_and_the_same_twice():
     study, time = studied(), np.linspace(0.0, 0.02, 50)
     sweep = support_sweep(sized(), "input", [1e7, 1e9])
+    paths = {shaft: slow_displacement(study.problem, shaft, time) for shaft in ("input", "left")}
     draw = {
         "load sharing": lambda: sharing_figure({"load sharing": study.sharing}),
         "tornado": lambda: tornado_figure(study),
         "distribution": lambda: distribution_figure(study, 0.52),
         "allocation": lambda: allocation_figure(study.allocation),
         "support": lambda: support_figure(sweep, {1e7: "design"}),
-        "displacement": lambda: displacement_figure({"design": study.problem}, "input", time),
+        "displacement": lambda: displacement_figure({"design": paths["input"]}, "input", time),
         "load factor": lambda: load_factor_figure(
             {"three and four": PlanetSharing((3, 4), np.ones((2, 9)) * 1.2, 1)}, TABLES
         ),
-        "orbit": lambda: orbit_figure(study.problem, ["input", "left"], time),
+        "orbit": lambda: orbit_figure(paths),
     }
     for one in draw.values():
         svg = to_svg(one())
@@ -102,7 +105,7 @@ def test_every_figure_is_drawn_and_the_same_twice():
 
 
 def test_page_stands_alone():
-    page = sharing_page(sized(), [studied()], target=0.52, paper=paper_on(sized()))
+    page = sharing_page(sized(), [studied()], floats=floating(sized()), target=0.52, paper=paper_on(sized()))
     assert "Stage second" in page
     assert page.count("<svg") == 11
     assert 'src="http' not in page

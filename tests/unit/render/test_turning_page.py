@@ -1,6 +1,7 @@
 """The page on which a gearbox turns is one file, says what the sizing says, and carries the three.js that it names."""
 
 import base64
+import dataclasses
 import hashlib
 import json
 import re
@@ -8,17 +9,24 @@ from pathlib import Path
 
 import pytest
 
+from gearwright.particulars import particulars
 from gearwright.render import solids, uplot
 from gearwright.render.pages.motion import turning, upright
-from shipped_work import sized
+from gearwright.shape import glb
+from shipped_work import coarse, sized
 
 ROOM = Path(solids.__file__).parent
 OUTSIDE = re.compile(r"""(?:src|href|url)\s*[=(]\s*["']?(?!#|data:|["'])[\w/.:]+""")
 
 
+def turned(sizing):
+    """Return the page of a sizing with coarse solids."""
+    return turning(particulars(sizing), coarse(sizing), glb(coarse(sizing)))
+
+
 def page(name):
     """Return the page of a shipped design without the copy of three.js."""
-    return turning(sized(name), detail="coarse").replace(solids.text("three.min.js"), "")
+    return turned(sized(name)).replace(solids.text("three.min.js"), "")
 
 
 def block(text, name):
@@ -69,7 +77,7 @@ def test_the_page_carries_the_solids_and_the_numbers_of_its_parts():
 def test_a_name_cannot_end_the_script_that_holds_it():
     sizing = sized("in-line-h2")
     design = sizing.design.model_copy(update={"name": "</script><b>"})
-    text = turning(type(sizing)(**{**vars(sizing), "design": design}), detail="coarse")
+    text = turned(dataclasses.replace(sizing, design=design))
     assert "</script><b>" not in text
 
 

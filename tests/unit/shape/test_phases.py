@@ -9,10 +9,10 @@ import pytest
 from gearwright.identity import Role
 from gearwright.parts.gears import least_backlash
 from gearwright.shape import scene, sized_mesh
-from gearwright.shape.overlaps import crossed_depths, deepest, overlaps, planar_contacts
 from gearwright.shape.scene import approximations
 from gearwright.shape.stands import contacts_of, stands_of
 from gearwright.shipped import shipped_designs
+from overlaps import crossed_depths, deepest, overlaps, planar_contacts
 from shipped_work import sized
 
 NAMES = shipped_designs()

@@ -32,7 +32,6 @@ from gearwright.shape.chambers import (
     has_room,
     round_hole,
 )
-from gearwright.shape.overlaps import overlaps
 from gearwright.shape.solids import (
     Arm,
     Fastener,
@@ -53,6 +52,7 @@ from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.shafts import holders_of
+from overlaps import overlaps
 from shipped_work import sized
 
 NAMES = shipped_designs()

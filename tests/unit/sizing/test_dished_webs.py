@@ -12,10 +12,10 @@ from gearwright.parts.gears import Blank, SeatHub, blank_volume, dishes_behind, 
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.entities import Words
 from gearwright.shape import edges_of, scene, solid_masses
-from gearwright.shape.overlaps import overlaps
 from gearwright.shape.solids import inner_profile
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import design_text, edited
+from overlaps import overlaps
 from shipped_work import sized
 
 

@@ -7,11 +7,12 @@ import pytest
 
 import gearwright as gw
 from gearwright.catalogue import bearings
+from gearwright.catalogue.bearing_choice import loaded_mass, rating_for, similar
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.gears import blank_volume
 from gearwright.sizing.casing import flanges_of, screw_volume, shell_of
 from gearwright.sizing.mass import CompleteMass, MassItem, complete_mass, gear_blanks
-from gearwright.sizing.mass.bodies import loaded_mass, planet_bores, rating_for, seat_duties, similar
+from gearwright.sizing.mass.bodies import planet_bores, seat_duties
 from gearwright.sizing.mass.complete import detail_items
 from gearwright.sizing.mass.record import Calibration, requirement_of
 from gearwright.sizing.places import bells

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from designs import PAIR
+from gearwright.catalogue import bored_mass
 from gearwright.errors import DesignError
 from gearwright.identity import Kind, PartId
 from gearwright.sizing import Body, Direction, Point, Station, size
@@ -15,7 +16,7 @@ from gearwright.sizing.bearing_seats import Fitting
 from gearwright.sizing.housing_shell import CLEARANCE, _Round
 from gearwright.sizing.losses import seal_losses
 from gearwright.sizing.mass import tooth_of
-from gearwright.sizing.mass.bodies import PIN_BORE, bored_mass, cage_of
+from gearwright.sizing.mass.bodies import PIN_BORE, cage_of
 from gearwright.sizing.places import PLATE_GAP, runs
 from gearwright.sizing.places.bodies import _free
 from gearwright.sizing.places.frames import _coaxial

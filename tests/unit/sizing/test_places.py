@@ -11,6 +11,7 @@ from designs import problem
 from gearwright.checks import Status
 from gearwright.sizing import size
 from gearwright.spec import edited
+from shipped_work import coarse
 
 TWO_WHEELS = """schema = 1
 name = "Two wheels on one pinion"
@@ -157,7 +158,7 @@ def test_the_input_of_ec120b_stands_off_the_plane_of_its_mast_and_is_drawn_as_tu
     distance = next(mesh.centre_distance for mesh in ec120b.meshes if mesh.stage == "helical")
     assert abs(off) == pytest.approx(distance)
     words = f"Shaft input is turned into this plane: it stands {1e3 * distance:.4g} mm off it."
-    assert words in arrangement_content(ec120b).notes
+    assert words in arrangement_content(ec120b, coarse(ec120b)).notes
 
 
 def test_a_bearing_moved_into_a_bevel_wheel_fails_by_as_much_as_it_is_moved_beyond_touching():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from designs import HYBRID, PAIR
-from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE
+from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, bored_mass, loaded_mass
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bearings import BearingKind
@@ -17,8 +17,6 @@ from gearwright.sizing.bearing_seats import _rotor, bearing_seats
 from gearwright.sizing.mass.bodies import (
     _estimated as bearings_by_load,
     _estimated_bore as planet_on_rollers,
-    bored_mass,
-    loaded_mass,
 )
 from gearwright.sizing.places import solid_of
 from gearwright.sizing.places.frames import _inside, coaxial_checks, owner

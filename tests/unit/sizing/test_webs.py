@@ -10,13 +10,13 @@ import pytest
 import gearwright as gw
 from gearwright.shape import COLLAR, WEB, scene as scene_of
 from gearwright.shape.chambers import Chamber, depth_in
-from gearwright.shape.overlaps import overlaps
 from gearwright.shape.stands import Axes, triangles_of
 from gearwright.sizing import Sizing, casing as webs
 from gearwright.sizing.casing import Web, carried_bosses
 from gearwright.sizing.housing_shell import Around, Stretch
 from gearwright.sizing.making import boss_checks, web_checks
 from gearwright.sizing.mass import complete_mass, weighed_wall
+from overlaps import overlaps
 
 BUILT = ("ec120b", "ec120b-as-reported")
 X, Y, Z = np.eye(3)

@@ -238,11 +238,13 @@ def sharing(
     if figure is not None:
         _draw_sharing(study, figure)
     if report is not None:
+        from gearwright.dynamics.sharing import floating
         from gearwright.render.pages.motion import sharing_page
         from gearwright.replays import paper_on
 
         planets = [] if counts is None else [counts]
-        drawn = sharing_page(sizing, [study], counts=planets, target=share, paper=paper_on(sizing))
+        floats, paper = floating(sizing), paper_on(sizing)
+        drawn = sharing_page(sizing, [study], counts=planets, floats=floats, target=share, paper=paper)
         write_text(report, drawn)
         tell(f"wrote {report}")
 

@@ -171,10 +171,11 @@ def draw(
     """Draw the general arrangement, shafts, gears, carriers and the housing as sheets to ISO conventions."""
     from gearwright.render.drawings.catalogue import sheets
     from gearwright.render.drawings.paper import scale_text
+    from gearwright.shape import scene
 
     wanted = _formats(formats)
     sizing = _sized(design)
-    drawn = sheets(sizing, _names(what))
+    drawn = sheets(sizing, _names(what), solids=scene(sizing, detail="coarse"))
     # Everything is drawn before anything is written: what cannot be drawn leaves no half of it.
     texts = {f"{sheet.name}.{suffix}": _text(sheet, suffix) for sheet in drawn for suffix in wanted}
     page = "" if report is None else _page(sizing, drawn, date)

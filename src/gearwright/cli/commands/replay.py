@@ -43,8 +43,7 @@ def thesis(
     from gearwright.replays.pulvirenti.pages import claims_table, errata_table, thesis_markdown, thesis_page
 
     show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))
-    page = thesis_markdown() if out.suffix == ".md" else thesis_page()
-    write_text(out, page)
+    write_text(out, thesis_markdown() if out.suffix == ".md" else thesis_page())
     show(f"wrote {out}, with the reasons")
 
 
@@ -132,7 +131,7 @@ def wang(
     out: Annotated[Path | None, typer.Option(help="Page to write, with counterparts of the paper's figures")] = None,
 ) -> None:
     """Hold the claims of the paper on a face-gear split torque against what gearwright computes."""
-    from gearwright.dynamics.sharing import sharing_problem, sharing_study
+    from gearwright.dynamics.sharing import floating, sharing_problem, sharing_study
     from gearwright.render.pages.motion import sharing_page
     from gearwright.replays import paper_on
     from gearwright.replays.wang.claims import claims_table
@@ -147,7 +146,8 @@ def wang(
         raise DesignError([Problem("pairs", message)], design)
     show(claims_table(paper.claims))
     if out is not None:
-        write_text(out, sharing_page(sizing, [sharing_study(sharing_problem(sizing))], paper=paper))
+        study = sharing_study(sharing_problem(sizing))
+        write_text(out, sharing_page(sizing, [study], floats=floating(sizing), paper=paper))
         show(f"wrote {out}")
 
 

@@ -259,11 +259,13 @@ def _pages(ranking: Ranking, report: Path) -> dict[Path, str]:
     """Return the page of the ranking, and beside it the one on which the lightest turns."""
     from gearwright.render.pages.motion import turning
     from gearwright.render.pages.studies import architectures_page
+    from gearwright.shape import glb, scene
     from gearwright.study.architectures import closed_designs
 
     closed = closed_designs(ranking.closed)
     if not ranking.passing:
         return {report: architectures_page(ranking, closed)}
-    beside, lightest = report.with_name(f"{report.stem}-turning.html"), closed[ranking.passing[0].title].sizing
+    beside, lightest = report.with_name(f"{report.stem}-turning.html"), closed[ranking.passing[0].title]
     page = architectures_page(ranking, closed, turning=beside.name)
-    return {report: page, beside: turning(lightest, detail="coarse")}
+    built = scene(lightest.sizing, detail="coarse")
+    return {report: page, beside: turning(lightest, built, glb(built))}

@@ -545,9 +545,7 @@ _GETTERS = list[Callable[[Arrays], Any]]()
 
 def _own(part: Any) -> Any:
     """Return the same numbers in arrays that no one else has."""
-    if isinstance(part, tuple):
-        return type(part)(*map(_own, part))
-    return np.array(part)
+    return type(part)(*map(_own, part)) if isinstance(part, tuple) else np.array(part)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

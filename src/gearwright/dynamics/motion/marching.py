@@ -164,9 +164,7 @@ def measure(c: Compared) -> None:
 
 def over(part: float, whole: float) -> float:
     """Return a ratio, zero where there is nothing."""
-    if whole > 0.0:
-        return part / whole
-    return 0.0
+    return part / whole if whole > 0.0 else 0.0
 
 
 def compare(c: Compared, share: float) -> None:

@@ -597,7 +597,7 @@ class Recorder:
         Raises:
             SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
-        self.refuse(_take()(self.taking.place, first, count), first)
+        self.refuse(library(*FUNCTIONS).function("take")(self.taking.place, first, count), first)
         self.count_orders(first, count)
 
     def refuse(self, found: int, first: int) -> None:
@@ -716,11 +716,6 @@ class Recorder:
     def checkpoints(self) -> Checkpoints:
         """Return the states that were kept for replay."""
         return Checkpoints(self.spacing * np.arange(len(self.points)), self.points)
-
-
-def _take() -> Callable[..., int]:
-    """Return the compiled `take`."""
-    return library(*FUNCTIONS).function("take")
 
 
 def summary_of(record: Floats) -> Floats:

@@ -4,6 +4,7 @@ The closed form of a train's redundancy is in `equations`.
 """
 
 from gearwright.dynamics.sharing.of_design import (
+    Floating,
     PathShare,
     PlanetCounts,
     PlanetSharing,
@@ -12,7 +13,9 @@ from gearwright.dynamics.sharing.of_design import (
     SharingStudy,
     SupportSweep,
     elastic_shares,
+    floating,
     load_factors,
+    one_turn,
     parallel_meshes,
     path_shares,
     planet_counts,
@@ -23,6 +26,7 @@ from gearwright.dynamics.sharing.of_design import (
     sharing_problem,
     sharing_study,
     single_error_sharing,
+    slow_displacement,
     support_sweep,
 )
 from gearwright.dynamics.sharing.solutions import (
@@ -53,6 +57,7 @@ __all__ = [
     "TRANSIENT",
     "Allocation",
     "Distribution",
+    "Floating",
     "LoadSharing",
     "PathShare",
     "PlanetCounts",
@@ -67,11 +72,13 @@ __all__ = [
     "drawn_set",
     "elastic_shares",
     "error_sources",
+    "floating",
     "influences",
     "load_factors",
     "load_sharing",
     "mesh_load_factor",
     "monte_carlo",
+    "one_turn",
     "parallel_meshes",
     "path_shares",
     "peak_shares",
@@ -85,6 +92,7 @@ __all__ = [
     "sharing_problem",
     "sharing_study",
     "single_error_sharing",
+    "slow_displacement",
     "support_sweep",
     "tooth_cycle_means",
     "tooth_cycle_shares",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated
 
@@ -32,6 +32,7 @@ from gearwright.base import (
     near,
     not_assessed,
     one_blas_thread,
+    smallest,
     verb,
 )
 from gearwright.dynamics.assembly import assemble, contacts_of, gear_pairs
@@ -260,6 +261,14 @@ def sharing(
     return sharing_study(problem, method=method, target=target, percent=percent, seed=seed)
 
 
+INSTANTS = 4000
+"""Of a turn that is drawn."""
+SPREAD = tuple(float(factor) for factor in np.geomspace(1e-2, 1e2, 41))
+"""Stiffnesses of a support that are shown, over the design's [-]."""
+SHAFTS = 4
+"""On supports, whose paths are shown."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class SupportSweep(Shown):
     """Sharing and displacement against the stiffness of one shaft's support."""
@@ -309,8 +318,7 @@ def support_sweep(
 
 
 def _sweep_row(problem: SharingProblem, shaft: str) -> tuple[float, float, float, float]:
-    time = _turn(problem.system)
-    force = line_forces(problem.train, errors_at(problem.system, time))
+    force = line_forces(problem.train, errors_at(problem.system, _turn(problem.system)))
     share = share_coefficients(force[:, problem.places])[:, 0]
     moved = np.linalg.norm(shaft_displacement(problem, shaft, force), axis=1)
     return float(problem.perfect[0]), float(np.min(share)), float(np.max(share)), float(np.max(moved))
@@ -332,6 +340,58 @@ def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Fl
             supports.setdefault(owner.part.name, []).append(place)
     radial = by_name(shaft, supports, "shaft with a support")[:2]
     return np.asarray(force[:, radial] / problem.system.arrays.stiffness[radial])
+
+
+def slow_displacement(problem: SharingProblem, shaft: str, time: Floats) -> Floats:
+    """Return a shaft's quasi-static displacement across itself under its errors [m], shape (instants, 2).
+
+    Args:
+        problem: From `sharing_problem`.
+        shaft: That moves.
+        time: [s], shape (instants,).
+    """
+    return shaft_displacement(problem, shaft, line_forces(problem.train, errors_at(problem.system, time)))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Floating(Shown):
+    """What the supports of a design's shafts buy."""
+
+    stiffness: float
+    """Of the softest support [N/m]."""
+    sweep: SupportSweep
+    """Of the shaft on it."""
+    paths: Mapping[str, Floats]
+    """Shaft -> its displacement across itself over a turn [m], shape (instants, 2)."""
+
+
+def floating(sizing: Sizing) -> Floating | None:
+    """Return what the supports of shafts buy; None without supports or without errors.
+
+    Args:
+        sizing: What was sized.
+    """
+    supports = sizing.design.supports
+    if not supports or not sizing.design.errors:
+        return None
+    shaft = smallest(supports, lambda name: supports[name].radial)
+    stiffness, problem = supports[shaft].radial, sharing_problem(sizing)
+    time = one_turn([problem])
+    return Floating(
+        stiffness,
+        support_sweep(sizing, shaft, [stiffness * factor for factor in SPREAD]),
+        {name: slow_displacement(problem, name, time) for name in list(supports)[:SHAFTS]},
+    )
+
+
+def one_turn(problems: Iterable[SharingProblem]) -> Floats:
+    """Return instants over one turn of the slowest part that turns [s].
+
+    Args:
+        problems: Whose errors turn.
+    """
+    rates = [abs(source.rate) for problem in problems for source in problem.sources if source.rate]
+    return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)
 
 
 def _turn(system: System) -> Floats:
@@ -621,8 +681,7 @@ def _unit_errors(planetary: PlanetarySet, force: float, error: Mapping[int, Plan
     """Return what a unit error puts on every line [m]."""
     arrays = _system(planetary, force, error).arrays
     sums = np.zeros(len(arrays.stiffness))
-    lines = np.repeat(np.arange(len(sums)), np.diff(arrays.error.start))
-    np.add.at(sums, lines, arrays.error.cosine)
+    np.add.at(sums, np.repeat(np.arange(len(sums)), np.diff(arrays.error.start)), arrays.error.cosine)
     return sums
 
 

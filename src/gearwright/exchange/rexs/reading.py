@@ -287,9 +287,7 @@ def _said(asking: Asking, bodies: Bodies, gearing: Gearing, loads: Mapping[int, 
 def _torque(asking: Asking, said: Component, speed: float) -> float | None:
     """Return the torque of a load: as stated, or of its power at the speed of its shaft [N m]."""
     torque, power = asking.number(said, "torque_around_u_axis"), asking.number(said, "power")
-    if torque is not None or power is None or abs(speed) < _SLOW:
-        return torque
-    return power / speed
+    return torque if torque is not None or power is None or abs(speed) < _SLOW else power / speed
 
 
 def _is_enough(

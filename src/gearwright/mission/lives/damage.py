@@ -523,8 +523,7 @@ def _judged(flight: Flight, mesh: Mesh, rating: Rating, at: tuple[float, float, 
     width = min(gear.face_width for gear in gears)
     loaded = LoadedMesh(warmed, gears[0].module, width, load, (load,), (0.0, 0.0))
     method = method_for(warmed)
-    parts = (gears[0].part, gears[1].part)
-    for check in method.checks(method.rate(loaded), mesh.part, parts):
+    for check in method.checks(method.rate(loaded), mesh.part, (gears[0].part, gears[1].part)):
         if check.mode in MODES:
             yield replace(check, case=phase, place=", ".join(filter(None, (check.place, f"oil of {warm:.0f} °C"))))
 

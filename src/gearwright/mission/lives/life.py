@@ -555,6 +555,5 @@ def bearings_of(flown: FlownMix) -> dict[str, str]:
     Args:
         flown: As flown.
     """
-    rows = next(iter(flown.lives.values())).bearings.rows
-    known = {row.seat: row.bearing.designation for row in rows}
+    known = {row.seat: row.bearing.designation for row in next(iter(flown.lives.values())).bearings.rows}
     return {part.part: known[part.part] for part in flown.life.parts if part.mode == FATIGUE}

@@ -353,7 +353,6 @@ def lagged(before: Curve, after: float, rules: WindowRules) -> Curve:
     """
     lag = rules.lag or 1.0
     late = np.linspace(0.0, LAGS * lag, LAG_POINTS + 1)
-    old = value_at(before, rules.event_at)
-    values = after + (old - after) * np.exp(-late / lag)
+    values = after + (value_at(before, rules.event_at) - after) * np.exp(-late / lag)
     values[-1] = after
     return [*until(before, rules), *zip((rules.event_at + late).tolist(), values.tolist(), strict=True)]

@@ -616,8 +616,7 @@ def _rolled_tangent(loaded: LoadedTooth, edition: Edition) -> _Tangent:
     drop = tooth.fillet_radius - tooth.dedendum + tooth.profile_shift
     internal = np.asarray(z_n) < 0
     opening = np.where(internal, np.pi / 6.0, np.pi / 3.0)
-    turned = 2.0 / z_n * (0.5 * np.pi - _corner(loaded, tooth)) - opening
-    theta = _tangent_angle(drop, turned, z_n)
+    theta = _tangent_angle(drop, 2.0 / z_n * (0.5 * np.pi - _corner(loaded, tooth)) - opening, z_n)
     cosine = np.cos(theta)
     offset = drop / cosine - tooth.fillet_radius
     chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset

@@ -647,8 +647,7 @@ def moving_masses(mesh: MeshGeometry, steels: Steels, *, duty: MeshDuty, quality
     masses = list[Value]()
     for gear, neighbour in enumerate(quality.beyond):
         if neighbour is not None:
-            row = _beyond(mesh, gear, neighbour.teeth)
-            far = lightness(row, 1, neighbour.density, neighbour.body)
+            far = lightness(_beyond(mesh, gear, neighbour.teeth), 1, neighbour.density, neighbour.body)
             masses += idler_masses(own[1 - gear], own[gear], far)
     return tuple(masses) or (reduced_mass(mesh, (steels[0].density, steels[1].density), (first, second)),)
 

@@ -53,9 +53,7 @@ def plain(value: Any, dimension: str = "") -> Any:
             return plain(value.tolist(), dimension)
         case Mapping():
             return {str(name): plain(inner, dimension) for name, inner in value.items()}
-    if _is_record(type(value)):
-        return dict(_entries(value))
-    return [plain(inner, dimension) for inner in value]
+    return dict(_entries(value)) if _is_record(type(value)) else [plain(inner, dimension) for inner in value]
 
 
 def _number(value: float, dimension: str) -> float | None:

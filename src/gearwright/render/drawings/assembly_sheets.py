@@ -89,7 +89,7 @@ from gearwright.render.drawings.positions import LETTER as SECTION, Positions, c
 from gearwright.render.drawings.shaft_view import ACROSS, MM, OVERSHOOT, Axis, Mark, made_of, marked
 from gearwright.render.skeleton import pair_meshes
 from gearwright.render.style import overlap, spread
-from gearwright.shape import kind_of, scene as scene_of, sized_mesh
+from gearwright.shape import Scene, kind_of, sized_mesh
 from gearwright.shape.chambers import spans_in
 from gearwright.sizing import BearingSizing, Sizing
 from gearwright.sizing.casing import HOLE, Flanges, ring_seats
@@ -159,13 +159,14 @@ class _Shown:
     """Machines towards which the housing has no opening."""
 
 
-def arrangement_content(sizing: Sizing) -> Content:
+def arrangement_content(sizing: Sizing, solids: Scene) -> Content:
     """Return what the general arrangement shows.
 
     Args:
         sizing: What was sized.
+        solids: A scene of it.
     """
-    shown = _shown(sizing)
+    shown = _shown(sizing, solids)
     items = _items(shown)
     rows = tuple(
         (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else _kilograms(item.mass))
@@ -182,19 +183,18 @@ def arrangement_content(sizing: Sizing) -> Content:
     )  # fmt: skip
 
 
-def _shown(sizing: Sizing) -> _Shown:
+def _shown(sizing: Sizing, solids: Scene) -> _Shown:
     plane = positions(sizing)
-    casing = casing_section(sizing, plane)
+    casing = casing_section(sizing, solids, plane)
     if not sizing.design.housing.own:
         return _Shown(sizing, plane, casing, Outside())
-    scene = scene_of(sizing, detail="coarse")
     has_end = _has_end_view(sizing, plane)
     outside = Outside()
     if has_end:
-        lines, covers = seen_from_second_end(scene)
+        lines, covers = seen_from_second_end(solids)
         outside = Outside(lines, covers, cutting_way(sizing, plane, covers) if casing is not None else ())
-    apart = true_section(sizing, scene, plane) if has_end and casing is None else None
-    return _Shown(sizing, plane, casing, outside, apart, closed_towards(sizing, scene))
+    apart = true_section(sizing, solids, plane) if has_end and casing is None else None
+    return _Shown(sizing, plane, casing, outside, apart, closed_towards(sizing, solids))
 
 
 def _items(shown: _Shown) -> list[Item]:
@@ -421,13 +421,14 @@ SQUARE = 1e-9
 """How far an axis may turn from the first one to be along it [-]."""
 
 
-def casing_content(sizing: Sizing) -> Content | None:
+def casing_content(sizing: Sizing, solids: Scene) -> Content | None:
     """Return what the sheet of the housing shows; None where the gearbox has none of its own, or no plane cuts it.
 
     Args:
         sizing: What was sized.
+        solids: A scene of it.
     """
-    casing = casing_of(sizing, scene_of(sizing, detail="coarse")) if sizing.design.housing.own else None
+    casing = casing_of(sizing, solids)
     if casing is None:
         return None
     flanges = weighed_flanges(sizing)

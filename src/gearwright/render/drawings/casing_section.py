@@ -13,7 +13,7 @@ from gearwright.render.drawings.arrangement_view import Item
 from gearwright.render.drawings.entities import Entity, Hatch, Layer, Path, millimetres, trimmed
 from gearwright.render.drawings.positions import Lane, Positions, crossed, lanes
 from gearwright.render.drawings.shaft_view import MM, made_of
-from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, WEB, Node, Scene, around, scene as scene_of, short_of
+from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, WEB, Node, Scene, around, short_of
 from gearwright.shape.chambers import Chamber, Cut, Rectangle, bored, cut_chamber, spans_in, united, without
 from gearwright.shape.solids import Solid
 from gearwright.sizing import Sizing
@@ -410,16 +410,16 @@ class CasingSection:
         return MM * complex(0.7 * longest.start + 0.3 * longest.end, (longest.low + longest.high) / 2.0)
 
 
-def casing_section(sizing: Sizing, plane: Positions) -> CasingSection | None:
+def casing_section(sizing: Sizing, scene: Scene, plane: Positions) -> CasingSection | None:
     """Return the housing in the section of the general arrangement; None where there is none or no true section of it.
 
     Args:
         sizing: What was sized.
+        scene: Its solids.
         plane: Where shafts lie.
     """
     if not sizing.design.housing.own or lanes(sizing, plane) is None:
         return None
-    scene = scene_of(sizing, detail="coarse")
     ways = lanes(sizing, plane, joints_of(scene)) or ()
     nodes = [node for node in scene.nodes if node.look == "housing"]
     rectangles: list[Rectangle] = []

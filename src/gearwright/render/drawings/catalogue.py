@@ -10,23 +10,25 @@ from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.gear_view import hub_of
 from gearwright.render.drawings.paper import Content, Sheet, compose
 from gearwright.render.drawings.shaft_sheet import shaft_content
-from gearwright.shape.stands import hand_of, kind_of
+from gearwright.shape import scene
+from gearwright.shape.stands import Scene, hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.places import runs
 
 
 @verb
-def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
+def sheets(sizing: Sizing, names: Collection[str] = (), *, solids: Scene | None = None) -> list[Sheet]:
     """Return the sheets of a sizing.
 
     Args:
         sizing: What was sized.
         names: Of sheets, or of kinds of them (``shaft``, ``gear``, ``carrier``); none: all sheets.
+        solids: A scene of it, coarse; left out: it is made here.
 
     Raises:
         DesignError: If there is no sheet of a name.
     """
-    every = list(contents(sizing))
+    every = list(contents(sizing, solids or scene(sizing, detail="coarse")))
     known = {content.name for content in every} | {content.kind for content in every}
     refuse(Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in names if name not in known)
     numbered = [
@@ -37,13 +39,14 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
     return [compose(content) for content in wanted]
 
 
-def contents(sizing: Sizing) -> Iterator[Content]:
+def contents(sizing: Sizing, solids: Scene) -> Iterator[Content]:
     """Yield what every sheet shows: the general arrangement, shafts, gears, carriers, the housing and its bores.
 
     Args:
         sizing: What was sized.
+        solids: A scene of it.
     """
-    yield arrangement_content(sizing)
+    yield arrangement_content(sizing, solids)
     made = {run.shaft for run in runs(sizing)[0]}  # a shaft that is the cage of its planets alone is none
     yield from (
         shaft_content(sizing, shaft.name) for shaft in sizing.shafts if shaft.diameter > 0.0 and shaft.name in made
@@ -52,7 +55,7 @@ def contents(sizing: Sizing) -> Iterator[Content]:
         for label, shaft in gear_sheets(sizing, gear).items():
             yield gear_content(sizing, gear, shaft, label)
     yield from (carrier_content(sizing, carrier) for carrier in sizing.carriers)
-    yield from (content for content in (casing_content(sizing), housing_content(sizing)) if content is not None)
+    yield from (content for content in (casing_content(sizing, solids), housing_content(sizing)) if content is not None)
 
 
 def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:

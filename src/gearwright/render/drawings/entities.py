@@ -241,8 +241,7 @@ def runs(text: str) -> list[tuple[str, bool]]:
     >>> runs("W_{k} over 4")
     [('W', False), ('k', True), (' over 4', False)]
     """
-    parts = re.split(r"_\{(.*?)\}", text)
-    return [(part, k % 2 == 1) for k, part in enumerate(parts) if part]
+    return [(part, k % 2 == 1) for k, part in enumerate(re.split(r"_\{(.*?)\}", text)) if part]
 
 
 def moved(entities: Iterable[Entity], by: complex) -> list[Entity]:

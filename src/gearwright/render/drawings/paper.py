@@ -303,8 +303,7 @@ def grid_size(grid: Grid) -> tuple[float, float]:
     Args:
         grid: The table.
     """
-    lines = 1 + len(grid.rows) + bool(grid.heads)
-    return sum(_columns(grid)), ROW * lines
+    return sum(_columns(grid)), ROW * (1 + len(grid.rows) + bool(grid.heads))
 
 
 def _columns(grid: Grid) -> list[float]:
@@ -328,8 +327,7 @@ def grid_entities(grid: Grid, corner: complex) -> list[Entity]:
     box = (at, corner, corner - 1j * height, at - 1j * height)
     entities: list[Entity] = [Path(box, Layer.OUTLINE, closed=True)]
     entities.append(Words(at + complex(PAD, -ROW + PAD), grid.title, SMALL, layer=Layer.TABLE))
-    lines = [grid.heads, *grid.rows] if grid.heads else list(grid.rows)
-    for k, line in enumerate(lines, start=1):
+    for k, line in enumerate([grid.heads, *grid.rows] if grid.heads else list(grid.rows), start=1):
         top = at - 1j * ROW * k
         entities.append(Path((top, top + width), Layer.OUTLINE if k == 1 else Layer.TABLE))
         for x, words in zip(_starts(columns), line, strict=True):

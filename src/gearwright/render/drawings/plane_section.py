@@ -439,8 +439,7 @@ def true_entities(sizing: Sizing, section: TrueSection, scale: float, first: int
         entities += shaft_parts(sizing, section.plane, name, scale)[0]
     entities += [*casing_entities(casing.section, scale), *holes_behind(casing, scale)]
     box = extent(entities)
-    items = true_items(sizing, section, scale)
-    entities += balloons([item.anchor for item in items], box, [], first)
+    entities += balloons([item.anchor for item in true_items(sizing, section, scale)], box, [], first)
     low = complex(0.0, extent(entities)[1] - BELOW)
     entities.append(Distance(complex(box[0], box[1]), complex(box[2], box[1]), low, 0.0, scale))
     name_at = complex((box[0] + box[2]) / 2.0, extent(entities)[3] + BELOW)

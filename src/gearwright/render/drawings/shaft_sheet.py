@@ -39,7 +39,7 @@ from gearwright.render.drawings.entities import (
     trimmed,
     words_length,
 )
-from gearwright.render.drawings.gear_sheet import Zone, tooth_grid, zone_grid, zone_lines, zones
+from gearwright.render.drawings.gear_sheet import CASE, case_words, hard_line, tooth_grid
 from gearwright.render.drawings.paper import Content, Grid, Rows, Title
 from gearwright.render.drawings.shaft_view import (
     ACROSS,
@@ -64,7 +64,91 @@ from gearwright.render.drawings.shaft_view import (
 from gearwright.render.style import spread
 from gearwright.shape.stands import cylindrical_gear, gear_of, kind_of, making_of
 from gearwright.sizing import Sizing
-from gearwright.sizing.shafts import ENDS, Groove, Retention, Thread, ends, grooves, held_rings, sealed_exits
+from gearwright.sizing.shafts import (
+    ENDS,
+    Groove,
+    Retention,
+    Thread,
+    case_hardened,
+    ends,
+    grooves,
+    held_rings,
+    sealed_exits,
+)
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Where a shaft is case-hardened: lines beside its outline with numbers (ISO 15787), and the table of what is asked.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+UNDER_LIP = (0.3, 0.6)
+"""Depth of the case under the lip of a seal, at least (makers' sheets) and at most (assumed) [mm]."""
+
+
+class Zone(NamedTuple):
+    """A surface of a shaft that is hardened."""
+
+    piece: Piece
+    what: str
+    """Such as ``teeth of helical.pinion``."""
+    hardness: float
+    """At least [HV]."""
+    depth: tuple[float, float]
+    """At least and at most [mm]."""
+
+    @property
+    def words(self) -> str:
+        """Hardness and depth of the case as drawings write them."""
+        return case_words(self.hardness, self.depth)
+
+
+def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
+    """Return the teeth of one piece with a shaft that are case-hardened, and with them what runs under lips of seals.
+
+    Args:
+        sizing: What was sized.
+        body: The shaft.
+    """
+    found, steels = [], case_hardened(sizing, body.name)
+    for piece in body.pieces:
+        if piece.toothed and piece.seat in steels:
+            gear = gear_of(sizing, piece.seat)
+            low, high = (MM * share * gear.module for share in CASE)
+            found.append(Zone(piece, f"teeth of {gear.name}", steels[gear.name].hardness, (low, high)))
+    if found:
+        hardness = min(zone.hardness for zone in found)
+        found += [Zone(piece, f"under the seal towards {piece.sealed}", hardness, UNDER_LIP)
+                  for piece in body.pieces if piece.sealed]  # fmt: skip
+    return tuple(found)
+
+
+def zone_lines(axis: Axis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
+    """Yield the lines below the outline along which a shaft is hardened, with their numbers.
+
+    Args:
+        axis: Of the shaft.
+        hard: From `zones`.
+    """
+    for number, zone in enumerate(hard, start=1):
+        piece = zone.piece
+        ends = [
+            axis.at(x, -diameter / 2.0) for x, diameter in zip((piece.start, piece.end), piece.diameters, strict=True)
+        ]
+        along = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        yield from hard_line((ends[0], ends[1]), -1j * along, number)
+
+
+def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
+    """Yield the table of hardened surfaces; none where none is.
+
+    Args:
+        hard: From `zones`.
+    """
+    if hard:
+        rows = [(f"{number}", zone.what, zone.words) for number, zone in enumerate(hard, start=1)]
+        rows.append(("", "all else", "soft: kept from carburizing (assumed)"))
+        yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))
+
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Lengths of a shaft: functional ones between the faces that parts lean on, all others from the first end.

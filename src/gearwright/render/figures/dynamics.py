@@ -11,18 +11,14 @@ from rich.text import Text
 from gearwright.base import RPM, Floats, largest_first, smallest_first, written
 from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics import System
-from gearwright.dynamics.equations import errors_at, line_forces
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.sharing import (
     Allocation,
     LoadSharing,
     PlanetCounts,
     PlanetSharing,
-    SharingProblem,
     SharingStudy,
     SupportSweep,
-    shaft_displacement,
-    single_error_sharing,
 )
 from gearwright.dynamics.vibration import (
     RESONANCE,
@@ -443,8 +439,6 @@ def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-INSTANTS = 4000
-"""Of a turn that is drawn."""
 MICROMETRE = 1e-6
 ROW = 5.0
 """Height of one bar [mm of paper]."""
@@ -490,19 +484,18 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
 
 
 @theme.drawn
-def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time: Floats) -> Figure:
+def displacement_figure(paths: Mapping[str, Floats], shaft: str, time: Floats) -> Figure:
     """Return the quasi-static displacement of a floating shaft against time.
 
     Args:
-        problems: Label -> problem; the counterpart of the paper's figures 5 and 7.
+        paths: Label -> displacement [m], shape (instants, 2); the counterpart of the paper's figures 5 and 7.
         shaft: That floats.
         time: [s], shape (instants,).
     """
     figure = theme.sheet(WIDTH, 60.0)
     axes = figure.panel()
-    for label, problem in problems.items():
-        moved = np.linalg.norm(_displacement(problem, shaft, time), axis=1)
-        axes.plot(time, moved / MICROMETRE, label=label)
+    for label, path in paths.items():
+        axes.plot(time, np.linalg.norm(path, axis=1) / MICROMETRE, label=label)
     axes.set(xlabel="time [s]", ylabel="displacement [µm]", title=f"How far shaft {shaft} moves")
     axes.legend("right")
     axes.margins(x=0.0)
@@ -510,24 +503,17 @@ def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time
     return figure
 
 
-def _displacement(problem: SharingProblem, shaft: str, time: Floats) -> Floats:
-    force = line_forces(problem.train, errors_at(problem.system, time))
-    return shaft_displacement(problem, shaft, force)
-
-
 @theme.drawn
-def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -> Figure:
+def orbit_figure(paths: Mapping[str, Floats]) -> Figure:
     """Return the paths of shafts' centres across themselves under slow errors.
 
     Args:
-        problem: From `sharing_problem`.
-        shafts: That move.
-        time: [s], shape (instants,).
+        paths: Shaft -> its displacement [m], shape (instants, 2).
     """
     figure = theme.sheet(WIDTH, 62.0)
-    panels = figure.grid(1, len(shafts))[0]
-    for axes, shaft in zip(panels, shafts, strict=True):
-        moved = _displacement(problem, shaft, time) / MICROMETRE
+    panels = figure.grid(1, len(paths))[0]
+    for axes, (shaft, path) in zip(panels, paths.items(), strict=True):
+        moved = path / MICROMETRE
         axes.plot(moved[:, 0], moved[:, 1], lw=0.7)
         axes.plot(*np.mean(moved, axis=0).tolist(), "o", color=theme.ORANGE, ms=3.0)
         axes.set(title=shaft, xlabel="first axis across [µm]")
@@ -637,21 +623,13 @@ def allocation_figure(allocation: Allocation) -> Figure:
 
 
 @theme.drawn
-def single_error_figure(
-    problem: SharingProblem, span: tuple[float, float], names: Mapping[str, str] | None = None
-) -> Figure:
+def single_error_figure(sharings: Mapping[str, LoadSharing], names: Mapping[str, str] | None = None) -> Figure:
     """Return the tooth-cycle sharing against time for every error alone, as in the paper's figures 8 to 18.
 
     Args:
-        problem: From `sharing_problem`, with its errors.
-        span: (from, to) [s].
+        sharings: Error -> sharing with it alone.
         names: Error -> what its panel is called besides.
     """
-    # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
-    sharings = {
-        source.name: single_error_sharing(problem, source, method="frequency response", span=span)
-        for source in problem.sources
-    }
     figure, grid = theme.tiles(len(sharings), 3, frame=14.0, row=30.0, share_y="all")
     for axes, (name, sharing) in zip(grid.flat, sharings.items(), strict=False):
         cycle = sharing.tooth_cycle
@@ -692,16 +670,6 @@ def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, M
     axes.set_xticks(sorted(counts.union(*curves.values())))
     axes.legend("right", size=6.5)
     return figure
-
-
-def one_turn(problems: Mapping[str, SharingProblem]) -> Floats:
-    """Return instants over one turn of the slowest part that turns [s].
-
-    Args:
-        problems: Whose errors turn.
-    """
-    rates = [abs(source.rate) for problem in problems.values() for source in problem.sources if source.rate]
-    return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -314,8 +314,7 @@ def _label(axes: Axes, words: Sequence[str], place: Place) -> None:
     left, low, width, height = place
     name = _cut(words[0], width - 2.0)
     fitting = [word for word in (name, words[1]) if word and text_width(word, LETTERS, bold=False) <= width - 2.0]
-    shown = fitting[: int((height - 1.0) / _LINE)]
-    for k, word in enumerate(shown):
+    for k, word in enumerate(fitting[: int((height - 1.0) / _LINE)]):
         axes.text(left + 1.0, low + height - 0.8 - k * _LINE, word, fontsize=LETTERS, va="top")
 
 

@@ -4,7 +4,7 @@ import json
 import math
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from markupsafe import Markup
@@ -20,16 +20,14 @@ from gearwright.base import (
     PartId,
     largest,
     margin_text,
-    smallest,
     smallest_first,
     text,
-    verb,
     worst_first,
 )
 from gearwright.dynamics import Modes, System, Trace
-from gearwright.dynamics.sharing import Allocation, PlanetCounts, SharingStudy, sharing_problem, support_sweep
+from gearwright.dynamics.sharing import Allocation, Floating, PlanetCounts, SharingStudy
 from gearwright.dynamics.vibration import SpeedCase, first_meshes
-from gearwright.particulars import Particulars, Reported, particulars
+from gearwright.particulars import Particulars, Reported
 from gearwright.render import solids, style as theme
 from gearwright.render.figures.dynamics import (
     LIMIT,
@@ -38,7 +36,6 @@ from gearwright.render.figures.dynamics import (
     around_figure,
     campbell_figure,
     distribution_figure,
-    one_turn,
     orbit_figure as sharing_orbit_figure,
     planets_figure,
     published_notes,
@@ -61,7 +58,7 @@ from gearwright.render.tables.dynamics import assumption_table, critical_table, 
 from gearwright.render.tables.weights import summary as mass_summary
 from gearwright.render.terminal import Grid
 from gearwright.render.vector.figure import Figure as Drawing
-from gearwright.shape import Node, Scene, glb, scene
+from gearwright.shape import Node, Scene
 from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
 from gearwright.version import __version__
 
@@ -241,26 +238,26 @@ def _square(way: Floats, axis: Floats) -> Floats:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-@verb
-def turning(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> str:
+def turning(facts: Particulars, built: Scene, model: bytes) -> str:
     """Return a page on which the gearbox turns, as one self-contained HTML text.
 
     Args:
-        sizing: As sized.
-        detail: Of its solids.
+        facts: Of a sizing.
+        built: Its solids.
+        model: The same as a GLB file.
     """
-    built = scene(sizing, detail=detail)
-    facts = solid_facts(sizing, built)
+    sizing = facts.sizing
+    said = solid_facts(sizing, built)
     three = solids.bundled()
     return environment().get_template("turning.html.j2").render(
         name=sizing.design.name,
-        summary=mass_summary(particulars(sizing)),
+        summary=mass_summary(facts),
         style=Markup(solids.text("turning.css")),
         scripts=[Markup(script) for script in solids.scripts()],
-        facts=Markup(_json(facts)),
-        model=Markup(b64encode(glb(built)).decode()),
+        facts=Markup(_json(said)),
+        model=Markup(b64encode(model).decode()),
         drawing=Markup(theme.to_svg(schematic_figure(sizing), "train")),
-        most=text(max((part["force"] or 0.0 for part in facts["parts"].values()), default=0.0), "force"),
+        most=text(max((part["force"] or 0.0 for part in said["parts"].values()), default=0.0), "force"),
         approximations=built.approximations,
         three=three["version"],
         version=__version__,
@@ -508,9 +505,6 @@ def _allocation(allocation: Allocation) -> Grid:
 _FOOTER = "Shares are those of forces along the lines of action; b is the share times the number of paths."
 _OF_A_HUNDRED = 95.0
 """Gearboxes below the share in the head [%]."""
-
-SPREAD = tuple(float(factor) for factor in np.geomspace(1e-2, 1e2, 41))
-"""Stiffnesses of a support that are shown, over the design's [-]."""
 AROUND = 3
 """Paths that are drawn round their shaft, at least."""
 Drawn = tuple[str, Drawing]
@@ -545,6 +539,7 @@ def sharing_page(
     studies: Sequence[SharingStudy],
     *,
     counts: Sequence[PlanetCounts] = (),
+    floats: Floating | None = None,
     target: float | None = None,
     paper: Paper | None = None,
 ) -> str:
@@ -554,13 +549,21 @@ def sharing_page(
         sizing: What was sized.
         studies: One for each stage that is shown.
         counts: K_γ against planets, of the sets that have it.
+        floats: What the supports of shafts buy, from `floating`.
         target: Share that was asked for [-].
         paper: Figures and claims of a publication on such a design, which follow at the end.
     """
-    chapters = _chapters(sizing, studies, counts, target)
+    chapters = [
+        Section(f"Stage {study.problem.stage}", notes=_sentences(summary(study)),
+                figures=_drawn(_figures(study, target), f"stage{k}"))
+        for k, study in enumerate(studies)
+    ]  # fmt: skip
+    chapters += [_planets(count, f"planets{k}") for k, count in enumerate(counts)]
+    if floats is not None:
+        chapters.append(Section("Floating", figures=_drawn(_supports(floats), "floating")))
     claims = () if paper is None else paper.claims
     if paper is not None:
-        chapters.append(Section("Figures of the paper", figures=_drawn(tuple(paper.figures), "paper")))
+        chapters.append(Section("Figures of the paper", figures=_drawn(paper.figures, "paper")))
         chapters.insert(0, _claimed(claims))
     return set_page(
         Page("Load sharing", sizing.design.name, sizing.design.description, _verdict(studies, claims, target),
@@ -600,19 +603,6 @@ def _claimed(claims: Sequence[ClaimRow]) -> Section:
     return Section("Claims of the paper", content=Markup(content))
 
 
-def _chapters(
-    sizing: Sizing, studies: Sequence[SharingStudy], counts: Sequence[PlanetCounts], target: float | None
-) -> list[Section]:
-    stages = [
-        Section(f"Stage {study.problem.stage}", notes=_sentences(summary(study)),
-                figures=_drawn(tuple(_figures(study, target)), f"stage{k}"))
-        for k, study in enumerate(studies)
-    ]  # fmt: skip
-    stages += [_planets(count, f"planets{k}") for k, count in enumerate(counts)]
-    floating = _drawn(tuple(_supports(sizing)), "floating")
-    return [*stages, Section("Floating", figures=floating)] if floating else stages
-
-
 def _sentences(words: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"{line[:1].upper()}{line[1:]}." for line in words)
 
@@ -624,7 +614,7 @@ def _planets(counts: PlanetCounts, prefix: str) -> Section:
     return Section(title, notes=_sentences(published_notes()), figures=_drawn((drawn,), prefix))
 
 
-def _drawn(figures: Sequence[Drawn], prefix: str) -> tuple[Figure, ...]:
+def _drawn(figures: Iterable[Drawn], prefix: str) -> tuple[Figure, ...]:
     """Draw figures; the prefix keeps their ids apart and the same each time."""
     return tuple(figure(drawn, f"{prefix}-{k}", words) for k, (words, drawn) in enumerate(figures))
 
@@ -644,14 +634,7 @@ def _figures(study: SharingStudy, target: float | None) -> Iterator[Drawn]:
         yield "Which tolerance to tighten", allocation_figure(study.allocation)
 
 
-def _supports(sizing: Sizing) -> Iterator[Drawn]:
-    """Yield what the softest support buys, and the orbits of all shafts that move."""
-    supports = sizing.design.supports
-    if not supports or not sizing.design.errors:
-        return
-    shaft = smallest(supports, lambda name: supports[name].radial)
-    stiffness = supports[shaft].radial
-    sweep = support_sweep(sizing, shaft, [stiffness * factor for factor in SPREAD])
-    yield f"Support of shaft {shaft}", support_figure(sweep, {stiffness: "design"})
-    problem = sharing_problem(sizing)
-    yield "Orbits of the shafts", sharing_orbit_figure(problem, list(supports)[:4], one_turn({"": problem}))
+def _supports(floats: Floating) -> Iterator[Drawn]:
+    """Yield what the softest support buys, and the orbits of shafts that move."""
+    yield f"Support of shaft {floats.sweep.shaft}", support_figure(floats.sweep, {floats.stiffness: "design"})
+    yield "Orbits of the shafts", sharing_orbit_figure(floats.paths)

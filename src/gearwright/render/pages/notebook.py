@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from html import escape
+from importlib import import_module
 from types import MappingProxyType
 from typing import Any
 
@@ -259,7 +260,8 @@ def html(value: object) -> str:
     """
     kind = type(value).__name__
     parts = [f"<pre>{escape(short(value))}</pre>"]
-    parts += [_table(table) for table in (_TABLES[kind](value) if kind in _TABLES else ()) if table.rows]
+    tables = _TABLES[kind](value) if kind in _TABLES else ()
+    parts += [_table(table) for table in ((tables,) if isinstance(tables, Table) else tables) if table.rows]
     if kind in _FIGURES:
         parts.append(theme.to_svg(_FIGURES[kind](value), f"{kind}-{id(value)}"))
     return "\n".join(parts)
@@ -269,83 +271,26 @@ def _table(table: Table) -> str:
     return environment().from_string(_TABLE).render(table=table, marks=MARKS)
 
 
-def _schematic(value: Any) -> theme.Drawing:
-    from gearwright.render.schematic import schematic_figure
-
-    return schematic_figure(build_train(value) if type(value).__name__ == "Design" else value)
-
-
-def _modes(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.motion import mode_figure
-
-    return mode_figure(value)
+def _late(module: str, name: str) -> Callable[[Any], Any]:
+    """Return a function of a module of this room, which is loaded when a value is shown."""
+    return lambda value: getattr(import_module(f"gearwright.render.{module}"), name)(value)
 
 
-def _trace(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.motion import time_figure
-
-    return time_figure(value)
-
-
-def _campbell(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.dynamics import diagram_figure
-
-    return diagram_figure(value if type(value).__name__ == "Campbell" else value.campbell)
-
-
-def _flight(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.flights import power_figure
-
-    return power_figure(value)
-
-
-def _study(value: Any) -> theme.Drawing:
-    from gearwright.render.figures.study import study_figure
-
-    return study_figure(value)
-
-
-def _mode_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.dynamics import mode_table
-
-    return (mode_table(value),)
-
-
-def _motion_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.dynamics import motion_tables
-
-    return motion_tables(value)
-
-
-def _speed_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.dynamics import critical_table
-
-    return (critical_table(value),)
-
-
-def _phase_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.flights import phase_table
-
-    return (phase_table(value),)
-
-
-def _check_tables(value: Any) -> tuple[Table, ...]:
-    return review_tables(value.checks)
-
-
-def _gear_tables(value: Any) -> tuple[Table, ...]:
-    return (gear_table(value),)
-
-
+_SCHEMATIC, _DIAGRAM = _late("schematic", "schematic_figure"), _late("figures.dynamics", "diagram_figure")
 _FIGURES: Mapping[str, Callable[[Any], theme.Drawing]] = MappingProxyType(
     {
-        "Design": _schematic, "Sizing": _schematic, "Modes": _modes, "Campbell": _campbell, "SpeedCase": _campbell,
-        "Trace": _trace, "Flight": _flight, "Table": _study,
+        "Design": lambda design: _SCHEMATIC(build_train(design)), "Sizing": _SCHEMATIC,
+        "Modes": _late("figures.motion", "mode_figure"), "Trace": _late("figures.motion", "time_figure"),
+        "Campbell": _DIAGRAM, "SpeedCase": lambda speeds: _DIAGRAM(speeds.campbell),
+        "Flight": _late("figures.flights", "power_figure"), "Table": _late("figures.study", "study_figure"),
     }
 )  # fmt: skip
-_TABLES: Mapping[str, Callable[[Any], tuple[Table, ...]]] = MappingProxyType(
+"""Type -> its figure."""
+_TABLES: Mapping[str, Callable[[Any], Table | tuple[Table, ...]]] = MappingProxyType(
     {
-        "Sizing": _gear_tables, "Modes": _mode_tables, "Trace": _motion_tables, "SpeedCase": _speed_tables,
-        "Flight": _phase_tables, "Review": _check_tables,
+        "Sizing": gear_table, "Modes": _late("tables.dynamics", "mode_table"),
+        "Trace": _late("tables.dynamics", "motion_tables"), "SpeedCase": _late("tables.dynamics", "critical_table"),
+        "Flight": _late("tables.flights", "phase_table"), "Review": lambda review: review_tables(review.checks),
     }
 )  # fmt: skip
+"""Type -> its tables."""

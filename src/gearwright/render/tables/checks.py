@@ -183,9 +183,7 @@ def _view(row: Factor) -> FactorView:
 
 
 def _read(value: Any, dimension: str) -> str:
-    if isinstance(value, int):
-        return str(value)
-    return written(shown(float(np.asarray(value)), dimension), 5)
+    return str(value) if isinstance(value, int) else written(shown(float(np.asarray(value)), dimension), 5)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -101,9 +101,7 @@ def numeric_axis(table: Table) -> str | None:
         table: Of the study.
     """
     paths = table.free
-    if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
-        return None
-    return paths[-1]
+    return None if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows) else paths[-1]
 
 
 def _is_number(value: object) -> bool:

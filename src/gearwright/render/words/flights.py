@@ -378,8 +378,7 @@ def duty_text(duty: MeasuredDuty, spectrum: DutySpectrum) -> RenderableType:
         duty: As read.
         spectrum: Its classes.
     """
-    lines = [summary(duty), *duty_notes(duty)]
-    return Group(*map(Text, lines), Text(), table_text(duty_table(spectrum)))
+    return Group(*map(Text, [summary(duty), *duty_notes(duty)]), Text(), table_text(duty_table(spectrum)))
 
 
 def cycles_text(duty: MeasuredDuty, residue: Residue) -> RenderableType:
@@ -694,8 +693,7 @@ def engine_text(made: MadeEngine) -> RenderableType:
         *exponents,
         f"  air_flow_kg_s = {design.air_flow:.4g}",
     )
-    words = "\n".join(lines)
-    return Group(table_text(deck_table(made)), Text(), Text(words))
+    return Group(table_text(deck_table(made)), Text(), Text("\n".join(lines)))
 
 
 def transient_text(found: EngineTransient) -> RenderableType:

@@ -83,8 +83,7 @@ def in_line_h2(law: str) -> Mapping[int, Masses]:
     Args:
         law: Of the motor's mass.
     """
-    rows = _study_rows("power-density")
-    return {_speed(row): _masses(row) for row in rows if row.inputs[_LAW] == law}
+    return {_speed(row): _masses(row) for row in _study_rows("power-density") if row.inputs[_LAW] == law}
 
 
 @cache

@@ -17,12 +17,15 @@ from gearwright.dynamics.sharing import (
     SharingProblem,
     influences,
     load_sharing,
+    one_turn,
     parallel_meshes,
     shaft_displacement,
     sharing_problem,
+    single_error_sharing,
+    slow_displacement,
     tooth_cycle_means,
 )
-from gearwright.render.figures.dynamics import displacement_figure, one_turn, sharing_figure, single_error_figure
+from gearwright.render.figures.dynamics import displacement_figure, sharing_figure, single_error_figure
 from gearwright.render.grid import table
 from gearwright.render.pages.motion import ClaimRow, Drawn, Paper
 from gearwright.render.words.sizing import table_text
@@ -412,11 +415,18 @@ def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[Drawn]:
     soft = {stiffness: with_support(sizing, parts.pinion, stiffness) for stiffness in (HALF, FLOATING)}
     problems = {f"{stiffness:.0e} N/m": sharing_problem(softer) for stiffness, softer in soft.items()}
     words = "Figures 5 and 7: displacement of shaft 1 by slow errors, without tooth ripple"
-    yield words, displacement_figure(problems, parts.pinion, one_turn(problems))
+    time = one_turn(problems.values())
+    moved = {label: slow_displacement(problem, parts.pinion, time) for label, problem in problems.items()}
+    yield words, displacement_figure(moved, parts.pinion, time)
     alone = sharing_problem(sizing)
-    span = (TRANSIENT, TRANSIENT + float(one_turn({"": alone})[-1]))
+    span = (TRANSIENT, TRANSIENT + float(one_turn([alone])[-1]))
+    # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
+    sharings = {
+        source.name: single_error_sharing(alone, source, method="frequency response", span=span)
+        for source in alone.sources
+    }
     words = "Figures 8 to 18: one error at a time, and those that the paper leaves out"
-    yield words, single_error_figure(alone, span, parts.single_errors)
+    yield words, single_error_figure(sharings, parts.single_errors)
 
 
 def _solved(problems: Mapping[str, SharingProblem]) -> dict[str, LoadSharing]:

@@ -5,13 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.base import Kind, PartId, Problem, Role, refuse
-from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, bearings, key_for_shaft
+from gearwright.catalogue import (
+    SIMILARITY,
+    STEEL_DENSITY,
+    STEEL_SHARE,
+    bored_mass,
+    key_for_shaft,
+    loaded_mass,
+    rating_for,
+)
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WEB, BevelPair, bevel_dishes, bevel_volume, lightened_web
 from gearwright.parts.gears import (
@@ -42,67 +49,8 @@ from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec import GROUND
 from gearwright.spec.design import Pair
 
-# ----------------------------------------------------------------------------------------------------------------------
-# What a rolling bearing weighs before one is chosen: by the load that it must bear, and by the shaft that it holds.
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-SOURCE = "similarity through the catalogue's cylindrical roller bearings (ISO 15, ISO 281)"
 BEARING_SURE = 0.30
 """One standard deviation of a bearing that is not chosen, over its value [-]: its series, and what its thrust adds."""
-_LIGHT = 0.25
-"""Share of the catalogue's sizes that are the lightest around their shaft [-]."""
-
-
-class Similar(NamedTuple):
-    """How the mass of similar bearings grows."""
-
-    by_load: float
-    """C/m^(2/3) [N/kg^(2/3)]: at equal stress ratings grow as areas and masses as volumes."""
-    by_bore: float
-    """m/d³ of light series [kg/m³]."""
-
-
-@cache
-def similar() -> Similar:
-    """Return the geometric means over the catalogue's cylindrical roller bearings."""
-    rollers = [size for size in bearings().values() if size.kind == BearingKind.CYLINDRICAL and size.bore >= 0.03]
-    loads = np.log([size.dynamic_rating / size.mass ** (2.0 / 3.0) for size in rollers])
-    bores = np.sort(np.log([size.mass / size.bore**3 for size in rollers]))
-    return Similar(float(np.exp(loads.mean())), float(np.exp(np.quantile(bores, _LIGHT))))
-
-
-def rating_for(load: float, life: float, speed: float) -> float:
-    """Return the dynamic rating that a roller bearing needs [N].
-
-    Args:
-        load: Equivalent dynamic load P [N].
-        life: L_10h [s].
-        speed: Of its rings against each other [rad/s].
-
-    Source: ISO 281:2007, L_10 = (C/P)^(10/3).
-    """
-    turns = life * abs(speed) / (2.0 * math.pi)
-    return float(load * max(turns / 1e6, 0.0) ** 0.3)
-
-
-def loaded_mass(rating: float) -> float:
-    """Return the mass of a roller bearing with a rating [kg].
-
-    Args:
-        rating: C [N].
-    """
-    return float((rating / similar().by_load) ** 1.5)
-
-
-def bored_mass(bore: float) -> float:
-    """Return the mass of a bearing of light series on a shaft [kg].
-
-    Args:
-        bore: d [m].
-    """
-    return similar().by_bore * bore**3
-
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What every bearing seat bears in the case that speaks for the design: load, and the rating that its life needs.
@@ -253,7 +201,7 @@ def bearing_items(sizing: Sizing, duties: Sequence[SeatDuty], bores: Mapping[str
         yield from _ends(sizing, duties)
     for bore in dict.fromkeys(bores.values()):
         formula = "catalogue" if bore.named else CROWDED if bore.crowded else "m = (C/c)^1.5 by load and life"
-        source, sure = ("catalogue of bearings", _CHOSEN) if bore.named else (SOURCE, BEARING_SURE)
+        source, sure = ("catalogue of bearings", _CHOSEN) if bore.named else (SIMILARITY, BEARING_SURE)
         yield MassItem(bore.body, "bearings", bore.equal, bore.mass, sure, formula, source)
 
 
@@ -263,7 +211,7 @@ def _estimated(sizing: Sizing, duties: Sequence[SeatDuty]) -> Iterator[MassItem]
     for seat, _, rating in duties:
         if GROUND in seat.nodes and seat.name not in built and not _in_planet(seat.part):
             mass = max(loaded_mass(rating), bored_mass(seat.bore))
-            yield MassItem(seat.name, "bearings", seat.count, mass, BEARING_SURE, _BY_SIZE, SOURCE)
+            yield MassItem(seat.name, "bearings", seat.count, mass, BEARING_SURE, _BY_SIZE, SIMILARITY)
 
 
 def _in_planet(part: PartId) -> bool:
@@ -278,7 +226,13 @@ def _ends(sizing: Sizing, duties: Sequence[SeatDuty]) -> Iterator[MassItem]:
     for shaft in sizing.shafts:
         if shaft.name in held - loaded:
             yield MassItem(
-                f"{shaft.name} bearings", "bearings", ENDS, bored_mass(shaft.diameter), BEARING_SURE, "m = k d³", SOURCE
+                f"{shaft.name} bearings",
+                "bearings",
+                ENDS,
+                bored_mass(shaft.diameter),
+                BEARING_SURE,
+                "m = k d³",
+                SIMILARITY,
             )
 
 

@@ -611,8 +611,7 @@ def _cleared(sizing: Sizing, spans: Mapping[str, Span]) -> dict[str, Span]:
     """Return the shafts without what hangs over their own parts into another one in line, which has parts there."""
     cut, frames = dict(spans), sizing.arrangement.frames
     built = {shaft.name for shaft in sizing.built_shafts}
-    names = [name for name in spans if name not in built]
-    for name in names:
+    for name in [name for name in spans if name not in built]:
         core = _hull(_own(sizing, name))
         if core is None:
             continue

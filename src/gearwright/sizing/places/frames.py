@@ -150,8 +150,7 @@ def solid_room(one: Solid, other: Solid, *, enough: float = math.inf) -> Room:
     if float(np.max(_gaps(one, other, directions))) <= enough:
         directions = _refined(one, other, np.vstack([directions, _sphere()]))
     gaps = _gaps(one, other, directions)
-    way = directions[int(np.argmax(gaps))]
-    apart = float(way @ (other.middle - one.middle))
+    apart = float(directions[int(np.argmax(gaps))] @ (other.middle - one.middle))
     found = Room(apart, apart - float(np.max(gaps)))
     return found if best is None or found.gap >= best.gap else best
 

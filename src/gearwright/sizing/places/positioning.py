@@ -612,8 +612,7 @@ def settle(context: Context, gears: tuple[GearSizing, ...], *, still: bool = Fal
     turns: tuple[Turn, ...] = ()
     for _ in range(0 if still else ROUNDS):
         settled = _settled(context, gears, turns)
-        parts = _parts(context, gears, settled)
-        found = turns_of(parts, settled.rules, settled.arrangement)
+        found = turns_of(_parts(context, gears, settled), settled.rules, settled.arrangement)
         if found == turns:
             return settled
         turns = found

@@ -215,8 +215,7 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
     """
     chosen: Mapping[str, Bearing] = {}
     for _ in range(2):  # seats are as wide as their bearings, which are known after the first time
-        items = items_on(task, chosen)
-        stretches, chosen = _laid(task, seated, _wanted(task, items, needed))
+        stretches, chosen = _laid(task, seated, _wanted(task, items_on(task, chosen), needed))
     return _judged(task, stretches, chosen)
 
 

@@ -222,8 +222,7 @@ def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSiz
     """Return the shortest standard key that bears the torque, or what it would have to be."""
     key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
     ends = key.section.width if joint.form == "A" else 0.0
-    asked = key_length(seat.torque, diameter, key.section, allowable=allowed) + ends
-    shortest = max(asked, key.shortest)
+    shortest = max(key_length(seat.torque, diameter, key.section, allowable=allowed) + ends, key.shortest)
     length = joint.length or next((size for size in LENGTHS if size >= shortest - 1e-9), _whole(shortest))
     flank = length - ends
     pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=flank) if flank > 0.0 else math.inf
@@ -358,8 +357,7 @@ def foot_of(thin: float, thick: float, rules: ShaftRules) -> Undercut | None:
         thick: Of the step [m].
         rules: Of the design.
     """
-    asked = rules.shoulders == "undercut" and thin < BLUNTEST * thick
-    return undercut(thin) if asked else None
+    return undercut(thin) if rules.shoulders == "undercut" and thin < BLUNTEST * thick else None
 
 
 def undercuts_of(sizing: Sizing, shaft: BuiltShaft) -> Iterator[Cut]:

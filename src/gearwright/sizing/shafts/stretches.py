@@ -260,9 +260,7 @@ def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
     if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > SAME:
         return side
     wanted = side[-2].shoulder
-    if side[-1].diameter < wanted <= inner.diameter + SAME:
-        return [*side[:-1], side[-1].of(wanted)]
-    return side
+    return [*side[:-1], side[-1].of(wanted)] if side[-1].diameter < wanted <= inner.diameter + SAME else side
 
 
 def _core(

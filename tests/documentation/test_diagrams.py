@@ -1,9 +1,9 @@
 """Every length and angle of the design file is drawn where it is measured."""
 
 import pytest
+from test_site import reference
 
 from gearwright.render.diagrams import DIAGRAMS
-from gearwright.render.words.design_file import sections_of
 from gearwright.spec import quantity_of
 from gearwright.spec.design import Design
 
@@ -14,7 +14,7 @@ ENDINGS = {"length": "mm", "angle": "deg"}
 def measured():
     """Return table -> keys of its lengths and angles."""
     keys = {}
-    for record, path in sections_of(Design).items():
+    for record, path in reference.sections_of(Design).items():
         for name, info in record.model_fields.items():
             quantity = quantity_of(info)
             if quantity is not None and quantity.dimension in ENDINGS:
