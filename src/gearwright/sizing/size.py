@@ -52,7 +52,7 @@ from gearwright.sizing.places import (
 )
 from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import MESHES, Context, Known
-from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
+from gearwright.sizing.result import MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
 from gearwright.sizing.stage_sizes import StageSize
@@ -60,7 +60,7 @@ from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
-from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
+from gearwright.spec.design import BUILT, CONCEPT, PRELIMINARY, RATINGS, Given, Rotor, given_values, module_owners
 from gearwright.train import Train, build_train
 
 # ----------------------------------------------------------------------------------------------------------------------

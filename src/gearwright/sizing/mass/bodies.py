@@ -37,10 +37,10 @@ from gearwright.sizing.gear_geometry import (
 from gearwright.sizing.mass.record import CROWDED, MassItem
 from gearwright.sizing.places import BOSS, IN_LINE, Run, along_body, bells, planets_span, plates_of, runs
 from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, geometry as standard_teeth, rating_of
-from gearwright.sizing.result import PRELIMINARY, Body, GearSizing, Sizing
+from gearwright.sizing.result import Body, GearSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec import GROUND
-from gearwright.spec.design import Pair
+from gearwright.spec.design import CONCEPT, Pair
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a rolling bearing weighs before one is chosen: by the load that it must bear, and by the shaft that it holds.
@@ -614,17 +614,17 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
+# Gears above level `concept`: their mass and inertia are those of the bodies that the complete mass counts.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 def as_made(sizing: Sizing) -> Sizing:
-    """Return a preliminary sizing with gears as they are made: teeth, rims, webs, hubs, bores; any other as it is.
+    """Return a sizing with gears as they are made: teeth, rims, webs, hubs, bores; a concept as it is.
 
     Args:
         sizing: With shafts and what planets turn on.
     """
-    if sizing.level != PRELIMINARY:
+    if sizing.level == CONCEPT:
         return sizing
     seats = Seats(_bores(sizing), shaft_diameters(sizing))
     return replace(sizing, gears=tuple(_made(sizing, gear, seats) for gear in sizing.gears))
