@@ -1,5 +1,6 @@
 """Levels only add: a table more in a file neither lowers how its gears are rated nor drops a check that it had."""
 
+import contextlib
 import random
 
 import pytest
@@ -95,10 +96,8 @@ def dropped(before, after):
 def test_no_table_lowers_a_shipped_design(name):
     as_shipped = read(shipped_design(name))
     designs = [as_shipped]
-    try:
+    with contextlib.suppress(DesignError):  # what a preliminary sizing asks for, such as how long its cases last
         designs.append(silent(as_shipped))
-    except DesignError:  # a preliminary sizing asks for what it does not say, such as how long its cases last
-        pass
     for design in designs:
         text = design_text(design)
         for table in TABLES.values():

@@ -58,7 +58,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shaft_results import PlanetBearingSizing
 from gearwright.spec import Design
-from gearwright.spec.design import CONCEPT, PlanetBearing
+from gearwright.spec.design import PRELIMINARY, PlanetBearing
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a bearing between a planet and its pin is chosen for: the room, the loads, the strength of the pin.
@@ -168,7 +168,7 @@ def crown_of(context: Context, planet: GearSizing) -> float:
         context: What sizing reads.
         planet: As sized.
     """
-    return 0.0 if context.design.level == CONCEPT else crown_volume(context.design, planet)
+    return crown_volume(context.design, planet) if context.design.level == PRELIMINARY else 0.0
 
 
 def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing, *, crown: float) -> GearSizing:

@@ -16,7 +16,7 @@ from pydantic import ValidationError
 
 from gearwright.base import DesignError, Problem, near, refuse, shown, suffix_unit, verb
 from gearwright.spec.checks import reference_problems
-from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
+from gearwright.spec.design import CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
 from gearwright.spec.missions import Mission
 from gearwright.spec.read import HEADER, KEY, mission_problems
 from gearwright.spec.record import (

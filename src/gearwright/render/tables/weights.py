@@ -13,7 +13,7 @@ from gearwright.render.tables.sizing import with_band
 from gearwright.render.terminal import Grid
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import band_of, requirement_of
-from gearwright.spec.design import CONCEPT
+from gearwright.spec.design import CONCEPT, PRELIMINARY
 from gearwright.study import Table
 from gearwright.weights import (
     COLUMNS,
@@ -281,7 +281,8 @@ def train_mass(facts: Particulars) -> str:
         facts: Of a sizing.
     """
     sizing, groups = facts.sizing, facts.mass_groups
-    parts = ", ".join(f"{group} {text(mass, 'mass')}" for group, mass in groups.items())
+    discs = {} if sizing.level in (CONCEPT, PRELIMINARY) else {"gears": "gears as discs of their pitch circles"}
+    parts = ", ".join(f"{discs.get(group, group)} {text(mass, 'mass')}" for group, mass in groups.items())
     if "gearbox.mass" in sizing.given:
         return f"{text(sizing.mass, 'mass')}, given, in place of the {text(sizing.parts_mass, 'mass')} of {parts}"
     return f"{text(sizing.mass, 'mass')} ({parts})"

@@ -40,7 +40,7 @@ from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, geometry as sta
 from gearwright.sizing.result import Body, GearSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec import GROUND
-from gearwright.spec.design import CONCEPT, Pair
+from gearwright.spec.design import PRELIMINARY, Pair
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a rolling bearing weighs before one is chosen: by the load that it must bear, and by the shaft that it holds.
@@ -614,17 +614,19 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Gears above level `concept`: their mass and inertia are those of the bodies that the complete mass counts.
+# Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
+#
+# A built shaft leaves out what is inside its gears, whose discs have it. The complete mass has bodies at every level.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 def as_made(sizing: Sizing) -> Sizing:
-    """Return a sizing with gears as they are made: teeth, rims, webs, hubs, bores; a concept as it is.
+    """Return a preliminary sizing with gears as they are made: teeth, rims, webs, hubs, bores; any other as it is.
 
     Args:
         sizing: With shafts and what planets turn on.
     """
-    if sizing.level == CONCEPT:
+    if sizing.level != PRELIMINARY:
         return sizing
     seats = Seats(_bores(sizing), shaft_diameters(sizing))
     return replace(sizing, gears=tuple(_made(sizing, gear, seats) for gear in sizing.gears))
