@@ -49,10 +49,10 @@ def hub_moment(
     >>> round(float(hub_moment(3, 30.0, 0.2, speed=42.5, flapping=0.02)))
     325
     """
-    return np.asarray(
-        0.5 * np.asarray(blades, float) * blade_moment * np.asarray(offset, float) * np.asarray(speed, float) ** 2
-        * flapping
-    )  # fmt: skip
+    count, mass, arm, turning, angle = (
+        np.asarray(one, float) for one in (blades, blade_moment, offset, speed, flapping)
+    )
+    return np.asarray(0.5 * count * mass * arm * turning**2 * angle)
 
 
 def usual_hub_moment(hub: Hub, thrust: ArrayLike, diameter: ArrayLike) -> Floats:
@@ -83,4 +83,4 @@ def tail_thrust_rise(share: float = TAIL_SHARE, peak: float = TAIL_PEAK) -> floa
     >>> round(tail_thrust_rise(), 2)
     1.84
     """
-    return (peak / share) ** (2.0 / 3.0)
+    return float((peak / share) ** (2.0 / 3.0))

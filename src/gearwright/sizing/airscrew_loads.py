@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.base import GRAVITY, Floats, largest
+from gearwright.base import GRAVITY, Floats, Force, Ratio, Torque, largest
 from gearwright.machines import propeller_inertia, rotor_loads
 from gearwright.machines.propeller_loads import (
     BLADES_SHARE,
@@ -31,7 +32,7 @@ from gearwright.machines.propeller_loads import (
 from gearwright.machines.rotor_loads import HOVER_SHARE, tail_thrust_rise, usual_hub_moment
 from gearwright.machines.rotors import blade_mass
 from gearwright.spec import Airscrew, Design, Propeller
-from gearwright.spec.design import AIRSCREW_LOADS, FLIGHTS, FlightLoads, Rotor, shares_of
+from gearwright.spec.design import AIRSCREW_LOADS, CONCEPT, FLIGHTS, FlightLoads, Rotor, shares_of
 from gearwright.train import PowerFlow
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -45,23 +46,25 @@ ASSUMED = "assumed"
 _OF_CASES = {"thrust": "thrust", "in_plane_force": "force", "hub_moment": "moment"}
 
 
-class AirscrewCase(NamedTuple):
+@dataclass(frozen=True)
+class AirscrewCase:
     """Loads of a propeller or a rotor on its shaft in one case."""
 
+    airscrew: str
     name: str
     """Such as `climb`, `excitation factor 3`, `load factor 3.5`."""
     case: str
     """Load case of the design whose torques it goes with."""
     use: Use
-    share: float
+    share: Ratio
     """Of what its load case lasts [-]; 0 of what counts for no life."""
-    torque_factor: float
+    torque_factor: Ratio
     """Torque over that of its load case [-]."""
-    thrust: float
+    thrust: Force
     """Along the shaft, away from the gears [N]."""
-    force: float
+    force: Force
     """Across the shaft, weight among it [N]."""
-    moment: float
+    moment: Torque
     """At its place on the shaft, in the plane of the force [N m]."""
     origin: str
     """`stated`, or `assumed` with what was taken."""
@@ -98,7 +101,27 @@ def _with_stated(case: AirscrewCase, screw: Airscrew) -> AirscrewCase:
     if not stated:
         return case
     words = f"stated: {', '.join(key for key in AIRSCREW_LOADS if key in screw.stated_loads)}; {case.origin}"
-    return case._replace(**stated, origin=words)
+    return replace(case, origin=words, **stated)
+
+
+def loads_table(design: Design, flows: Mapping[str, PowerFlow]) -> tuple[AirscrewCase, ...]:
+    """Return the loads of every propeller and rotor in every case, stated or assumed; none of a concept.
+
+    On a shaft without bearings what is assumed acts on nothing: no moment on a span that nobody laid out.
+
+    Args:
+        design: As read.
+        flows: Load cases of the design, by name.
+    """
+    if design.level == CONCEPT:
+        return ()
+    rows = list[AirscrewCase]()
+    for name, screw in design.airscrews.items():
+        stated = AirscrewCase(
+            name, "every case", "", "life", 1.0, 1.0, screw.thrust, screw.in_plane_force, screw.hub_moment, "stated"
+        )
+        rows += airscrew_cases(design, flows, name) or ([stated] if screw.stated_loads else [])
+    return tuple(rows)
 
 
 class UsualLoads(NamedTuple):
@@ -275,7 +298,7 @@ def _propeller(
         across = at.side + factor * hub.weight
         words = f"{ASSUMED}: {at.words}; {hub.words}" + (f"; torque x {turning:g}" if turning != 1.0 else "")
         moment = at.moment + across * screw.loads.overhang
-        return AirscrewCase(label, case, use, share, turning, at.thrust, across, moment, words)
+        return AirscrewCase(name, label, case, use, share, turning, at.thrust, across, moment, words)
 
     usual = [(flight, reference, flight, FLOWN[flight].share) for flight in FLIGHTS] if not design.cases else [
         (case, case, flown_as(case), 1.0) for case in flows if not _is_static(design, case)
@@ -334,12 +357,13 @@ def _rotor(
         thrust = factor * weight
         moment = more * float(usual_hub_moment(loads.hub, weight if use == "limit" else thrust, screw.diameter))
         words = f"{factor:.3g} x {said}" + (f", torque x {turned:g}" if turned != 1.0 else "")
-        return AirscrewCase(label, case, use, 1.0 if use == "life" else 0.0, turned, thrust, loads.h_force * thrust,
-                            moment, f"{ASSUMED}: {words}")  # fmt: skip
+        lasting, across = 1.0 if use == "life" else 0.0, loads.h_force * thrust
+        return AirscrewCase(name, label, case, use, lasting, turned, thrust, across, moment, f"{ASSUMED}: {words}")
 
     for case, flow in flows.items():
         if _is_static(design, case):
-            yield AirscrewCase(case, case, "limit", 0.0, 1.0, 0.0, 0.0, 0.0, f"{ASSUMED}: nothing but its torque")
+            words = f"{ASSUMED}: nothing but its torque"
+            yield AirscrewCase(name, case, case, "limit", 0.0, 1.0, 0.0, 0.0, 0.0, words)
         else:
             yield row(case, case, "life", rotor_loads.USUAL_FACTOR if flow.speeds[screw.shaft] else 0.0)
     yield row("manoeuvres", reference, "fatigue", rotor_loads.TIRING_FACTOR)

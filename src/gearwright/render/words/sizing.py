@@ -148,6 +148,7 @@ _ORDER = (
     "shafts",
     "shaft_sizes",
     "bearings",
+    "airscrew_loads",
     "steps",
     "strength",
     "stiffness",
