@@ -97,11 +97,12 @@ def implied_text(design: Design) -> str:
         asks = f'its gears ask for {STATIC}; without that it is "{PRELIMINARY}", against fatigue'
         return FIRST if stated else f'By default level = "{CONCEPT}": {asks}.'
     sets = [name for name, one in design.planetaries.items() if "planet_bearing" not in one.model_fields_set]
-    rated = f', gears.rating = "{taken["gears.rating"]}"' if "gears.rating" in taken else ""
-    turning = f", bearings of the catalogue in planets of {', '.join(sets)}" if sets else ""
+    parts = [f'gears.rating = "{taken["gears.rating"]}"'] if "gears.rating" in taken else []
+    parts += [f"bearings of the catalogue in planets of {', '.join(sets)}"] if sets else []
     if not stated:
-        return f'By default level = "{design.level}"{rated}{turning}{_FEWER[design.level]}.'
-    by_default = f"; by default{(rated + turning).removeprefix(',')}" if rated or turning else ""
+        taken_level = f'level = "{design.level}"'
+        return f"By default {', '.join([taken_level, *parts])}{_FEWER[design.level]}."
+    by_default = f"; by default {', '.join(parts)}" if parts else ""
     return f'Level = "{design.level}", as stated{by_default}.'
 
 

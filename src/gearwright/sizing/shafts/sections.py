@@ -423,7 +423,7 @@ class Borne(NamedTuple):
     """n_f of every case [-]."""
     yielding: float
     """n_y of the greatest load [-]."""
-    limit: float = math.inf
+    limit: float
     """Of limit loads: the smaller of R_p0.2 over their stress, and of R_m over 1.5 times that [-]."""
 
 
