@@ -15,6 +15,9 @@ speed_rpm = 6000
 shaft = "output"
 speed_rpm = 1514
 diameter_m = 4
+thrust_n = 0
+in_plane_force_n = 0
+hub_moment_nm = 0
 [pairs.helical]
 pinion = "input"
 wheel = "output"
@@ -61,7 +64,8 @@ kind = "spline"
 """
 
 ROTOR = PAIR.replace(
-    "diameter_m = 4\n", "diameter_m = 4\nthrust_kn = 8\nin_plane_force_kn = 0.5\nhub_moment_nm = 300\n"
+    "diameter_m = 4\nthrust_n = 0\nin_plane_force_n = 0\nhub_moment_nm = 0\n",
+    "diameter_m = 4\nthrust_kn = 8\nin_plane_force_kn = 0.5\nhub_moment_nm = 300\n",
 )
 """The same with the loads of a rotor."""
 

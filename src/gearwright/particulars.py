@@ -37,6 +37,7 @@ from gearwright.sizing import (
     remarks,
     usual_values,
 )
+from gearwright.sizing.airscrew_loads import AirscrewCase, loads_table
 from gearwright.sizing.arrangement import Envelope, envelope
 from gearwright.sizing.losses import LossBalance, loss_balance
 from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
@@ -91,6 +92,8 @@ class Particulars:
     """How gearbox and epicyclic sets pass power."""
     asked_speeds: tuple[AskedSpeed, ...]
     """Speeds that the teeth give only nearly."""
+    airscrew_loads: tuple[AirscrewCase, ...]
+    """Of propellers and rotors by case, stated or assumed."""
     bearing_forces: tuple[BearingForce, ...]
     """Of shafts of one diameter."""
     system_life: Life | None
@@ -129,6 +132,7 @@ def particulars(sizing: Sizing) -> Particulars:
         loops={case: recirculation(sizing.train, flow) for case, flow in flows.items()},
         passing=passing(sizing),
         asked_speeds=asked_speeds(sizing),
+        airscrew_loads=loads_table(design, flows),
         bearing_forces=bearing_forces(sizing),
         system_life=sizing.system_life,
         pins={stage: tuple(planet_positions(design, stage, sizing.teeth)) for stage in design.planetaries},

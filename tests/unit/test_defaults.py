@@ -57,7 +57,7 @@ NOTHINGS = """
     JointSizing.needed_pressure JointSizing.module Unloaded.module_bending Unloaded.module_contact
     Unloaded.bending_stress Unloaded.contact_stress Ask.speed Stretch.diameter Stretch.shoulder Stretch.fillet
     Section.radius Holder.force Holder.capacity Holder.lip covers.apart Shoulder.undercut Blank.holes Blank.dish
-    bevel_volume.dish bevel_way.dish way_behind.dish
+    bevel_volume.dish bevel_way.dish way_behind.dish frequency_number.rim
     SectionStrength.fillet Segment.bore bending_shaft.damping_ratio PropellerDrive.pitch_command MachineDrive.slope
     Periodic.offset Periodic.constant Line.damping Line.backlash Member.torsion Member.run_out PlanetError.radial
     PlanetError.tangential PlanetError.tooth_thickness PlanetarySet.damping GearContact.helix_angle GearContact.place

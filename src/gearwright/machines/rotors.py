@@ -270,6 +270,21 @@ def turbine_inertia(diameter: float) -> float:
     return mass * diameter**2 / 8.0
 
 
+def blade_mass(diameter: float) -> float:
+    """Return the mass of one blade of a propeller [kg].
+
+    Args:
+        diameter: Of the propeller [m].
+
+    Source: uniform composite bar; an estimate.
+
+    >>> round(blade_mass(3.93), 2)
+    12.24
+    """
+    section = BLADE_FILL * BLADE_CHORD_RATIO * BLADE_THICKNESS_RATIO * BLADE_CHORD_RATIO * diameter**2
+    return section * diameter / 2.0 * BLADE_DENSITY
+
+
 def propeller_inertia(diameter: float, blades: int) -> float:
     """Return the polar inertia of a propeller [kg m²].
 
@@ -282,6 +297,4 @@ def propeller_inertia(diameter: float, blades: int) -> float:
     >>> round(propeller_inertia(3.93, 6), 1)  # 6 · 12.24 kg · (1.965 m)² / 3
     94.5
     """
-    section = BLADE_FILL * BLADE_CHORD_RATIO * BLADE_THICKNESS_RATIO * BLADE_CHORD_RATIO * diameter**2
-    blade = section * diameter / 2.0 * BLADE_DENSITY
-    return blades * blade * (diameter / 2.0) ** 2 / 3.0
+    return blades * blade_mass(diameter) * (diameter / 2.0) ** 2 / 3.0

@@ -36,9 +36,10 @@ from gearwright.sizing.bearing_seats import planet_bodies
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.losses import lost_power
 from gearwright.sizing.mass import complete_mass
-from gearwright.sizing.result import PRELIMINARY, GearSizing, MachineSizing, MeshSizing, Sizing
+from gearwright.sizing.result import GearSizing, MachineSizing, MeshSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing, ShaftSizing
 from gearwright.spec import Design, Pair
+from gearwright.spec.design import CONCEPT
 from gearwright.train import INTERNAL, Efficiency, PowerFlow, Train, efficiencies, shaft_powers
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -440,7 +441,7 @@ def _mass_rows(sizing: Sizing) -> list[MassPart]:
     parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
     parts += [(str(carrier.part), "carriers", 1, carrier.mass) for carrier in sizing.carriers]
-    if sizing.level == PRELIMINARY:
+    if sizing.level != CONCEPT:
         parts += [(f"{gear.name} bearing", "planet bearings", gear.bodies, gear.runs_on.mass)
                   for gear in sizing.gears if gear.runs_on]  # fmt: skip
     return [

@@ -12,6 +12,7 @@ from gearwright.base import Check, Floats, Force, Kind, Length, PartId, Role, ge
 from gearwright.catalogue import Bearing, bearing, with_ratings
 from gearwright.parts.gears import ISO53_A
 from gearwright.parts.shafts import PointLoads, bearing_reactions
+from gearwright.sizing.airscrew_loads import usual_loads
 from gearwright.sizing.gear_geometry import planet_push, set_pins
 from gearwright.sizing.loads import mesh_place, rotor_side, shaft_loads, tooth_forces
 from gearwright.sizing.rating import Context, context_of, rim_below_roots
@@ -468,7 +469,7 @@ def _shaft_seats(
         return
     loads, axial = shaft_loads(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
     forces = bearing_reactions(loads, plan.bearings)[1:]
-    across, side = _rotor(sizing.design, shaft.name, plan)
+    across, side = _rotor(sizing.design, sizing.flows, shaft.name, plan)
     parts: dict[PartId, BearingSeat | None] = {PartId(Kind.BEARING, name): seat for name, seat in plan.seats.items()}
     k = 0
     for part, written in (parts or {PartId(Kind.BEARING, shaft.name, branch=end): None for end in ENDS}).items():
@@ -491,13 +492,14 @@ def _shaft_seats(
         k += bears
 
 
-def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Floats, float]:
+def _rotor(design: Design, flows: Mapping[str, PowerFlow], shaft: str, plan: ShaftPlan) -> tuple[Floats, float]:
     """Return what a rotor's force and moment put on both radial bearings [N], and the sense of its thrust."""
     for name, rotor in design.airscrews.items():
         if rotor.shaft == shaft:
             place = plan.places[name]
             side = 1.0 if place >= sum(plan.bearings) / 2.0 else -1.0
-            force, couple = np.array([rotor.in_plane_force]), np.array([side * rotor.hub_moment])
+            usual = usual_loads(design, flows, name, in_bearings=bool(plan.seats))
+            force, couple = np.array([usual.force]), np.array([side * usual.moment])
             loads = PointLoads(np.array([place]), force, couple, np.zeros(1))
             return np.abs(bearing_reactions(loads, plan.bearings)), rotor_side(plan, name)
     return np.zeros(2), 0.0

@@ -46,6 +46,7 @@ from gearwright.parts.bearings import (
     thermal_reference_speed,
 )
 from gearwright.parts.losses import oil_viscosity
+from gearwright.sizing.airscrew_loads import LoadRow
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import (
     Seat,
@@ -67,11 +68,18 @@ from gearwright.spec.design import LOCATES, BearingSeat, levels_of, shares_of
 
 
 def duty_of(
-    context: Context, radial: Floats, axial: Floats, speeds: Sequence[float], *, life: float | None = None
+    context: Context,
+    radial: Floats,
+    axial: Floats,
+    speeds: Sequence[float],
+    *,
+    life: float | None = None,
+    rows: Sequence[LoadRow] = (),
 ) -> BearingSpectrum:
     """Return what a bearing bears: every case for the static safety, then its levels for the life.
 
-    Without shares one case lasts the whole life.
+    Without shares one case lasts the whole life. Limit loads are no nominal ones: the factor that makes the others
+    limit loads is taken out of them.
 
     Args:
         context: What sizing reads.
@@ -79,21 +87,28 @@ def duty_of(
         axial: In every case [N].
         speeds: Of one ring against the other, in every case [rad/s].
         life: Asked; left out: that of the service [s].
-    """
+        rows: What each row of the forces is; left out: each is a load case.
+    """  # fmt: skip
     design, service, said = context.design, context.design.service, shares_of(context.design)
     shares = said or {context.reference.case: 1.0}
+    cases = list(context.flows)
+    lasting = [(k, cases[row.case], row.share) for k, row in enumerate(rows)] or [
+        (k, case, 1.0) for k, case in enumerate(cases)
+    ]
     levels = [
-        (k, level, part * shares.get(case, 0.0))
-        for k, case in enumerate(context.flows)
+        (k, level, part * of_case * shares.get(case, 0.0))
+        for k, case, of_case in lasting
+        if of_case
         for level, part in levels_of(design, case)
     ]
-    whole = [(k, 1.0, 0.0) for k in range(len(context.flows))]
-    rows = [*whole, *levels]
+    limit = {k for k, row in enumerate(rows) if row.use == "limit"}
+    whole = [(k, 1.0 / service.application_factor if k in limit else 1.0, 0.0) for k, _, _ in lasting]
+    every = [*whole, *levels]
     return BearingSpectrum(
-        radial=tuple(level * float(radial[k]) for k, level, _ in rows),
-        axial=tuple(level * float(axial[k]) for k, level, _ in rows),
-        speed=tuple(speeds[k] for k, _, _ in rows),
-        share=tuple(share for _, _, share in rows),
+        radial=tuple(level * float(radial[k]) for k, level, _ in every),
+        axial=tuple(level * float(axial[k]) for k, level, _ in every),
+        speed=tuple(speeds[k] for k, _, _ in every),
+        share=tuple(share for _, _, share in every),
         life=life or service.bearing_life,
         static_safety=service.static_safety,
         mean_factor=1.0 if said or service.spectrum else service.mean_load,
@@ -314,6 +329,8 @@ class Seating:
     """With its oil, and the life that it asks."""
     tried: Mapping[str, Tried]
     """Bearing -> what is known of its sizes, also from other seatings of the shaft with the same duty."""
+    names: tuple[str, ...]
+    """What every row of the forces is called."""
 
     def check(self, name: str, size: Bearing) -> BearingCheck:
         """Return how a size bears the duty of a bearing.
@@ -397,7 +414,7 @@ def seating(
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
     """
-    seats = forces.plan.seats
+    seats, names = forces.plan.seats, forces.names(context.flows)
     reactions = forces.largest_radial()
     carried = iter(reactions.T)
     radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}
@@ -406,16 +423,35 @@ def seating(
         for name, seat in seats.items()
         if seat.kind == "taper"
     }
-    axial = axial_forces(shaft, seats, forces.axial, radial=radial, factors=factors, cases=tuple(context.flows))
-    speeds = [flow.speeds[shaft] for flow in context.flows.values()]
-    duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
+    try:
+        axial = axial_forces(shaft, seats, forces.axial, radial=radial, factors=factors, cases=names)
+    except DesignError as error:
+        raise DesignError(
+            [Problem(one.path, one.message + _assumed(context, shaft, forces)) for one in error.problems]
+        ) from None
+    speeds = forces.by_row([flow.speeds[shaft] for flow in context.flows.values()])
+    duties = {
+        name: duty_of(context, radial[name], axial[name], speeds, life=seat.life, rows=forces.rows)
+        for name, seat in seats.items()
+    }
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
     plain = context.design.bearing_rules.life != "modified"
     for name, duty in duties.items():
         if (name, duty) not in known:
             known[name, duty] = Tried({}, _too_weak(sizes[name], duty, by_life=plain))
     tried = {name: known[name, duty] for name, duty in duties.items()}
-    return Seating(seats, radial, axial, duties, sizes, context.design, tried)
+    return Seating(seats, radial, axial, duties, sizes, context.design, tried, names)
+
+
+def _assumed(context: Context, shaft: str, forces: ShaftForces) -> str:
+    """Return how to state the loads of a propeller or rotor that are assumed; nothing where none are."""
+    screws = [name for name, screw in context.design.airscrews.items() if screw.shaft == shaft]
+    return (
+        f"; loads of {' and '.join(screws)} are assumed where they are not stated: write its thrust_n,"
+        " in_plane_force_n and hub_moment_nm, 0 where it has none"
+        if forces.rows
+        else ""
+    )
 
 
 def _too_weak(sizes: Sequence[Bearing], duty: BearingSpectrum, *, by_life: bool) -> set[str]:
@@ -481,21 +517,18 @@ def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], c
     )
 
 
-def bearing_sizings(
-    seated: Seating, chosen: Mapping[str, Bearing], shaft: str, cases: tuple[str, ...]
-) -> tuple[BearingSizing, ...]:
+def bearing_sizings(seated: Seating, chosen: Mapping[str, Bearing], shaft: str) -> tuple[BearingSizing, ...]:
     """Return the bearings of a shaft as they were taken.
 
     Args:
         seated: What they bear.
         chosen: Bearing -> the size taken.
         shaft: Name of the shaft.
-        cases: Names of the load cases.
     """
-    return tuple(_sizing(name, seated, chosen[name], shaft, cases) for name in seated.seats)
+    return tuple(_sizing(name, seated, chosen[name], shaft) for name in seated.seats)
 
 
-def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple[str, ...]) -> BearingSizing:
+def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str) -> BearingSizing:
     duty, check = seated.duties[name], seated.check(name, taken)
     statics = [equivalent_loads(taken, *loads)[1] for loads in zip(duty.radial, duty.axial, strict=True)]
     worst = int(np.argmax(statics))
@@ -505,9 +538,9 @@ def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple
         shaft=shaft,
         position=seated.seats[name].position,
         bearing=taken,
-        case=cases[worst],
-        radial=duty.radial[worst],
-        axial=duty.axial[worst],
+        case=seated.names[worst],
+        radial=float(seated.radial[name][worst]),
+        axial=float(seated.axial[name][worst]),
         equivalent_load=check.equivalent_load,
         life=check_bearing(taken, duty).life,
         wanted_life=duty.life,
@@ -702,7 +735,7 @@ def centred_bearings(sizing: Sizing) -> Iterator[BearingSizing]:
         centred = replace(plan, bearings=(first, second))
         forces = shaft_forces(context, shaft.name, centred, axes=sizing.arrangement.axes, gears=gears)
         seated = seating(context, shaft.name, forces, chosen, slim=True, known={})
-        yield from (bearing for bearing in bearing_sizings(seated, chosen, shaft.name, tuple(context.flows))
+        yield from (bearing for bearing in bearing_sizings(seated, chosen, shaft.name)
                     if bearing.name in off)  # fmt: skip
 
 

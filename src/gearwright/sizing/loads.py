@@ -6,19 +6,20 @@ What it does to them is for `shafts`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.base import Complexes, Floats, carrier_part
 from gearwright.parts.shafts import Diagram, PointLoads, diagram, supported
+from gearwright.sizing.airscrew_loads import AirscrewRows, LoadRow, shaft_rows
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.gear_geometry import rolling_of, set_pins, set_rollings, towards
 from gearwright.sizing.rating import Context, bevel_push
 from gearwright.sizing.result import GearSizing, ShaftPlan
 from gearwright.sizing.shaft_results import BearingLoad, ShaftDiagram
-from gearwright.spec import Airscrew, Epicyclic
+from gearwright.spec import Epicyclic
 from gearwright.train import INTERNAL, Mesh, PowerFlow
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -190,7 +191,8 @@ def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:
 # moment at its hub. These two turn with the flow and not with the shaft, so that they bend a turning shaft as a mesh
 # does. Where they point is not known, the moment but in the sense in which the force bends: every bearing and every
 # section is judged with them where they load it most, and diagrams and deflections show them where they bend the shaft
-# most. They act in every load case.
+# most. What a design states of them acts in every load case; on a shaft in bearings the rest is taken by default, in
+# rows of their own (`airscrew_loads`), each with the torques of one load case.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -220,6 +222,29 @@ class ShaftForces(NamedTuple):
     bends: bool
     apart: tuple[Part, ...] = ()
     """Where rotors bend the shaft: the meshes alone, and each rotor alone, which may point anywhere."""
+    rows: tuple[LoadRow, ...] = ()
+    """What each row of these loads is; empty where each is a load case of the design."""
+
+    @property
+    def of_use(self) -> list[int]:
+        """Numbers of the rows that last, by which shafts must be stiff: all, or those for life [-]."""
+        return [k for k in range(len(self.axial)) if not self.rows or self.rows[k].use == "life"]
+
+    def names(self, cases: Iterable[str]) -> tuple[str, ...]:
+        """Return what every row is called.
+
+        Args:
+            cases: Names of the load cases of the design.
+        """
+        return tuple(row.name for row in self.rows) or tuple(cases)
+
+    def by_row(self, values: Sequence[float]) -> list[float]:
+        """Return values of the load cases for every row.
+
+        Args:
+            values: Of every load case of the design.
+        """
+        return [values[row.case] for row in self.rows] or list(values)
 
     def radial(self) -> Floats:
         """Return the forces of both radial bearings [N], (cases, 2 planes, 2); zero where nothing bends."""
@@ -299,18 +324,26 @@ def shaft_forces(
         DesignError: If a load stands outside the shaft.
     """
     meshes, axial = shaft_loads(context, name, plan, axes=axes, gears=gears)
+    rows, rotors = shaft_rows(context.design, context.flows, name, in_bearings=bool(plan.seats))
+    if rows:
+        meshes, axial = _in_rows(meshes, axial, rows)
     loads, apart = meshes, [meshes]
-    for rotor_name, rotor in context.design.airscrews.items():
-        if rotor.shaft == name:
-            side = rotor_side(plan, rotor_name)
-            axial = axial + side * rotor.thrust
-            if rotor.in_plane_force or rotor.hub_moment:
-                alone = _alone(loads, plan, rotor, position=plan.places[rotor_name])
-                loads, apart = _joined(loads, alone, plan), [*apart, alone]
+    for rotor_name, rotor in rotors.items():
+        axial = axial + rotor_side(plan, rotor_name) * rotor.thrust
+        if rotor.force.any() or rotor.moment.any():
+            alone = _alone(loads, plan, rotor, position=plan.places[rotor_name])
+            loads, apart = _joined(loads, alone, plan), [*apart, alone]
     bends = bool(loads.force.any() or loads.couple.any())
     balanced = supported(loads, plan.bearings, length=plan.length) if bends else loads
     parts = tuple(_part(part_loads, plan) for part_loads in apart) if len(apart) > 1 else ()
-    return ShaftForces(plan, balanced, diagram(balanced), axial, bends, parts)
+    return ShaftForces(plan, balanced, diagram(balanced), axial, bends, parts, rows)
+
+
+def _in_rows(loads: PointLoads, axial: Floats, rows: Sequence[LoadRow]) -> tuple[PointLoads, Floats]:
+    """Return the loads of meshes and machines in every row, with its share of their torque."""
+    at, factor = [row.case for row in rows], np.array([row.torque_factor for row in rows])
+    force, couple = (factor[:, None, None] * load[at] for load in (loads.force, loads.couple))
+    return PointLoads(loads.position, force, couple, factor[:, None] * loads.torque[at]), factor * axial[at]
 
 
 def _part(loads: PointLoads, plan: ShaftPlan) -> Part:
@@ -329,12 +362,12 @@ def rotor_side(plan: ShaftPlan, rotor: str) -> float:
     return 1.0 if plan.places[rotor] >= sum(others) / len(others) else -1.0
 
 
-def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Airscrew, *, position: float) -> PointLoads:
+def _alone(loads: PointLoads, plan: ShaftPlan, rotor: AirscrewRows, *, position: float) -> PointLoads:
     """Return a rotor's force and moment along y, beside other loads of nothing."""
     side = 1.0 if position >= sum(plan.bearings) / 2.0 else -1.0
     wider = _padded(loads, position)
     alone = PointLoads(wider.position, *(np.zeros_like(load) for load in wider[1:]))
-    alone.force[:, 0, -1], alone.couple[:, 0, -1] = rotor.in_plane_force, side * rotor.hub_moment
+    alone.force[:, 0, -1], alone.couple[:, 0, -1] = rotor.force, side * rotor.moment
     return alone
 
 

@@ -72,6 +72,7 @@ from gearwright.parts.losses import (
     windage_power_dawson,
 )
 from gearwright.parts.micropitting import BASES
+from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
 from gearwright.sizing.bearings import Fitted, fitted_in
@@ -532,7 +533,7 @@ def _along(sizing: Sizing, seats: tuple[Seat, ...], forces: Mapping[str, tuple[V
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats if seat.given is not None):
         given = {seat.name: seat.given for seat in seats if seat.nodes[0] == shaft and seat.given is not None}
         first = next(seat for seat in seats if seat.name in given)
-        thrust = sum(screw.thrust for screw in sizing.design.airscrews.values() if screw.shaft == shaft)
+        thrust = usual_thrust(sizing.design, sizing.flows, shaft, in_bearings=True)
         along = forces[first.name][1] + first.rotor_side * thrust
         tapers = {
             sized.name: taper_factors(sized.bearing.geometry.contact_angle)

@@ -55,10 +55,10 @@ from gearwright.sizing.bearing_seats import Carrying, Seat, as_made, planet_seat
 from gearwright.sizing.bearings import PlanetLoad, borne_by, highest_speed_factor, oiled_life, planet_duty, running_of
 from gearwright.sizing.gear_geometry import crown_volume, pin_circle, planet_body_volume
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import PRELIMINARY, GearSizing
+from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shaft_results import PlanetBearingSizing
 from gearwright.spec import Design
-from gearwright.spec.design import PlanetBearing
+from gearwright.spec.design import PRELIMINARY, PlanetBearing
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a bearing between a planet and its pin is chosen for: the room, the loads, the strength of the pin.

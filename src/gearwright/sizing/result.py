@@ -45,7 +45,7 @@ from gearwright.sizing.shaft_results import (
     ShaftSizing,
 )
 from gearwright.spec import Design, Record, parse
-from gearwright.spec.design import BearingSeat, Given
+from gearwright.spec.design import CONCEPT, BearingSeat, Given
 from gearwright.train import PowerFlow, Train
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -342,7 +342,6 @@ class Arrangement:
 
 
 _THESIS = "Pulvirenti 2023"
-PRELIMINARY = "preliminary"
 """Level at which gears weigh what they are made of, and planet bearings with them."""
 
 
@@ -514,7 +513,7 @@ class Sizing(Shown):
 
     @property
     def planet_bearing_mass(self) -> Mass:
-        """Mass of all bearings of planets that the design asks for; in `mass` of a preliminary sizing alone [kg]."""
+        """Mass of all bearings of planets that the design asks for; in `mass` above level `concept` [kg]."""
         return sum(gear.runs_on.mass * gear.bodies for gear in self.gears if gear.runs_on)
 
     @property
@@ -527,7 +526,7 @@ class Sizing(Shown):
 
     @property
     def mass(self) -> Mass:
-        """Mass of gears, shafts and carriers, at a preliminary level with what planets turn on; or as weighed [kg].
+        """Mass of gears, shafts and carriers, above level `concept` with what planets turn on; or as weighed [kg].
 
         Motors, housing, bearings of shafts and oil are not in it.
         """
@@ -536,8 +535,8 @@ class Sizing(Shown):
 
     @property
     def parts_mass(self) -> Mass:
-        """Sum of gears, shafts and carriers, of a preliminary sizing with the bearings in its planets [kg]."""
-        turning = self.planet_bearing_mass if self.level == PRELIMINARY else 0.0
+        """Sum of gears, shafts and carriers, above level `concept` with the bearings in planets [kg]."""
+        turning = 0.0 if self.level == CONCEPT else self.planet_bearing_mass
         return self.gear_mass + self.shaft_mass + self.carrier_mass + turning
 
     @property

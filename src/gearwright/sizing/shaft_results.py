@@ -84,6 +84,10 @@ class SectionStrength:
     """S_D, the other method's answer [-]; 0 where the mean stress leaves no fatigue strength."""
     fillet: Length = 0.0
     """Radius of the shoulder's fillet; zero where there is no shoulder [m]."""
+    limit_safety: Annotated[
+        float | None, Quantity("ratio"), Origin("min(R_p0.2, R_m/1.5)/σ_vM", "CS-25.303, CS-25.305")
+    ] = None
+    """Against limit loads, with 1.5 times them against rupture [-]; None where none are taken by default."""
 
 
 @dataclass(frozen=True)

@@ -52,15 +52,16 @@ from gearwright.sizing.places import (
 )
 from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import MESHES, Context, Known
-from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
+from gearwright.sizing.result import MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
 from gearwright.sizing.stage_sizes import StageSize
 from gearwright.sizing.stages import Geared, geared, gearings
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
+from gearwright.sizing.webs import web_checks
 from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
-from gearwright.spec.design import BUILT, CONCEPT, RATINGS, Given, Rotor, given_values, module_owners
+from gearwright.spec.design import BUILT, CONCEPT, PRELIMINARY, RATINGS, Given, Rotor, given_values, module_owners
 from gearwright.train import Train, build_train
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -511,7 +512,6 @@ def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False)
         *locking_checks(design, train, context.teeth, flows),
         *machine_checks(context),
     ]
-    refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
     sizing = Sizing(
         design=design,
         train=train,
@@ -526,10 +526,11 @@ def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False)
         built_shafts=settled.built_shafts,
         bearings=settled.bearings,
         joints=settled.joints,
-        checks=accepted(checks, design.waivers),
         given=given,
         search=found.choice.search,
     )
     dipping(sizing, design.losses.dip, "losses.dip")
     refuse_dishes(sizing)
-    return refuse_no_numbers(as_made(sizing))
+    checks += web_checks(sizing)
+    refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
+    return refuse_no_numbers(as_made(replace(sizing, checks=accepted(checks, design.waivers))))

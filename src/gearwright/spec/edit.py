@@ -16,7 +16,7 @@ from pydantic import ValidationError
 
 from gearwright.base import DesignError, Problem, near, refuse, shown, suffix_unit, verb
 from gearwright.spec.checks import reference_problems
-from gearwright.spec.design import BUILT, CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
+from gearwright.spec.design import CONCEPT, FATIGUE, PRELIMINARY, RATINGS, STATIC, Design, GearRules
 from gearwright.spec.missions import Mission
 from gearwright.spec.read import HEADER, KEY, mission_problems
 from gearwright.spec.record import (
@@ -361,7 +361,7 @@ def as_concept(design: Design) -> dict[str, Value]:
     """
     rules = (design.gears, *_own_rules(design).values())
     fatigue = set(RATINGS[FATIGUE].reads) - set(RATINGS[STATIC].reads)
-    implied_rating = design.level == PRELIMINARY and "rating" not in design.gears.model_fields_set
+    implied_rating = design.gears.rating == FATIGUE and "rating" not in design.gears.model_fields_set
     asks = "service" in design.model_fields_set or any(fatigue & one.model_fields_set for one in rules)
     return {"level": CONCEPT, **({"gears.rating": FATIGUE} if implied_rating and asks else {})}
 
@@ -370,14 +370,13 @@ def implied(design: Design) -> dict[str, str]:
     """Return what a design leaves open and its level gives: path -> value, as its file would have them.
 
     Args:
-        design: As read; nothing is said of one whose bearings build its shafts.
+        design: As read.
     """
-    if design.level == BUILT:
-        return {}
-    entries: dict[str, str] = {} if "level" in design.model_fields_set else {"level": design.level}
-    if design.level == PRELIMINARY:
-        if "rating" not in design.gears.model_fields_set:
-            entries["gears.rating"] = design.gears.rating
+    stated = "level" in design.model_fields_set
+    entries: dict[str, str] = {} if stated else {"level": design.level}
+    if not (stated and design.level == CONCEPT) and "rating" not in design.gears.model_fields_set:
+        entries["gears.rating"] = design.gears.rating
+    if design.level != CONCEPT:
         for name, stage in design.planetaries.items():
             if stage.planet_bearing is not None and "planet_bearing" not in stage.model_fields_set:
                 entries[f"planetaries.{name}.planet_bearing.kind"] = stage.planet_bearing.kind

@@ -11,6 +11,7 @@ from gearwright.mission import bearing_lives, fly
 from gearwright.mission.lives import seat_duties
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
+from gearwright.sizing.airscrew_loads import usual_loads
 from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
 from gearwright.spec import parse, parse_mission, read
 from shipped_work import flown, lives, sized
@@ -150,8 +151,12 @@ def test_bearings_of_the_design_live_in_steady_flight_as_their_sizing_says():
 
 
 def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
-    """The helix pushes the output shaft one way and the thrust pulls the other: their difference, by hand; 1e-9."""
-    sizing = size(parse(OFF_SET + SEATS))
+    """The helix pushes the output shaft one way and the thrust pulls the other: their difference, by hand; 1e-9.
+
+    The flight without a map has the thrust of the design, which is stated as none.
+    """
+    none = "thrust_n = 0\nin_plane_force_n = 0\nhub_moment_nm = 0\n"
+    sizing = size(parse(OFF_SET.replace("blades = 6\n", f"blades = 6\n{none}", 1) + SEATS))
     mapped = STEADY.replace('propeller_map = "none"\n', "").replace("tas_kt = 100", "tas_kt = 200")
     with_map, without = (
         {seat.name: duty for seat, duty in seat_duties(flight)}
@@ -161,6 +166,20 @@ def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
     apart = np.abs(with_map["nose"].axial - without["nose"].axial)
     total = with_map["nose"].axial + without["nose"].axial
     assert np.minimum(np.abs(apart - thrust), np.abs(total - thrust)) == pytest.approx(0.0, abs=1e-6 * thrust.max())
+
+
+def test_a_flight_without_a_map_has_the_assumed_thrust_of_usual_flight():
+    sizing = size(parse(OFF_SET + SEATS))
+    usual = usual_loads(sizing.design, sizing.flows, "propeller", in_bearings=True)
+    assumed, plain = (
+        {seat.name: (seat, duty) for seat, duty in seat_duties(fly(one, parse_mission(STEADY)))}
+        for one in (sizing, size(parse(OFF_SET.replace("blades = 6\n", "blades = 6\nthrust_n = 0\n", 1) + SEATS)))
+    )
+    apart = np.abs(assumed["nose"][1].axial - plain["nose"][1].axial)
+    total = assumed["nose"][1].axial + plain["nose"][1].axial
+    off = np.minimum(np.abs(apart - usual.thrust), np.abs(total - usual.thrust))
+    assert off == pytest.approx(0.0, abs=1e-6 * usual.thrust)
+    assert assumed["nose"][0].across > 0.0
 
 
 def test_the_bearing_of_the_fast_planets_governs_the_thesiss_gearbox():

@@ -28,7 +28,6 @@ def stating(text, level):
     [
         (SILENT, "preliminary"),
         (SILENT + STATIC, "concept"),
-        (SILENT + "[gears]\nbending_safety = 3\n", "concept"),
         (f"{SILENT}{STATIC.replace('gears', 'pairs.stage.gears')}", "concept"),
         (SILENT + '[gears]\nrating = "agma2001"\n', "preliminary"),
         (HELICOPTER, "built"),
@@ -81,7 +80,12 @@ def test_answers_say_once_which_level_was_taken():
     taken, stated = size(parse(SILENT)), size(parse(PAIR))
     assert implied_text(taken.design).startswith('By default level = "preliminary", gears.rating = "iso6336"; level =')
     assert implied_text(stated.design).startswith('First sizing by level = "concept", with no housing and no oil')
-    assert implied_text(at_level(stated.design, "preliminary")) == implied_text(parse(HELICOPTER)) == ""
+    assert implied_text(at_level(stated.design, "preliminary")) == 'Level = "preliminary", as stated.'
+    assert implied_text(parse(HELICOPTER)).startswith('By default level = "built"; shafts with steps, bearings')
+    assert implied_text(parse(stating(SILENT_HYBRID, "preliminary"))) == (
+        'Level = "preliminary", as stated; by default gears.rating = "iso6336",'
+        " bearings of the catalogue in planets of first, second."
+    )
     assert "bearings of the catalogue in planets of first, second" in implied_text(parse(SILENT_HYBRID))
     assert implied_text(parse(SILENT + STATIC)).startswith(
         'By default level = "concept": its gears ask for lewis-hertz'
@@ -119,6 +123,20 @@ hardness_hv = 300
     found = problem(SILENT + own)
     assert found.path == "gears.iso6336.steel"
     assert "no class of ISO 6336-5" in found.message and 'level = "concept" asks for nothing of it' in found.message
+
+
+def test_rules_of_static_strength_alone_lower_no_rating():
+    found = problem(SILENT + "[gears]\nbending_safety = 3\n")
+    assert found.path == "gears.bending_safety"
+    assert "ISO 6336 does not read it" in found.message and 'level = "concept"' in found.message
+
+
+def test_a_stage_that_names_a_static_method_lowers_no_other():
+    two = changed(SILENT, '"slow"]', '"slow", "last"]').replace('shaft = "slow"', 'shaft = "last"')
+    more = '[pairs.more]\npinion = "slow"\nwheel = "last"\n[pairs.stage.gears]\nrating = "lewis-hertz"\n'
+    design = parse(two + more)
+    assert (design.level, design.rating("stage"), design.rating("more")) == ("concept", "lewis-hertz", "iso6336")
+    assert edited(design, implied(design)) == design
 
 
 def test_a_preliminary_level_and_a_rating_without_fatigue_contradict_each_other():

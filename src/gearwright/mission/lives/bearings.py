@@ -45,6 +45,7 @@ from gearwright.parts.bearings import (
     taper_factors,
 )
 from gearwright.parts.losses import oil_viscosity
+from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
 from gearwright.sizing.bearings import Fitted, fitted_in, highest_speed_factor, oiled_life
@@ -186,7 +187,9 @@ def _thrust(flight: Flight, shaft: str) -> Floats:
     screws = {name: screw for name, screw in flight.sizing.design.airscrews.items() if screw.shaft == shaft}
     if flight.history.thrust is not None and flown_airscrew(flight.sizing) in screws:
         return flight.history.thrust
-    return np.full(len(flight.phase), sum(screw.thrust for screw in screws.values()))
+    in_bearings = bool(flight.sizing.arrangement.plans[shaft].seats)
+    thrust = usual_thrust(flight.sizing.design, flight.sizing.flows, shaft, in_bearings=in_bearings)
+    return np.full(len(flight.phase), thrust)
 
 
 def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:

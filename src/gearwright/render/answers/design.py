@@ -30,6 +30,7 @@ from gearwright.sizing import (
     Sizing,
     Turn,
 )
+from gearwright.sizing.airscrew_loads import AirscrewCase
 from gearwright.sizing.arrangement import Envelope
 from gearwright.sizing.losses import Loss
 from gearwright.sizing.mass import CompleteMass, Statistics
@@ -248,6 +249,8 @@ class SizeAnswer:
     margins: tuple[Judged, ...]
     """Every check, the worst first."""
     asked_speeds: tuple[AskedSpeed, ...]
+    airscrew_loads: tuple[AirscrewCase, ...]
+    """Of propellers and rotors by case, stated or assumed; empty at level concept."""
     """Asked speeds that the teeth give only nearly."""
     gears: tuple[GearSizing, ...]
     meshes: tuple[MeshSizing, ...]
@@ -329,6 +332,7 @@ def size_answer(facts: Particulars, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         losses=tuple(loss for balance in facts.losses.values() for loss in balance.losses),
         margins=judged(sizing.checks),
         asked_speeds=facts.asked_speeds,
+        airscrew_loads=facts.airscrew_loads,
         gears=sizing.gears,
         meshes=sizing.meshes,
         shafts=sizing.shafts,

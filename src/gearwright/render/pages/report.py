@@ -495,7 +495,7 @@ def _parts(told: Reported, tables: Mapping[str, Table]) -> Iterator[Section]:
         yield Section("The gears by every method", tables=tuple(method_tables(told.methods).values()))
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     bent = (figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
-    loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "planet_bearings", "machines")
+    loaded = ("shafts", "shaft_sizes", "bearings", "airscrew_loads", "carriers", "planet_bearings", "machines")
     yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
     if sizing.built_shafts:
         built = ("bearing_sizes", "bearing_oil", "joints", "steps", "strength", "stiffness")

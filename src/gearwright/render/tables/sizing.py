@@ -433,6 +433,14 @@ _OILED = (
     "With the oil of [oil]: κ = ν/ν_1 and e_C are the least of all cases. P of the lightest case against what keeps"
     " rolling elements from skidding, speeds against n_θr by ISO 15312: checked where bearing_rules.limits asks for it."
 )
+_AIRSCREWS = (
+    "What acts on a shaft in bearings; on one without, that nobody laid out, assumed loads act on nothing. Cases of"
+    " life count for lives and fatigue, those of fatigue for shafts alone, limit loads for yield, static safety and 1.5"
+    " times as ultimate loads."
+)
+_AIRSCREW_FIELDS = (
+    "airscrew", "name", "case", "use", "share", "torque_factor", "thrust", "force", "moment", "origin",
+)  # fmt: skip
 _JOINTS = "Torque of the heaviest case with the application factor."
 _STRENGTH_FIELDS = (
     "shaft", "place", "case", "position", "diameter", "bending_moment", "torque", "bending_notch", "torsion_notch",
@@ -500,6 +508,8 @@ def mounted_tables(facts: Particulars) -> dict[str, Table]:
         "strength": table("Shafts: strength of sections", strength, _STRENGTH_FIELDS, note=_STRENGTH),
         "stiffness": table("Shafts: how they bend", bends,
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
+        "airscrew_loads": table("Loads of propellers and rotors", facts.airscrew_loads, _AIRSCREW_FIELDS,
+                                note=_AIRSCREWS),
         "bearing_sizes": table(
             "Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARING_RATINGS}{_system(facts)}"
         ),

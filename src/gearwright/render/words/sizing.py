@@ -17,7 +17,7 @@ from gearwright.render.tables.weights import summary
 from gearwright.render.terminal import Grid
 from gearwright.sizing import MeshBeside, MeshInfluences, RatedMesh, Sizing, UsualValue
 from gearwright.spec import Design, implied
-from gearwright.spec.design import CONCEPT, PRELIMINARY, STATIC
+from gearwright.spec.design import BUILT, CONCEPT, PRELIMINARY, STATIC
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Modes, Trace
@@ -37,6 +37,12 @@ FIRST = (
     f" {PRELIMINARY} counts them, rates gears against fatigue and gives planets bearings."
 )
 """What is said of a design that states `level = "concept"`."""
+_FEWER = {
+    CONCEPT: "",
+    PRELIMINARY: f'; level = "{CONCEPT}" is the first sizing without them',
+    BUILT: "; shafts with steps, bearings and joints, as [bearings] stand",
+}
+"""Level -> what a level below leaves out, or this one adds."""
 
 
 def headline(review: Review) -> str:
@@ -79,23 +85,25 @@ def sizing_headline(sizing: Sizing) -> str:
 
 
 def implied_text(design: Design) -> str:
-    """Return what a design takes by default at the level that it leaves open, or what a stated concept leaves out.
+    """Return the level of a design with what it takes by default at it, or what a stated concept leaves out.
 
-    One sentence; empty of a level that is stated and higher.
+    One sentence.
 
     Args:
         design: As read.
     """
-    taken = implied(design)
-    if "level" not in taken:
-        return FIRST if design.level == CONCEPT else ""
+    taken, stated = implied(design), "level" in design.model_fields_set
     if design.level == CONCEPT:
         asks = f'its gears ask for {STATIC}; without that it is "{PRELIMINARY}", against fatigue'
-        return f'By default level = "{CONCEPT}": {asks}.'
+        return FIRST if stated else f'By default level = "{CONCEPT}": {asks}.'
     sets = [name for name, one in design.planetaries.items() if "planet_bearing" not in one.model_fields_set]
-    rated = f', gears.rating = "{taken["gears.rating"]}"' if "gears.rating" in taken else ""
-    turning = f", bearings of the catalogue in planets of {', '.join(sets)}" if sets else ""
-    return f'By default level = "{PRELIMINARY}"{rated}{turning}; level = "{CONCEPT}" is the first sizing without them.'
+    parts = [f'gears.rating = "{taken["gears.rating"]}"'] if "gears.rating" in taken else []
+    parts += [f"bearings of the catalogue in planets of {', '.join(sets)}"] if sets else []
+    if not stated:
+        taken_level = f'level = "{design.level}"'
+        return f"By default {', '.join([taken_level, *parts])}{_FEWER[design.level]}."
+    by_default = f"; by default {', '.join(parts)}" if parts else ""
+    return f'Level = "{design.level}", as stated{by_default}.'
 
 
 def _fail(count: int) -> str:
@@ -141,6 +149,7 @@ _ORDER = (
     "shafts",
     "shaft_sizes",
     "bearings",
+    "airscrew_loads",
     "steps",
     "strength",
     "stiffness",

@@ -44,10 +44,10 @@ from gearwright.sizing.gear_geometry import (
 from gearwright.sizing.mass.record import CROWDED, MassItem
 from gearwright.sizing.places import BOSS, IN_LINE, Run, along_body, bells, planets_span, plates_of, runs
 from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, geometry as standard_teeth, rating_of
-from gearwright.sizing.result import PRELIMINARY, Body, GearSizing, Sizing
+from gearwright.sizing.result import Body, GearSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec import GROUND
-from gearwright.spec.design import Pair
+from gearwright.spec.design import PRELIMINARY, Pair
 
 BEARING_SURE = 0.30
 """One standard deviation of a bearing that is not chosen, over its value [-]: its series, and what its thrust adds."""
@@ -569,6 +569,8 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
+#
+# A built shaft leaves out what is inside its gears, whose discs have it. The complete mass has bodies at every level.
 # ----------------------------------------------------------------------------------------------------------------------
 
 

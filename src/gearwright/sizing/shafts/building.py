@@ -188,7 +188,9 @@ class Task:
     @cached_property
     def judge(self) -> Strength:
         """What its sections are judged by."""
-        return Strength(self.name, self.context.design, self.material, tuple(self.context.flows))
+        return Strength(
+            self.name, self.context.design, self.material, self.forces.names(self.context.flows), self.forces.rows
+        )
 
 
 class Attempt(NamedTuple):
@@ -620,8 +622,8 @@ def _grown(task: Task, attempt: Attempt, wanted: Mapping[str, float]) -> dict[st
     walled = attempt.bore / MOST_HOLLOW
     thicker = {stretch.name: walled for stretch in _free(attempt) if stretch.diameter < walled - 1e-9}
     for section, held in zip(attempt.sections, attempt.borne, strict=True):
-        owner, safeties = section.owner, (min(held.fatigue), held.yielding)
-        asked = (service.shaft_fatigue_safety, service.shaft_yield_safety)
+        owner, safeties = section.owner, (min(held.fatigue), held.yielding, held.limit)
+        asked = (service.shaft_fatigue_safety, service.shaft_yield_safety, 1.0)
         ratio = min(min(safety, NO_LIMIT) / least for safety, least in zip(safeties, asked, strict=True))
         if ratio < 1.0 - 1e-9:
             growth = min(max(ratio ** (-1.0 / 3.0), LEAST_GROWTH), MOST_GROWTH) if ratio > 0.0 else MOST_GROWTH
@@ -653,7 +655,7 @@ def _finished(task: Task, seated: Seating, attempt: Attempt) -> Built:
         critical_speed=bent.critical_speed(places, {name: _mass(gear) for name, gear in task.gears.items()}),
         highest_speed=max(abs(flow.speeds[task.name]) for flow in task.context.flows.values()),
     )
-    sized = bearing_sizings(seated, attempt.chosen, task.name, tuple(task.context.flows))
+    sized = bearing_sizings(seated, attempt.chosen, task.name)
     return Built(
         shaft, sized, attempt.joints, () if task.as_given is None else tuple(_fits(task, attempt, task.as_given))
     )

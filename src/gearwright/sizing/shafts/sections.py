@@ -12,6 +12,7 @@ import numpy as np
 
 from gearwright.base import DesignError, Problem, apart, smallest, text
 from gearwright.catalogue import LENGTHS, StandardKey, Undercut, key_for_shaft, undercut
+from gearwright.machines.propeller_loads import ULTIMATE
 from gearwright.parts import Material
 from gearwright.parts.shaft_fatigue import (
     CRITERIA,
@@ -59,6 +60,7 @@ from gearwright.parts.shafts import (
     spline_length,
     spline_pressure,
 )
+from gearwright.sizing.airscrew_loads import LoadRow
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shaft_results import BuiltShaft, JointSizing, SectionStrength
@@ -419,6 +421,8 @@ class Borne(NamedTuple):
     """n_f of every case [-]."""
     yielding: float
     """n_y of the greatest load [-]."""
+    limit: float
+    """Of limit loads: the smaller of R_p0.2 over their stress, and of R_m over 1.5 times that [-]."""
 
 
 @dataclass(frozen=True)
@@ -430,7 +434,9 @@ class Strength:
     design: Design
     material: Material
     cases: tuple[str, ...]
-    """Names of the load cases."""
+    """Names of the rows of loads."""
+    rows: tuple[LoadRow, ...] = ()
+    """What they are; empty where each is a load case."""
     known: dict[tuple[object, ...], Borne] = field(default_factory=dict, compare=False, repr=False)
     """Section, moments, torques and bore -> how it bears them, as far as found: few change as a shaft grows."""
     loads: dict[tuple[float, ...], list[tuple[tuple[float, ...], tuple[float, ...]]]] = field(
@@ -572,8 +578,15 @@ def _borne(
         for moment, torque in zip(moments, torques, strict=True)
     )
     stresses = section_stresses(loads, section.diameter, notch, bore=bore)
-    greatest = min(yield_safety(stress, strength) for stress in stresses) / service.application_factor
-    return Borne(loads, notch, tuple(criterion(stress, strength) for stress in stresses), greatest)
+    limits = [row.use == "limit" for row in judge.rows] or [False] * len(stresses)
+    safe = [yield_safety(stress, strength) for stress in stresses]
+    greatest = min((n for n, at_limit in zip(safe, limits, strict=True) if not at_limit), default=NO_LIMIT)
+    least = min((n for n, at_limit in zip(safe, limits, strict=True) if at_limit), default=math.inf)
+    tired = tuple(
+        NO_LIMIT if at_limit else criterion(stress, strength) for stress, at_limit in zip(stresses, limits, strict=True)
+    )
+    broken = ultimate / (ULTIMATE * yielding) if yielding else 1.0
+    return Borne(loads, notch, tired, greatest / service.application_factor, least * min(1.0, broken))
 
 
 def _strength(
@@ -593,6 +606,7 @@ def _strength(
         torsion_notch=held.notch.torsion,
         fatigue_safety=min(held.fatigue[worst], NO_LIMIT),
         yield_safety=min(held.yielding, NO_LIMIT),
+        limit_safety=None if math.isinf(held.limit) else min(held.limit, NO_LIMIT),
         din743_safety=_din743(section, load, judge, axial=along[worst], bore=bore),
         fillet=section.shoulder.radius if section.shoulder is not None else 0.0,
     )

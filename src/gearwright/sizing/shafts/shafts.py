@@ -325,7 +325,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     rules, layout = context.design.shafting, context.design.layout.get(name, NOTHING_GIVEN)
     material, steps, bore = shaft_material(context), built.shaft.steps, built.shaft.bore
     weak = largest(built.shaft.sections, lambda section: _tresca(section, bore))
-    case, stress = list(context.flows).index(weak.case), _tresca(weak, bore)
+    case, stress = forces.names(context.flows).index(weak.case), _tresca(weak, bore)
     allowable = (material.yield_strength or 0.0) / rules.safety
     inside = {gear.name for gear in context.train.gears}
     outside = [0.0 if step.seat in inside else step.diameter for step in steps]
@@ -343,7 +343,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     return ShaftSizing(
         name=name,
         case=weak.case,
-        speed=context.flows[weak.case].speeds[name],
+        speed=forces.by_row([flow.speeds[name] for flow in context.flows.values()])[case],
         torque=weak.torque,
         bending_moment=weak.bending_moment,
         axial_force=float(forces.axial[case]),
@@ -433,6 +433,11 @@ def _strength(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
         part, "yield", "Shigley eq. 7-16", strained.yield_safety, service.shaft_yield_safety,
         symbol="n_y", place=strained.place, case=strained.case,
     )  # fmt: skip
+    held = [(section, section.limit_safety) for section in shaft.sections if section.limit_safety is not None]
+    if held:
+        section, safety = smallest(held, lambda one: one[1])
+        clause = "CS-25.303, 25.305: yield, and 1.5 x limit against R_m"
+        yield Check(part, "limit load", clause, safety, 1.0, place=section.place)
 
 
 def _stiffness(shaft: BuiltShaft, design: Design) -> Iterator[Check]:

@@ -354,6 +354,8 @@ class Bent:
     bearings: tuple[float, float]
     """Middles of the radial bearings [m]."""
     material: Material
+    rows: Sequence[int]
+    """Loads that last, by which it must be stiff [-]."""
 
     def slope(self, place: float) -> float:
         """Return the largest slope of all cases [rad].
@@ -374,7 +376,7 @@ class Bent:
     def _largest(self, values: Floats, place: float) -> float:
         assert self.line is not None
         planes = between(self.line.position, values, np.array([place]))[..., 0].tolist()
-        return max(math.hypot(*case) for case in planes)
+        return max(math.hypot(*planes[k]) for k in self.rows)
 
     def critical_speed(self, places: Mapping[str, float], masses: Mapping[str, float]) -> float | None:
         """Return the first critical speed in bending of the shaft with its gears, in rigid bearings [rad/s].
@@ -408,7 +410,7 @@ def bend(forces: ShaftForces, stretches: Sequence[Stretch], material: Material, 
     line = None
     if forces.bends:
         line = bent_line(forces.drawn, sections, forces.plan.bearings, elastic_modulus=material.elastic_modulus)
-    return Bent(sections, line, forces.plan.bearings, material)
+    return Bent(sections, line, forces.plan.bearings, material, forces.of_use)
 
 
 def slope_excess(bent: Bent, seats: Mapping[str, BearingSeat], gears: Mapping[str, float]) -> float:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from gearwright.base import SIDES, Problem, near, text
+from gearwright.spec.checks.airscrews import airscrew_problems
 from gearwright.spec.checks.epicyclics import (
     epicyclic_problems,
     load_factor_problems,
@@ -619,8 +620,8 @@ def _problems(design: Design) -> list[Problem]:
     if alike := list(alike_problems(design)):
         return [*name_problems(design), *alike]
     checks = (
-        name_problems, _idle_shafts, _machines, _speeds, _pairs, planetary_problems, load_factor_problems,
-        sharing_problems,
+        name_problems, _idle_shafts, _machines, airscrew_problems, _speeds, _pairs, planetary_problems,
+        load_factor_problems, sharing_problems,
         epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]

@@ -73,14 +73,13 @@ from gearwright.spec.record import Key as Written, Name, Record, keys_of, range_
 
 CONCEPT, PRELIMINARY, BUILT = "concept", "preliminary", "built"
 STATIC, FATIGUE = "lewis-hertz", "iso6336"
-"""Methods that rate where the design names none: by static strength, and at level preliminary against fatigue."""
-_OF_STATIC = frozenset(RATINGS[STATIC].reads) - frozenset(RATINGS[FATIGUE].reads)
-"""Rules that only the static method reads, so that it is meant where they stand."""
+"""Methods that rate where the design names none: by static strength where it states that it is a concept, else against
+fatigue."""
 R = TypeVar("R", bound=Record)
 
 
 def implied_level(rules: Iterable[GearRules], *, bearings: bool) -> str:
-    """Return the level of a design that states none: built with bearings, concept where static strength is asked for.
+    """Return the level of a design that states none: built with bearings, concept where a static method is named.
 
     Args:
         rules: Of [gears], and of every stage that has its own.
@@ -88,34 +87,33 @@ def implied_level(rules: Iterable[GearRules], *, bearings: bool) -> str:
     """
     if bearings:
         return BUILT
-    return CONCEPT if any(map(_asks_for_static, rules)) else PRELIMINARY
+    return CONCEPT if any(map(_names_static, rules)) else PRELIMINARY
 
 
-def implied_rules(rules: GearRules, level: str) -> GearRules:
-    """Return [gears] with the method of a level, where they name none.
+def implied_rules(rules: GearRules, *, concept: bool) -> GearRules:
+    """Return [gears] with a method, where they name none: against fatigue, unless the design is stated as a concept.
 
     Args:
         rules: Of the design.
-        level: That it has.
+        concept: Whether the design states that it is one.
     """
-    return _implying(rules, "rating", FATIGUE if level == PRELIMINARY else STATIC)
+    return _implying(rules, "rating", STATIC if concept else FATIGUE)
 
 
 def implied_bearings(planetaries: Mapping[str, Planetary], level: str) -> dict[str, Planetary]:
-    """Return planetary sets whose planets turn on bearings of the catalogue at level preliminary, where they name none.
+    """Return planetary sets whose planets turn on bearings of the catalogue above level concept, where they name none.
 
     Args:
         planetaries: Of the design, by name.
         level: That it has.
     """
-    bearing = PlanetBearing() if level == PRELIMINARY else None
+    bearing = None if level == CONCEPT else PlanetBearing()
     return {name: _implying(stage, "planet_bearing", bearing) for name, stage in planetaries.items()}
 
 
-def _asks_for_static(rules: GearRules) -> bool:
-    """Tell whether rules name a method that knows no fatigue, or give what only it reads."""
-    stated = rules.model_fields_set
-    return ("rating" in stated and not RATINGS[rules.rating].fatigue) or bool(_OF_STATIC & stated)
+def _names_static(rules: GearRules) -> bool:
+    """Tell whether rules name a method that knows no fatigue."""
+    return "rating" in rules.model_fields_set and not RATINGS[rules.rating].fatigue
 
 
 def _implying(record: R, key: str, value: Any) -> R:
@@ -155,9 +153,9 @@ class Design(Shown, Record):
     level: Literal["concept", "preliminary", "built"] = Field(
         "preliminary",
         description="How far it is worked out: a first sizing with shafts of one diameter (concept), the same against"
-        " fatigue, with gears as they are made and bearings in planets (preliminary), or with bearings, steps and"
-        " joints (built); left out: built where [bearings] stand, concept where a rating without fatigue or its rules"
-        " stand, else preliminary",
+        " fatigue, with gears as they are made and bearings in planets (preliminary), or that with bearings, steps and"
+        " joints of shafts as well (built); left out: built where [bearings] stand, concept where a rating without"
+        " fatigue is named, else preliminary",
     )
     shafts: list[Name] = Field(min_length=1, description="Names of all shafts")
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")
@@ -231,7 +229,8 @@ class Design(Shown, Record):
         if "level" not in self.model_fields_set:
             own = (stage.gears for stage in self.stages.values() if stage.gears is not None)
             self.__dict__["level"] = implied_level((self.gears, *own), bearings=bool(self.bearings))
-        self.__dict__["gears"] = implied_rules(self.gears, self.level)
+        concept = self.level == CONCEPT and "level" in self.model_fields_set
+        self.__dict__["gears"] = implied_rules(self.gears, concept=concept)
         self.__dict__["planetaries"] = implied_bearings(self.planetaries, self.level)
         return self
 
@@ -361,7 +360,7 @@ class Design(Shown, Record):
     @property
     def compares_sizes(self) -> bool:
         """Whether several sizes are completed and compared: gears are sized on a grid, or held against all checks."""
-        return self.level == "preliminary" or any(RATINGS[self.rating(name)].table for name in self.stages)
+        return self.level != CONCEPT or any(RATINGS[self.rating(name)].table for name in self.stages)
 
 
 @of_latest(2)

@@ -5,13 +5,14 @@ Which case speaks for a design is in `spectrum`, which knows the design.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import ClassVar, Literal, NamedTuple
 
 from pydantic import ConfigDict, Field
 
-from gearwright.base import Force, Inertia, Length, Mass, Power, Ratio, Speed, Time, Torque
+from gearwright.base import Angle, Force, Inertia, Length, Mass, Power, Ratio, Speed, Time, Torque, Velocity
 from gearwright.spec.record import Record
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -230,8 +231,58 @@ class Generator(ElectricMachine):
         return BALANCES
 
 
+AIRSCREW_LOADS = ("thrust", "in_plane_force", "hub_moment")
+"""Keys of the loads that a propeller or rotor may state."""
+FLIGHTS = ("take-off", "climb", "cruise")
+"""Cases of flight that propellers are loaded in by default."""
+
+
+class FlightLoads(Record):
+    """How a propeller flies in one case, for its loads."""
+
+    incidence: Angle | None = Field(None, ge=0, le=math.radians(30), description="Of its axis against the stream")
+    airspeed: Velocity | None = Field(None, gt=0, le=340, description="True airspeed")
+
+
+class PropellerLoads(Record):
+    """What the loads of a propeller on its shaft are taken from, where they are not stated; each has a default."""
+
+    cases: dict[str, FlightLoads] = Field(
+        default_factory=dict,
+        description="Incidence and airspeed by case: take-off, climb or cruise, or a load case of the design; left out:"
+        " 10°, 6° and 2°, at 1.51, 2.13 and 3.14 times the velocity (P/(2 ρ A))^(1/3)",
+    )
+    excitation_factor: Ratio = Field(
+        3.0, ge=0, le=10, description="EF = α[°] (V_EAS/348 kt)² in climb that the shaft bears without end"
+    )
+    gyroscopic: Literal["cs25", "cs23"] | list[float] = Field(
+        "cs25",
+        description="Turning of the aircraft as a limit load: 0.3 rad/s in pitch and yaw (cs25), 1.0 and 2.5 (cs23), or"
+        " [pitch, yaw] in rad/s",
+    )
+    mass: Mass | None = Field(None, gt=0, description="Of the propeller; left out: twice that of its blades")
+    blade_mass: Mass | None = Field(
+        None, gt=0, description="Of one blade, for weight and inertia; left out: a composite bar of its diameter"
+    )
+    overhang: Length = Field(0.0, ge=0, le=10, description="Of the blades' plane beyond its place on the shaft")
+
+
+class RotorLoads(Record):
+    """What the loads of a helicopter's rotor on its mast are taken from, where they are not stated."""
+
+    hub: Literal["teetering", "articulated", "hingeless"] = Field(
+        "articulated", description="Kind of hub, for its moment: 0.01, 0.03 or 0.06 T R in usual flight, twice as limit"
+    )
+    h_force: Ratio = Field(0.1, ge=0, le=1, description="Force in the plane of the disc over the thrust")
+    load_factor: Ratio = Field(3.5, ge=1, le=10, description="Thrust over weight as a limit load")
+
+
 class Airscrew(Machine):
-    """What propellers and rotors share; driven by the flow they give power."""
+    """What propellers and rotors share; driven by the flow they give power.
+
+    Where none of thrust, force across and hub moment is stated, bearings of its shaft bear loads by default; one that
+    is stated holds in every case, and where all three are, nothing is assumed beside them.
+    """
 
     gives: ClassVar[bool] = True
 
@@ -239,9 +290,24 @@ class Airscrew(Machine):
     diameter: Length = Field(gt=0, le=300, description="Diameter")
     blades: int = Field(4, ge=2, le=12, description="Number of blades")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; estimated if left out")
-    thrust: Force = Field(0.0, description="Along its shaft, positive away from the gears")
-    in_plane_force: Force = Field(0.0, ge=0, description="Across its shaft, turning with the flow, not with the shaft")
-    hub_moment: Torque = Field(0.0, ge=0, description="Bending moment at its hub, in the plane of the force across")
+    thrust: Force = Field(
+        0.0, description="Along its shaft, positive away from the gears; left out on a shaft in bearings: by `loads`"
+    )
+    in_plane_force: Force = Field(
+        0.0,
+        ge=0,
+        description="Across its shaft, turning with the flow, not with the shaft; left out in bearings: by `loads`",
+    )
+    hub_moment: Torque = Field(
+        0.0,
+        ge=0,
+        description="Bending moment at its hub, in the plane of the force across; left out in bearings: by `loads`",
+    )
+
+    @property
+    def stated_loads(self) -> frozenset[str]:
+        """Which of its loads are stated."""
+        return frozenset(self.model_fields_set & set(AIRSCREW_LOADS))
 
     @property
     def unsaid(self) -> Drive:
@@ -253,6 +319,9 @@ class Propeller(Airscrew):
     """A propeller; it takes the power that the machines give, and drives where a case says so."""
 
     shaft: str = Field(description="Shaft that carries it")
+    loads: PropellerLoads = Field(
+        default_factory=PropellerLoads, description="What its loads are taken from, where they are not stated"
+    )
 
 
 class Rotor(Airscrew):
@@ -260,6 +329,9 @@ class Rotor(Airscrew):
     gives a power leaves the balance to the other."""
 
     shaft: str = Field(description="Shaft that carries it")
+    loads: RotorLoads = Field(
+        default_factory=RotorLoads, description="What its loads are taken from, where they are not stated"
+    )
 
 
 class Accessory(Machine):
