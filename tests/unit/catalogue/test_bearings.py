@@ -48,7 +48,7 @@ LIGHT_AND_LARGE = {
     "32920": (100, 140, 25, 119, 204), "32928": (140, 190, 32, 205, 390), "32936": (180, 250, 45, 352, 735),
     "32948": (240, 320, 51, 512, 1080),
 }  # fmt: skip
-"""SKF, General Catalogue (2006)."""
+"""SKF, General Catalogue (of 1129 pages)."""
 AXIAL = {
     # designation: d, D, B in mm, C_a and C_0a in kN
     "QJ 1016": (80, 125, 22, 77.0, 167), "QJ 1020": (100, 150, 24, 98.5, 232), "QJ 1028": (140, 210, 33, 172, 435),
@@ -87,7 +87,7 @@ def test_four_point_bearings_of_series_10_stand_to_another_makers_axial_ratings_
 
 @pytest.mark.parametrize("row", data_rows("bearing_series.csv"), ids=lambda row: f"{row['series']}-{row['from_mm']}")
 def test_sizes_of_a_series_grow_with_their_bores(row):
-    """Outside, width and mass; so do C and C_0 as long as the inside is of one kind, but for a whole number of elements.
+    """Outside, width and mass; so do C and C_0 as long as the inside is of one kind, but for whole numbers of elements.
 
     Where D − d stays, as of 6213 and 6214, makers print one C or a slightly larger one; counting moves it by up to 3 %.
     """
