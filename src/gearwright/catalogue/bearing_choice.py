@@ -304,7 +304,9 @@ def _no_bore(kind: BearingKind, bore: float) -> str:
 
 SIMILARITY = "similarity through the catalogue's cylindrical roller bearings (ISO 15, ISO 281)"
 _LIGHT = 0.25
-"""Share of the catalogue's sizes that are the lightest around their shaft [-]."""
+"""Share of those sizes that are the lightest around their shaft [-]."""
+_SIMILAR, _BORES = ("NU 2", "NU 22", "NU 3", "NU 23"), (0.03, 0.15)
+"""Series and bores [m] between which similarity holds: beyond, cages are of brass, and NU 10 is of another make."""
 
 
 class Similar(NamedTuple):
@@ -318,8 +320,9 @@ class Similar(NamedTuple):
 
 @cache
 def similar() -> Similar:
-    """Return the geometric means over the catalogue's cylindrical roller bearings."""
-    rollers = [size for size in bearings().values() if size.kind == BearingKind.CYLINDRICAL and size.bore >= 0.03]
+    """Return the geometric means over the catalogue's cylindrical roller bearings of usual series and bores."""
+    of_series = (size for size in bearings().values() if size.designation[:-2] in _SIMILAR)
+    rollers = [size for size in of_series if _BORES[0] <= size.bore <= _BORES[1]]
     loads = np.log([size.dynamic_rating / size.mass ** (2.0 / 3.0) for size in rollers])
     bores = np.sort(np.log([size.mass / size.bore**3 for size in rollers]))
     return Similar(float(np.exp(loads.mean())), float(np.exp(np.quantile(bores, _LIGHT))))

@@ -354,6 +354,10 @@ EVEN = 0.5
 """Mean over largest load of the turns of a nut's thread [-], an assumption: the first turn takes the most."""
 
 
+_SIZES = {10: 0, 12: 1, 15: 2, 17: 3}
+"""Threads [mm] whose number is not their fifth."""
+
+
 @dataclass(frozen=True)
 class LockNut:
     """A nut with the washer that locks it in a slot of the shaft."""
@@ -380,7 +384,8 @@ class LockNut:
     @property
     def designation(self) -> str:
         """Such as ``KM 6 with MB 6``."""
-        size = next(k for k, nut in enumerate(lock_nuts()) if nut == self)
+        bore = round(1e3 * self.thread)
+        size = _SIZES.get(bore, bore // 5)
         return f"KM {size} with MB {size}"
 
     @property
@@ -415,9 +420,10 @@ class LockNut:
 
 @cache
 def lock_nuts() -> tuple[LockNut, ...]:
-    """Return the nuts KM 0 to KM 20, for threads of 10 to 100 mm, in order.
+    """Return the nuts KM 0 to KM 40, for threads of 10 to 200 mm, in order.
 
-    Source: NKE, general catalogue, pp. 1004 and 1014; IBB prints the same diameters and widths.
+    Source: NKE, general catalogue, pp. 1004 and 1014; IBB prints the same diameters and widths up to 100 mm, NSK
+        (Rolling Bearings, nuts AN and washers AW) beyond, the face of KM 29 aside (172 for 171 mm).
     """
     return tuple(_nut({name: float(cell) for name, cell in row.items()}) for row in data_rows("lock_nuts.csv"))
 
@@ -486,9 +492,11 @@ class RetainingRing:
 
 @cache
 def retaining_rings() -> tuple[RetainingRing, ...]:
-    """Return the rings of DIN 471 for 8 to 100 mm.
+    """Return the rings of DIN 471 for 8 to 300 mm, beyond 100 mm those of 5 or 10 mm apart.
 
-    Source: DIN 471:2011, d_1, d_2, m, s, as two public tables have them alike.
+    Source: DIN 471:2011, d_1, d_2, m, s, as two public tables have them alike up to 100 mm; beyond, d_1, d_2 and s are
+        of one (the fasteners of FreeCAD), which has the others as they are, and m is 0.15 mm more than s, as from
+        50 mm on.
     """
     return tuple(
         RetainingRing(*(float(value) / 1e3 for value in row.values())) for row in data_rows("retaining_rings.csv")

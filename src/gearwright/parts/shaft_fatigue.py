@@ -320,10 +320,11 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
     Source: Marin; Budynas & Nisbett, Shigley's Mechanical Engineering Design, eqs (6-8) and (6-18) to (6-29):
         k_a k_b k_e 0.5 S_ut, at most 700 MPa; k_b = 1.24 d^−0.107 to 51 mm, then 1.51 d^−0.157; k_e = 1 − 0.08 z_a.
 
-    Valid for: d from 2.79 to 254 mm.
+    Valid for: d from 2.79 to 254 mm. To 400 mm the same curve goes on, down to k_b = 0.59, an assumption: earlier
+        editions of the book say 0.60 to 0.75 of larger sizes.
 
     Raises:
-        DesignError: If surface, reliability or diameter is not in the tables.
+        DesignError: If surface or reliability is not in the tables, or the diameter beyond the curve.
     """
     problems = []
     if surface not in SURFACES:
@@ -332,8 +333,8 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
         allowed = ", ".join(f"{level:g}" for level in RELIABILITY_DEVIATES)
         problems.append(Problem("reliability", f"{reliability:g} given; allowed: {allowed}"))
     size = diameter * _MM
-    if not 2.79 <= size <= 254.0:
-        problems.append(Problem("diameter", f"{size:g} mm given; allowed: 2.79 to 254 mm"))
+    if not 2.79 <= size <= 400.0:
+        problems.append(Problem("diameter", f"{size:g} mm given; allowed: 2.79 to 400 mm"))
     refuse(problems)
     factor, exponent = SURFACES[surface]
     finish = min(factor * math.pow(ultimate_strength / _MPA, exponent), 1.0)

@@ -5,6 +5,7 @@ from itertools import pairwise
 import pytest
 
 from gearwright.catalogue import retaining_ring, retaining_rings
+from gearwright.catalogue.tables import data_rows
 
 PRINTED = {10: 1.01, 11: 1.4, 12: 1.53, 13: 2.0, 14: 2.15, 15: 2.66, 16: 3.26, 17: 3.46, 18: 4.58, 19: 4.84}
 """d_1 [mm] -> F_N [kN]."""
@@ -29,6 +30,11 @@ def test_grooves_deepen_and_rings_thicken_with_the_shaft():
     for one, other in pairwise(rings):
         assert one.shaft < other.shaft and one.groove < other.groove and one.thickness <= other.thickness
         assert one.groove_width > one.thickness
+
+
+def test_every_bore_of_a_bearing_up_to_300_mm_has_its_ring():
+    bores = {float(row["bore_mm"]) for row in data_rows("bearing_sizes.csv")}
+    assert all(retaining_ring(1e-3 * bore) is not None for bore in bores)
 
 
 def test_a_diameter_without_a_ring_has_none():

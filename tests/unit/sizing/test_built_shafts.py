@@ -1,5 +1,6 @@
 """Shafts with bearings: what is laid fits together, what the user gives is kept, what cannot be is named."""
 
+import re
 from itertools import pairwise
 
 import pytest
@@ -227,6 +228,27 @@ def test_what_cannot_be_built_is_named_with_what_would_do(case):
 def test_all_shafts_tell_their_problems_at_once():
     text = changed(changed(PAIR, "position_mm = 15\n", "position_mm = 4\n"), 'kind = "spline"', 'kind = "key"')
     assert {each.path for each in problems(text, sized=True)} >= {"bearings.1x.position", "joints.helical.wheel"}
+
+
+def test_shafts_in_bearings_of_300_mm_are_built():
+    """A pair four times as long, at a quarter of its speed, on light bearings."""
+    text = re.sub(r"(length_mm|position_mm) = (\d+)", lambda found: f"{found[1]} = {4 * int(found[2])}", PAIR)
+    for old, new in {
+        "power_kw = 322": "power_kw = 3000", "speed_rpm = 6000": "speed_rpm = 1500",
+        "speed_rpm = 1514": "speed_rpm = 378.5",
+        "[bearings.1x]\n": '[bearings.1x]\ndesignation = "QJ 1032"\n',
+        "[bearings.1a]\n": '[bearings.1a]\ndesignation = "NU 1032"\n',
+        "[bearings.1b]\n": '[bearings.1b]\ndesignation = "NU 1032"\n',
+        '[bearings.2a]\n': '[bearings.2a]\ndesignation = "61960"\n',
+        '[bearings.2b]\n': '[bearings.2b]\ndesignation = "NU 1060"\n',
+        'kind = "taper"\nlocates = "first"': 'kind = "deep-groove"\nlocates = "both"',
+        'kind = "taper"\nlocates = "second"': 'kind = "cylindrical"',
+    }.items():  # fmt: skip
+        text = changed(text, old, new)
+    sizing = size(parse(text))
+    seats = {step.seat: 1e3 * step.diameter for built in sizing.built_shafts for step in built.steps if step.seat}
+    assert [seats[name] for name in ("1x", "1a", "1b", "2a", "2b")] == pytest.approx([160, 160, 160, 300, 300])
+    assert max(step.diameter for built in sizing.built_shafts for step in built.steps) > 0.3
 
 
 def test_designs_without_bearings_are_sized_as_before():
