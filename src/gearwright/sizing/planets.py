@@ -6,7 +6,7 @@ Lives of rolling bearings are `bearings`'s; pins are `shafts`'s.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import NamedTuple, NoReturn
@@ -475,20 +475,35 @@ def _by_diameter(task: Task, made: Made) -> PlanetBearingSizing:
             _refuse_room(task, f"{task.asked.kind} bearing on a pin of {1e3 * given:.4g} mm")
         return runs_on
     pins = np.geomspace(SLIMMEST * task.room, task.room, SIZES).tolist()
-    tried = list(_until_one_serves(_sizes(task, pins, made)))
-    if not tried:
+    sizes = [size for pin in pins if (size := made(pin)) is not None and size.outer_diameter <= task.room]
+    if not sizes:
         _refuse_room(task, f"{task.asked.kind} bearing")
-    best = _first(tried)
-    if tried[-1].margin < 1.0 or len(tried) == 1:
-        return best
-    return _refined(task, tried[-2], tried[-1], made)
+    most = [_ceiling(task, size) for size in sizes]
+    serving = (k for k, size in enumerate(sizes) if most[k] >= 1.0 and margin(task, size) >= 1.0)
+    if (first := next(serving, None)) is None:
+        return _nearest(task, sizes, most)
+    return _refined(task, sizes[first - 1], sizes[first], made) if first else sizes[0]
 
 
-def _sizes(task: Task, pins: list[float], made: Made) -> Iterator[Tried]:
-    for pin in pins:
-        runs_on = made(pin)
-        if runs_on is not None and runs_on.outer_diameter <= task.room:
-            yield Tried(runs_on, margin(task, runs_on))
+def _ceiling(task: Task, size: PlanetBearingSizing) -> float:
+    """Return what the margin of a bearing cannot exceed, as its pin and the pressure of its film tell [-]."""
+    load = task.load(size)
+    pin = task.pin_margin(size.pin_diameter, load)
+    if size.journal is None:
+        return pin
+    turned = [radial for radial, speed in zip(load.radial.tolist(), load.speeds, strict=True) if speed > STANDING]
+    pressure = max(turned, default=0.0) / (size.journal.width * size.journal.diameter)
+    return min(pin, task.asked.largest_pressure / pressure) if pressure else pin
+
+
+def _nearest(task: Task, sizes: Sequence[PlanetBearingSizing], most: Sequence[float]) -> PlanetBearingSizing:
+    """Return of bearings of which none serves the one that comes nearest to it, those first that may come nearest."""
+    tried = dict[int, Tried]()
+    for place in sorted(range(len(sizes)), key=lambda place: -most[place]):
+        if most[place] < max((one.margin for one in tried.values()), default=0.0):
+            break
+        tried[place] = Tried(sizes[place], margin(task, sizes[place]))
+    return _first([tried[place] for place in sorted(tried)])
 
 
 def _until_one_serves(tried: Iterator[Tried]) -> Iterator[Tried]:
@@ -513,17 +528,19 @@ def _first(tried: list[Tried]) -> PlanetBearingSizing:
     return largest(tried, lambda one: min(one.margin, 1.0)).runs_on
 
 
-def _refined(task: Task, short: Tried, enough: Tried, made: Made) -> PlanetBearingSizing:
+def _refined(
+    task: Task, short: PlanetBearingSizing, enough: PlanetBearingSizing, made: Made
+) -> PlanetBearingSizing:
     """Return a size that just serves, between one that does not and one that does."""
-    low, best = short.runs_on.pin_diameter, enough
+    low, best = short.pin_diameter, enough
     for _ in range(_HALVINGS):
-        middle = 0.5 * (low + best.runs_on.pin_diameter)
+        middle = 0.5 * (low + best.pin_diameter)
         runs_on = made(middle)
-        if runs_on is not None and margin(task, runs_on) >= 1.0:
-            best = Tried(runs_on, 1.0)
+        if runs_on is not None and _ceiling(task, runs_on) >= 1.0 and margin(task, runs_on) >= 1.0:
+            best = runs_on
         else:
             low = middle
-    return best.runs_on
+    return best
 
 
 def _made(task: Task, pin: float) -> PlanetBearingSizing | None:
@@ -708,3 +725,21 @@ def fit_planets(context: Context, gears: tuple[GearSizing, ...]) -> tuple[GearSi
             made = on_rollers(asked.kind, as_made(asked, asked.designation), asked.side_by_side)
             fitted[gear.name] = bored(context, gear, made, crown=crown_of(context, gear))
     return tuple(fitted.get(gear.name, gear) for gear in gears)
+
+
+def bearing_margins(
+    context: Context, gears: tuple[GearSizing, ...], fitted: Sequence[GearSizing]
+) -> Mapping[str, float]:
+    """Return set -> the least of what the bearings of its planets have over what they must have [-].
+
+    Args:
+        context: What sizing reads.
+        gears: As sized, planets as solid discs.
+        fitted: From `fit_planets`.
+    """
+    found = dict[str, float]()
+    by_name = {gear.name: gear for gear in fitted}
+    for task in tasks(context, gears):
+        if (runs_on := by_name[task.planet.name].runs_on) is not None:
+            found[task.planet.stage] = margin(task, runs_on)
+    return found
