@@ -528,9 +528,7 @@ def _first(tried: list[Tried]) -> PlanetBearingSizing:
     return largest(tried, lambda one: min(one.margin, 1.0)).runs_on
 
 
-def _refined(
-    task: Task, short: PlanetBearingSizing, enough: PlanetBearingSizing, made: Made
-) -> PlanetBearingSizing:
+def _refined(task: Task, short: PlanetBearingSizing, enough: PlanetBearingSizing, made: Made) -> PlanetBearingSizing:
     """Return a size that just serves, between one that does not and one that does."""
     low, best = short.pin_diameter, enough
     for _ in range(_HALVINGS):

@@ -14,10 +14,12 @@ import numpy as np
 
 from gearwright.base import (
     BEYOND_SIZING,
+    ROUNDING,
     Check,
     DesignError,
     Kind,
     PartId,
+    Role,
     accepted,
     largest,
     refuse,
@@ -50,13 +52,13 @@ from gearwright.sizing.places import (
     room_checks,
     settle,
 )
-from gearwright.sizing.planets import film_checks, fit_planets
-from gearwright.sizing.rating import MESHES, Context, Known
-from gearwright.sizing.result import PRELIMINARY, MachineSizing, Sizing, refuse_no_numbers
+from gearwright.sizing.planets import bearing_margins, film_checks, fit_planets
+from gearwright.sizing.rating import MESHES, Context, Known, load_sharing
+from gearwright.sizing.result import PRELIMINARY, GearSizing, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
-from gearwright.sizing.stage_sizes import StageSize
-from gearwright.sizing.stages import Geared, geared, gearings
+from gearwright.sizing.stage_sizes import AS_NEAR, NEAR
+from gearwright.sizing.stages import Geared, geared, gearings, with_face
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.spec import Airscrew, Design, ElectricMachine, Epicyclic, Machine, Turbine
@@ -146,10 +148,13 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
-BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
-"""Modes of checks of the bearings of planets, to which a wider face helps."""
-NARROW = 20
-"""Gears passed over as too narrow that count as a transmission [-]."""
+UNFIT, NARROW = 4, 20
+"""Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a
+transmission [-]."""
+FINEST = 1e-3
+"""Step of face widths that are tried for bearings of planets [m]."""
+NO_MARGIN = 0.05
+"""Margin of a bearing below which none is believed [-]."""
 HOPE = 0.7
 """Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
@@ -212,6 +217,42 @@ def is_settled(design: Design) -> bool:
     return True
 
 
+class Fitted(NamedTuple):
+    """Gears whose planets have the bearings that the design asks for."""
+
+    found: Geared
+    gears: tuple[GearSizing, ...]
+    margins: Mapping[str, float]
+    """Set -> the least of what the bearings of its planets have over what they must have [-]."""
+
+    @classmethod
+    def of(cls, found: Geared) -> Fitted:
+        """Return gears with what their planets turn on.
+
+        Args:
+            found: Gears and meshes.
+
+        Raises:
+            DesignError: No bearing has room in a planet.
+        """
+        gears = fit_planets(found.context, found.gears)
+        return cls(found, gears, bearing_margins(found.context, found.gears, gears))
+
+    @property
+    def margin(self) -> float:
+        """Least of them [-]."""
+        return min(self.margins.values(), default=math.inf)
+
+    @property
+    def short_of(self) -> Mapping[str, GearSizing]:
+        """Set whose bearings do not serve -> its planets."""
+        return {
+            gear.stage: gear
+            for gear in self.gears
+            if gear.role is Role.PLANET and self.margins.get(gear.stage, math.inf) < 1.0 - ROUNDING
+        }
+
+
 @dataclass
 class _Looked:
     """What came of the gears that were looked at."""
@@ -221,31 +262,31 @@ class _Looked:
     off: float = math.inf
     """Mass of sized gears over the estimate of the search, the least of all [-]."""
     narrow: int = 0
-    """Gears that are passed over as too narrow for the bearings of their planets [-]."""
+    """Gears that are passed over as their planets are no larger than those of others that are unfit [-]."""
+    unfit: list[Fitted] = field(default_factory=list)
+    """Gears whose planets have no bearing that serves."""
     short: list[Geared] = field(default_factory=list)
     """Gears of those that fall short of what is asked of them."""
     refused: list[DesignError] = field(default_factory=list)
     whole: list[Sizing] = field(default_factory=list)
     """Transmissions that are completed."""
 
-    def complete(self, gears: Geared, given: Mapping[str, Given], *, still: bool) -> None:
+    def complete(self, gears: Geared | Fitted, given: Mapping[str, Given], *, still: bool) -> None:
         """Add the transmission of some gears, or why there is none."""
         try:
-            self.whole.append(completed(gears, given, still=still))
+            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears)
+            self.whole.append(completed(fitted, given, still=still))
         except DesignError as error:
             self.refused.append(error)
 
     def is_too_narrow(self, gears: Geared) -> bool:
-        """Tell whether planets of a set are no larger and no wider than some that have no bearing which lasts.
+        """Tell whether planets of a set are no larger, no wider and no more than some that have no bearing that serves.
 
         Args:
             gears: Of a transmission that is not completed yet.
         """
-        return any(
-            check.fails and check.mode in BEARINGS and check.part.name in gears.sizes
-            and _is_within(gears.sizes[check.part.name], sizing, check.part.name)
-            for sizing in self.whole for check in sizing.checks
-        )  # fmt: skip
+        planets = {gear.stage: gear for gear in gears.gears if gear.role is Role.PLANET}
+        return any(_is_within(planets[stage], planet) for one in self.unfit for stage, planet in one.short_of.items())
 
     @property
     def passing(self) -> list[Sizing]:
@@ -253,17 +294,12 @@ class _Looked:
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
     @property
-    def by_bearings(self) -> int:
-        """How many transmissions fail by the bearings of their planets [-]."""
-        return sum(any(check.fails and check.mode in BEARINGS for check in sizing.checks) for sizing in self.whole)
-
-    @property
     def hope(self) -> float:
-        """Margin of the worst check of the transmission that comes nearest to passing [-]."""
+        """Margin of the worst check of the transmission that comes nearest to passing, or of its bearings [-]."""
         worst = (
             min((check.margin or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
         )
-        return max(worst, default=1.0)
+        return max((*worst, *(one.margin for one in self.unfit)), default=1.0)
 
     @property
     def nearest(self) -> Geared | None:
@@ -274,6 +310,14 @@ class _Looked:
             if best is None or ahead > EQUAL or (ahead >= -EQUAL and gears.estimate < best.estimate * (1.0 - EQUAL)):
                 best = gears
         return best
+
+    @property
+    def nearest_unfit(self) -> Fitted | None:
+        """Of the lightest gears whose planets have no bearing that serves the first that is as near as any; or None."""
+        least = min((one.found.estimate for one in self.unfit), default=0.0)
+        light = [one for one in self.unfit if one.found.estimate <= NEAR * least * (1.0 + EQUAL)]
+        best = max((one.margin for one in light), default=0.0)
+        return next((one for one in light if one.margin >= best - AS_NEAR), None)
 
     def ranked(self) -> list[tuple[float, Sizing]]:
         """Return those of which the fewest checks fail, with what they weigh complete, the lightest first [kg].
@@ -289,14 +333,14 @@ class _Looked:
         return smallest_first([(complete_mass(sizing).total, sizing) for sizing in among], itemgetter(0))
 
 
-def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
-    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission.
-
-    Other teeth may ask for the same module, to the last bit but one.
-    """
-    gear = next(gear for gear in sizing.gears if gear.stage == stage)
-    largest_equal = 1.0 + EQUAL
-    return size.module <= gear.module * largest_equal and size.face_width <= gear.face_width * largest_equal
+def _is_within(planet: GearSizing, other: GearSizing) -> bool:
+    """Tell whether planets of a set are no larger, no wider and no more than others, but for rounding."""
+    most = 1.0 + EQUAL
+    return (
+        planet.bodies <= other.bodies
+        and planet.pitch_diameter <= other.pitch_diameter * most
+        and planet.face_width <= other.face_width * most
+    )
 
 
 def _failing(sizing: Sizing) -> int:
@@ -347,6 +391,8 @@ class _Course(NamedTuple):
     others: Iterator[Geared] = iter(())
     expected: bool = False
     """Whether it stands where it is expected by what others came to."""
+    unfit: Fitted | None = None
+    """The same with narrower faces, in whose planets no bearing serves."""
 
 
 def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
@@ -361,6 +407,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             search.put_back(course)
         else:
             search.size_gears(course)
+    if not looked.passing and (unfit := looked.nearest_unfit) is not None:
+        looked.complete(unfit, given, still=still)
     if not looked.whole and (nearest := looked.nearest) is not None:
         looked.complete(nearest, given, still=still)
 
@@ -387,9 +435,9 @@ class _Comparison:
         looked, (enough, most) = self.looked, COMPLETED[self.design.level]
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried = len(looked.whole) + len(looked.refused) // spared + looked.narrow // NARROW
+        tried += len(looked.unfit) // UNFIT
         if looked.passing:
-            wanted = max(enough, self.design.teeth.sized)
-            return tried >= wanted + min(looked.by_bearings, wanted)
+            return tried >= max(enough, self.design.teeth.sized)
         return tried >= (most if looked.hope >= HOPE else most // 2)
 
     def has_enough_teeth(self) -> bool:
@@ -408,18 +456,29 @@ class _Comparison:
         heapq.heappush(self.queue, (mass, next(self.order), course))
 
     def complete(self, course: _Course, gears: Geared, *, still: bool) -> None:
-        """Complete gears, but for those whose planets are too narrow.
+        """Complete gears, but for those whose planets have no bearing that serves.
 
         Args:
             course: Where they stand; those of other sizes come after them.
             gears: Those.
             still: Whether open axes stay where they stand first.
         """
-        if self.looked.is_too_narrow(gears):
-            self.looked.narrow += 1
-        else:
-            self.looked.complete(gears, self.given, still=still)
+        looked = self.looked
         self.waiting.append(course)
+        if looked.is_too_narrow(gears):
+            looked.narrow += 1
+            return
+        try:
+            fitted = Fitted.of(gears)
+        except DesignError as error:
+            looked.refused.append(error)
+            return
+        if fitted.short_of:
+            looked.unfit.append(fitted)
+            if (wider := _wider(fitted)) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=fitted))
+        else:
+            looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
 
     def put_back(self, course: _Course) -> None:
         """Put a choice of teeth where it is expected by what others came to.
@@ -454,6 +513,35 @@ class _Comparison:
             self.poor |= {own for own in teeth if own[0] in gears.failing}
 
 
+def _wider(unfit: Fitted) -> Geared | None:
+    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide."""
+    gears: Geared | None = unfit.found
+    for stage, planet in unfit.short_of.items():
+        if gears is None or load_sharing(gears.context.design, stage).by_size:
+            return None
+        asked = planet.face_width / max(unfit.margins[stage], NO_MARGIN)
+        gears = with_face(gears, stage, max(asked, planet.face_width + FINEST))
+    return gears
+
+
+def _narrowed(fitted: Fitted, unfit: Fitted) -> Fitted:
+    """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
+    for stage, planet in unfit.short_of.items():
+        low = planet.face_width
+        high = fitted.found.sizes[stage].face_width
+        while high - low > 1.5 * FINEST:
+            middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
+            between = with_face(fitted.found, stage, middle, high - FINEST)
+            tried = None if between is None else Fitted.of(between)
+            if tried is None:
+                high = middle
+            elif tried.short_of:
+                low = tried.found.sizes[stage].face_width
+            else:
+                fitted, high = tried, tried.found.sizes[stage].face_width
+    return fitted
+
+
 def considering(design: Design) -> Design:
     """Return a design of which the search tells as many combinations as a preliminary sizing considers.
 
@@ -476,20 +564,20 @@ def sized_with(
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes have given with other teeth of the design, and are to give.
     """
-    return completed(geared(design, train, choice, given=given, known=known), given)
+    return completed(Fitted.of(geared(design, train, choice, given=given, known=known)), given)
 
 
-def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return the transmission of sized gears: what planets turn on, what carries gears, and where all stands.
+def completed(fitted: Fitted, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
+    """Return the transmission of sized gears: what carries them, and where all stands.
 
     Args:
-        found: Gears and meshes.
+        fitted: Gears, and what their planets turn on.
         given: Path -> value that the user gives instead of the computed one.
         still: Whether open axes stay where they stand first, room or not.
     """
+    found, gears = fitted.found, fitted.gears
     context, meshes = found.context, found.meshes
     design, train, flows = context.design, context.train, context.flows
-    gears = fit_planets(context, found.gears)
     settled = settle(context, gears, still=still)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from gearwright.base import (
+    ROUNDING,
     Check,
     DesignError,
     Kind,
@@ -68,7 +69,15 @@ from gearwright.sizing.rating import (
     shared,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, StageSize, all_sizes, combinations, sharing_of_sizes
+from gearwright.sizing.stage_sizes import (
+    ROUNDS,
+    STILL,
+    StageSize,
+    all_sizes,
+    combinations,
+    other_faces,
+    sharing_of_sizes,
+)
 from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
@@ -603,6 +612,31 @@ def gearings(
         yield replace(found, ranked=mass, gridded=gridded)
     if not came_out:
         raise refused[0]
+
+
+def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -> Geared | None:
+    """Return gears with the narrowest other face of a planetary set within limits that passes; None: no such.
+
+    Args:
+        found: Gears that pass.
+        stage: The set.
+        least: From which it is looked for; where that is wider than it may be, its widest [m].
+        most: Up to which it is looked for [m].
+    """
+    context, size = found.context, found.sizes[stage]
+    faces = other_faces(context, stage, size)
+    low = min(least, faces[-1][0]) if faces else least
+    for width, heavier in faces:
+        if not low * (1.0 - ROUNDING) <= width <= most * (1.0 + ROUNDING):
+            continue
+        sizes = {**found.sizes, stage: size._replace(face_width=width, asked_width=width)}
+        try:
+            other = _held_against(_with_sizes(context, sizes, found.demands, found.choice))
+        except DesignError:
+            continue
+        if other.passes:
+            return replace(other, ranked=found.ranked + heavier, gridded=found.gridded)
+    return None
 
 
 def _with_teeth(
