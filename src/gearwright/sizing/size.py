@@ -153,6 +153,8 @@ UNFIT, NARROW = 4, 20
 transmission [-]."""
 FINEST = 1e-3
 """Step of face widths that are tried for bearings of planets [m]."""
+NEARLY = 0.8
+"""Face width from which sizes are looked for over that which bearings of planets seem to ask for [-]."""
 NO_MARGIN = 0.05
 """Margin of a bearing below which none is believed [-]."""
 HOPE = 0.7
@@ -398,7 +400,11 @@ class _Course(NamedTuple):
 def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
     """Size teeth and complete gears with them, always what weighs least by the estimate, until it is enough."""
     search = _Comparison(design, train, given, looked, choose_teeth(considering(design), train))
-    while not search.is_enough() and (course := search.lightest()) is not None:
+    while not search.is_enough():
+        if search.asks_for_faces():
+            search.begin_anew()
+        if (course := search.lightest()) is None:
+            break
         if course.gears is not None:
             search.complete(course, course.gears, still=still)
         elif search.has_enough_teeth():
@@ -419,7 +425,8 @@ class _Comparison:
     def __init__(
         self, design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, choices: Sequence[Chosen]
     ) -> None:
-        self.design, self.train, self.given, self.looked, self.choices = design, train, given, looked, choices
+        self.design, self.train, self.given, self.looked = design, train, given, looked
+        self.choices = list(choices)
         self.known = MESHES.now()
         self.queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
         """What they weigh by the estimate [kg], then in which order they came."""
@@ -429,6 +436,10 @@ class _Comparison:
         """Gears of which the next size is not looked for yet."""
         self.poor = set[StageTeeth]()
         """Teeth of stages that fell short."""
+        self.faces = dict[str, float]()
+        """Set -> narrowest face, as far as bearings of its planets have told [m]."""
+        self.sized = 0
+        """Choices of teeth that were sized before that was known [-]."""
 
     def is_enough(self) -> bool:
         """Tell whether so many transmissions are completed that no more are, as one passes or none comes near to it."""
@@ -442,7 +453,29 @@ class _Comparison:
 
     def has_enough_teeth(self) -> bool:
         """Tell whether so many choices of teeth are sized that no more are."""
-        return self.looked.sized >= max(FIRST if self.looked.passing else SIZED, self.design.teeth.sized)
+        sized = self.looked.sized - self.sized
+        return sized >= max(FIRST if self.looked.passing else SIZED, self.design.teeth.sized)
+
+    def asks_for_faces(self) -> bool:
+        """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
+        return not self.faces and not self.looked.passing and len(self.looked.unfit) >= UNFIT
+
+    def begin_anew(self) -> None:
+        """Choose teeth with faces as wide as bearings of planets about ask for, by what came nearest to them."""
+        looked = self.looked
+        for stage in {stage for one in looked.unfit for stage in one.short_of}:
+            own = [one for one in looked.unfit if stage in one.short_of]
+            nearest = max(own, key=lambda one: one.margins[stage])
+            self.faces[stage] = NEARLY * nearest.short_of[stage].face_width / max(nearest.margins[stage], NO_MARGIN)
+        first = len(self.choices)
+        self.choices += choose_teeth(considering(self.design), self.train, self.faces)
+        self.queue = [
+            (choice.gear_mass, place, _Course(place)) for place, choice in enumerate(self.choices) if place >= first
+        ]
+        heapq.heapify(self.queue)
+        self.order = count(len(self.choices) + next(self.order))
+        self.waiting.clear()
+        self.sized = looked.sized
 
     def lightest(self) -> _Course | None:
         """Return what weighs least by the estimate; None where nothing is left."""
@@ -499,7 +532,7 @@ class _Comparison:
         if (teeth := stage_teeth(self.train, choice)) & self.poor:
             return
         try:
-            others = gearings(self.design, self.train, choice, given=self.given, known=self.known)
+            others = gearings(self.design, self.train, choice, given=self.given, known=self.known, faces=self.faces)
             gears = next(others)
         except DesignError as error:
             looked.refused.append(error)

@@ -579,8 +579,9 @@ def geared(
 
 
 def gearings(
-    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None
-) -> Iterator[Geared]:
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None,
+    faces: Mapping[str, float] | None = None,
+) -> Iterator[Geared]:  # fmt: skip
     """Yield the gears of chosen teeth in sizes that pass, those first that weigh least by an estimate.
 
     Where loads are shared by the sizes of gears, the lightest alone.
@@ -591,6 +592,7 @@ def gearings(
         choice: Teeth, and numbers of planets that the design leaves open.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth, and are to give.
+        faces: Stage -> narrowest face that it may have [m].
 
     Raises:
         DesignError: As `geared`.
@@ -599,6 +601,9 @@ def gearings(
         yield geared(design, train, choice, given=given, known=known)
         return
     context = _with_teeth(design, train, choice, given=given, known=known)
+    if faces:
+        wider = {stage: replace(context.ratings[stage], least_face=face) for stage, face in faces.items()}
+        context = replace(context, ratings={**context.ratings, **wider})
     demands = demands_of(context)
     refused, came_out = list[DesignError](), False
     gridded = frozenset(stage for stage, rating in context.ratings.items() if rating.proportions is not None)

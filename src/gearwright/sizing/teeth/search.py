@@ -234,7 +234,7 @@ class Chosen(NamedTuple):
     """What its gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
 
 
-def choose_teeth(design: Design, train: Train) -> list[Chosen]:
+def choose_teeth(design: Design, train: Train, faces: Mapping[str, float] | None = None) -> list[Chosen]:
     """Return the tooth number of every gear, and how many planets each set has, of the lightest gears first.
 
     As many of the lightest as the rules of the search size in full.
@@ -242,6 +242,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     Args:
         design: Given teeth are kept, those left out are chosen.
         train: Its graph.
+        faces: Stage -> narrowest face with which it is weighed [m].
 
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
@@ -256,6 +257,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     flow, kept = nominal_flow(design, train, nominal)
     given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
+    tasks = [replace(task, rating=replace(task.rating, least_face=(faces or {}).get(task.name, 0.0))) for task in tasks]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
