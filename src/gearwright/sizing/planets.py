@@ -475,19 +475,29 @@ def _by_diameter(task: Task, made: Made) -> PlanetBearingSizing:
             _refuse_room(task, f"{task.asked.kind} bearing on a pin of {1e3 * given:.4g} mm")
         return runs_on
     pins = np.geomspace(SLIMMEST * task.room, task.room, SIZES).tolist()
-    sizes = [size for pin in pins if (size := made(pin)) is not None and size.outer_diameter <= task.room]
-    if not sizes:
+    tried = list[Tried]()
+    for pin in pins:
+        size = made(pin)
+        if size is None or size.outer_diameter > task.room:
+            continue
+        most, serves = _serves(task, size)
+        if serves:
+            return _refined(task, tried[-1].runs_on, size, made) if tried else size
+        tried.append(Tried(size, most))
+    if not tried:
         _refuse_room(task, f"{task.asked.kind} bearing")
-    most = [_ceiling(task, size) for size in sizes]
-    serving = (k for k, size in enumerate(sizes) if most[k] >= 1.0 and margin(task, size) >= 1.0)
-    if (first := next(serving, None)) is None:
-        return _nearest(task, sizes, most)
-    return _refined(task, sizes[first - 1], sizes[first], made) if first else sizes[0]
+    return _nearest(task, tried)
 
 
-def _ceiling(task: Task, size: PlanetBearingSizing) -> float:
-    """Return what the margin of a bearing cannot exceed, as its pin and the pressure of its film tell [-]."""
+def _serves(task: Task, size: PlanetBearingSizing) -> tuple[float, bool]:
+    """Return what the margin of a bearing cannot exceed, and whether it serves: in full only where that lets it."""
     load = task.load(size)
+    most = _ceiling(task, size, load)
+    return most, most >= 1.0 and margin(task, size, load) >= 1.0
+
+
+def _ceiling(task: Task, size: PlanetBearingSizing, load: PlanetLoad) -> float:
+    """Return what the margin of a bearing cannot exceed, as its pin and the pressure of its film tell [-]."""
     pin = task.pin_margin(size.pin_diameter, load)
     if size.journal is None:
         return pin
@@ -496,14 +506,14 @@ def _ceiling(task: Task, size: PlanetBearingSizing) -> float:
     return min(pin, task.asked.largest_pressure / pressure) if pressure else pin
 
 
-def _nearest(task: Task, sizes: Sequence[PlanetBearingSizing], most: Sequence[float]) -> PlanetBearingSizing:
-    """Return of bearings of which none serves the one that comes nearest to it, those first that may come nearest."""
-    tried = dict[int, Tried]()
-    for place in sorted(range(len(sizes)), key=lambda place: -most[place]):
-        if most[place] < max((one.margin for one in tried.values()), default=0.0):
+def _nearest(task: Task, tried: Sequence[Tried]) -> PlanetBearingSizing:
+    """Return of bearings of which none serves, with the most that each may have, the one that comes nearest to it."""
+    found = dict[int, Tried]()
+    for place in sorted(range(len(tried)), key=lambda place: -tried[place].margin):
+        if tried[place].margin < max((one.margin for one in found.values()), default=0.0):
             break
-        tried[place] = Tried(sizes[place], margin(task, sizes[place]))
-    return _first([tried[place] for place in sorted(tried)])
+        found[place] = Tried(tried[place].runs_on, margin(task, tried[place].runs_on))
+    return _first([found[place] for place in sorted(found)])
 
 
 def _until_one_serves(tried: Iterator[Tried]) -> Iterator[Tried]:
@@ -534,7 +544,7 @@ def _refined(task: Task, short: PlanetBearingSizing, enough: PlanetBearingSizing
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + best.pin_diameter)
         runs_on = made(middle)
-        if runs_on is not None and _ceiling(task, runs_on) >= 1.0 and margin(task, runs_on) >= 1.0:
+        if runs_on is not None and _serves(task, runs_on)[1]:
             best = runs_on
         else:
             low = middle
@@ -551,7 +561,7 @@ def _made(task: Task, pin: float) -> PlanetBearingSizing | None:
     return None if rollers is None else on_rollers(asked.kind, rollers, asked.side_by_side)
 
 
-def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
+def margin(task: Task, runs_on: PlanetBearingSizing, load: PlanetLoad | None = None) -> float:
     """Return the least of what a bearing has over what it must have [-].
 
     Lives count by the load that they could bear more, (L/L_asked)^(1/p).
@@ -559,8 +569,9 @@ def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
     Args:
         task: The planet.
         runs_on: Its bearing.
+        load: What it bears, where that is known.
     """
-    load = task.load(runs_on)
+    load = task.load(runs_on) if load is None else load
     pin = task.pin_margin(runs_on.pin_diameter, load)
     if runs_on.journal is not None:
         oil = design_oil(task.context.design, task.asked)
