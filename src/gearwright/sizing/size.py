@@ -391,8 +391,8 @@ class _Course(NamedTuple):
     gears: Geared | None = None
     """None where they are not sized yet."""
     others: Iterator[Geared] = iter(())
-    expected: bool = False
-    """Whether it stands where it is expected by what others came to."""
+    mass: float = 0.0
+    """By which it stands in the queue, where its gears are not sized yet [kg]."""
     unfit: Fitted | None = None
     """The same with narrower faces, in whose planets no bearing serves."""
 
@@ -409,8 +409,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             search.complete(course, course.gears, still=still)
         elif search.has_enough_teeth():
             continue
-        elif looked.sized >= FIRST and looked.off < math.inf and not course.expected:
-            search.put_back(course)
+        elif (expected := search.expected(course)) > course.mass * (1.0 + EQUAL):
+            search.put_back(course, expected)
         else:
             search.size_gears(course)
     if not looked.passing and (unfit := looked.nearest_unfit) is not None:
@@ -428,7 +428,9 @@ class _Comparison:
         self.design, self.train, self.given, self.looked = design, train, given, looked
         self.choices = list(choices)
         self.known = MESHES.now()
-        self.queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
+        self.queue = [
+            (choice.gear_mass, place, _Course(place, mass=choice.gear_mass)) for place, choice in enumerate(choices)
+        ]
         """What they weigh by the estimate [kg], then in which order they came."""
         heapq.heapify(self.queue)
         self.order = count(len(choices))
@@ -440,6 +442,8 @@ class _Comparison:
         """Set -> narrowest face, as far as bearings of its planets have told [m]."""
         self.sized = 0
         """Choices of teeth that were sized before that was known [-]."""
+        self.heavier = dict[frozenset[StageTeeth], float]()
+        """Teeth of stages that are sized together -> by how much they are heavier than the search has it [kg]."""
 
     def is_enough(self) -> bool:
         """Tell whether so many transmissions are completed that no more are, as one passes or none comes near to it."""
@@ -470,7 +474,9 @@ class _Comparison:
         first = len(self.choices)
         self.choices += choose_teeth(considering(self.design), self.train, self.faces)
         self.queue = [
-            (choice.gear_mass, place, _Course(place)) for place, choice in enumerate(self.choices) if place >= first
+            (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
+            for place, choice in enumerate(self.choices)
+            if place >= first
         ]
         heapq.heapify(self.queue)
         self.order = count(len(self.choices) + next(self.order))
@@ -513,14 +519,35 @@ class _Comparison:
         else:
             looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
 
-    def put_back(self, course: _Course) -> None:
+    def put_back(self, course: _Course, mass: float) -> None:
         """Put a choice of teeth where it is expected by what others came to.
 
         Args:
             course: That choice.
+            mass: What it is expected to weigh by the estimate [kg].
         """
-        mass = self.choices[course.place].gear_mass * max(self.looked.off, 1.0)
-        heapq.heappush(self.queue, (mass, course.place, course._replace(expected=True)))
+        heapq.heappush(self.queue, (mass, course.place, course._replace(mass=mass)))
+
+    def expected(self, course: _Course) -> float:
+        """Return what gears are expected to weigh, by what others with the same teeth of some stages came to [kg].
+
+        Args:
+            course: A choice of teeth that is not sized yet.
+        """
+        choice, looked = self.choices[course.place], self.looked
+        off = looked.off if looked.sized >= FIRST and looked.off < math.inf else 1.0
+        teeth = stage_teeth(self.train, choice)
+        more = sum(heavier for own, heavier in self.heavier.items() if own <= teeth)
+        return max(choice.gear_mass * off, choice.gear_mass + more)
+
+    def _learn(self, gears: Geared, choice: Chosen) -> None:
+        """Keep by how much stages are heavier than the search has them."""
+        owners, teeth = module_owners(self.design), stage_teeth(self.train, choice)
+        for stages, mass in gears.ranked.items():
+            groups = {owners.get(stage, stage) for stage in stages}
+            if groups <= choice.masses.keys():
+                own = frozenset(row for row in teeth if row[0] in stages)
+                self.heavier[own] = mass - sum(choice.masses[group] for group in groups)
 
     def size_gears(self, course: _Course) -> None:
         """Size gears with a choice of teeth, unless a stage with the same teeth fell short before.
@@ -540,6 +567,7 @@ class _Comparison:
         looked.sized += 1
         if gears.passes:
             looked.off = min(looked.off, gears.estimate / max(choice.gear_mass, 1e-9))
+            self._learn(gears, choice)
             self._put(gears.estimate, _Course(course.place, gears, others))
         else:
             looked.short.append(gears)

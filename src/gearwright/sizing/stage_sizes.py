@@ -639,10 +639,13 @@ def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, Stag
     return closed
 
 
-def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tuple[dict[str, StageSize], float]]:
-    """Yield the same in combinations of sizes that pass, the lightest first, and what they weigh by an estimate [kg].
+def combinations(
+    context: Context, demands: Mapping[str, Demand]
+) -> Iterator[tuple[dict[str, StageSize], dict[frozenset[str], float]]]:
+    """Yield the same in combinations of sizes that pass, the lightest first.
 
-    What follows in closed form is not in the estimate.
+    With each the stages that are sized together, and what they weigh by an estimate [kg]; what follows in closed form
+    is not in it.
 
     Args:
         context: What gear sizing reads.
@@ -658,13 +661,13 @@ def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tu
     while heap:
         _, places = heapq.heappop(heap)
         taken = [course.at(place) for course, place in zip(courses, places, strict=True)]
-        sizes, mass = dict(closed), 0.0
+        sizes, masses = dict(closed), dict[frozenset[str], float]()
         for ones, option in zip(alike.values(), taken, strict=True):
             assert option is not None
-            mass += len(ones) * option.mass
             for one in ones:
+                masses[frozenset(part.stage for part in one.parts)] = option.mass
                 sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
-        yield sizes, mass
+        yield sizes, masses
         for k, course in enumerate(courses):
             after = (*places[:k], places[k] + 1, *places[k + 1 :])
             if after not in seen and course.at(after[k]) is not None:

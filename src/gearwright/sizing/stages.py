@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from gearwright.base import (
@@ -515,10 +515,8 @@ class Geared:
     sizes: Mapping[str, StageSize]
     demands: Mapping[str, Demand]
     choice: Chosen
-    ranked: float = 0.0
-    """What those weigh with their shafts and carriers that are sized on a grid, to rank them [kg]."""
-    gridded: frozenset[str] = frozenset()
-    """Those stages."""
+    ranked: Mapping[frozenset[str], float] = field(default_factory=dict)
+    """Stages that are sized together on a grid -> what they weigh with what is around them, to rank them [kg]."""
 
     @cached_property
     def failing(self) -> Mapping[str, float]:
@@ -542,7 +540,9 @@ class Geared:
     @property
     def estimate(self) -> float:
         """What the gears weigh with rims, webs and bores by the estimate of the search, to rank them [kg]."""
-        return self.ranked + sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in self.gridded)
+        gridded = frozenset[str]().union(*self.ranked)
+        own = sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in gridded)
+        return sum(self.ranked.values()) + own
 
 
 def _mass(context: Context, gear: GearSizing) -> float:
@@ -606,15 +606,14 @@ def gearings(
         context = replace(context, ratings={**context.ratings, **wider})
     demands = demands_of(context)
     refused, came_out = list[DesignError](), False
-    gridded = frozenset(stage for stage, rating in context.ratings.items() if rating.proportions is not None)
-    for sizes, mass in combinations(context, demands):
+    for sizes, masses in combinations(context, demands):
         try:
             found = _held_against(_with_sizes(context, sizes, demands, choice))
         except DesignError as error:  # bores and reliefs for which these sizes have no room
             refused.append(error)
             continue
         came_out = True
-        yield replace(found, ranked=mass, gridded=gridded)
+        yield replace(found, ranked=masses)
     if not came_out:
         raise refused[0]
 
@@ -640,7 +639,8 @@ def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -
         except DesignError:
             continue
         if other.passes:
-            return replace(other, ranked=found.ranked + heavier, gridded=found.gridded)
+            together = next(stages for stages in found.ranked if stage in stages)
+            return replace(other, ranked={**found.ranked, together: found.ranked[together] + heavier})
     return None
 
 

@@ -232,6 +232,8 @@ class Chosen(NamedTuple):
     """How it was found; None where the design gives all teeth."""
     gear_mass: float = 0.0
     """What its gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
+    masses: Mapping[str, float] = {}
+    """The same of every group of stages with one module, by the one that owns it [kg]."""
 
 
 def choose_teeth(design: Design, train: Train, faces: Mapping[str, float] | None = None) -> list[Chosen]:
@@ -264,7 +266,8 @@ def choose_teeth(design: Design, train: Train, faces: Mapping[str, float] | None
     )  # fmt: skip
     bans = banned(tasks, given, train, nominal, flow)
     found = _searched(_Search(design, nominal, bans.whole), start, with_twins(bans.tasks, design, nominal))
-    mass = aligned(found.front, design).mass
+    front = aligned(found.front, design)
+    mass = front.mass
     first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
     others = [place for place in np.argsort(ranks_of(mass), kind="stable").tolist() if place != first]
     if bans.whole:
@@ -279,7 +282,10 @@ def choose_teeth(design: Design, train: Train, faces: Mapping[str, float] | None
         proven=found.proven,
     )
     return [
-        _chosen(design, found.front, place, search)._replace(gear_mass=float(mass[place]))
+        _chosen(design, found.front, place, search)._replace(
+            gear_mass=float(mass[place]),
+            masses={group: float(cube[place] * front.volumes[group][place]) for group, cube in front.cubes.items()},
+        )
         for place in (first, *others)[: design.teeth.sized]
     ]
 
