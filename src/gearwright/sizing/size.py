@@ -148,6 +148,8 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
+TOGETHER = 8
+"""Stages of all gears that are completed, where they are few: one after the other costs a few milliseconds [-]."""
 UNFIT, NARROW = 4, 20
 """Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a
 transmission [-]."""
@@ -452,7 +454,8 @@ class _Comparison:
         tried = len(looked.whole) + len(looked.refused) // spared + looked.narrow // NARROW
         tried += len(looked.unfit) // UNFIT
         if looked.passing:
-            return tried >= max(enough, self.design.teeth.sized)
+            several = TOGETHER // len(self.design.stages) if most > 1 else 1
+            return tried >= max(enough, several, self.design.teeth.sized)
         return tried >= (most if looked.hope >= HOPE else most // 2)
 
     def has_enough_teeth(self) -> bool:
