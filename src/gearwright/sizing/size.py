@@ -247,6 +247,15 @@ class Fitted(NamedTuple):
         """Least of them [-]."""
         return min(self.margins.values(), default=math.inf)
 
+    def asked_face(self, stage: str) -> float:
+        """Return the face with which bearings of a set that do not serve may do so, as their margins rise with it [m].
+
+        Args:
+            stage: Of those that fall short.
+        """
+        width = self.short_of[stage].face_width
+        return max(width / max(self.margins[stage], NO_MARGIN), width + FINEST)
+
     @property
     def short_of(self) -> Mapping[str, GearSizing]:
         """Set whose bearings do not serve -> its planets."""
@@ -283,14 +292,21 @@ class _Looked:
         except DesignError as error:
             self.refused.append(error)
 
-    def is_too_narrow(self, gears: Geared) -> bool:
-        """Tell whether planets of a set are no larger, no wider and no more than some that have no bearing that serves.
+    def asked_faces(self, gears: Geared) -> dict[str, float]:
+        """Return set -> face that bearings ask for in planets that are no smaller, no narrower and no fewer [m].
+
+        Of sets whose planets are no larger, no wider and no more than some in which no bearing serves.
 
         Args:
             gears: Of a transmission that is not completed yet.
         """
         planets = {gear.stage: gear for gear in gears.gears if gear.role is Role.PLANET}
-        return any(_is_within(planets[stage], planet) for one in self.unfit for stage, planet in one.short_of.items())
+        found = dict[str, float]()
+        for one in self.unfit:
+            for stage, planet in one.short_of.items():
+                if _is_within(planets[stage], planet):
+                    found[stage] = max(found.get(stage, 0.0), one.asked_face(stage))
+        return found
 
     @property
     def passing(self) -> list[Sizing]:
@@ -473,10 +489,11 @@ class _Comparison:
         for stage in {stage for one in looked.unfit for stage in one.short_of}:
             own = [one for one in looked.unfit if stage in one.short_of]
             nearest = max(own, key=lambda one: one.margins[stage])
-            self.faces[stage] = NEARLY * nearest.short_of[stage].face_width / max(nearest.margins[stage], NO_MARGIN)
+            self.faces[stage] = NEARLY * nearest.asked_face(stage)
         first = len(self.choices)
         self.choices += choose_teeth(considering(self.design), self.train, self.faces)
-        self.queue = [
+        self.queue = [row for row in self.queue if row[2].unfit is not None]
+        self.queue += [
             (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
             for place, choice in enumerate(self.choices)
             if place >= first
@@ -507,8 +524,10 @@ class _Comparison:
         """
         looked = self.looked
         self.waiting.append(course)
-        if looked.is_too_narrow(gears):
+        if faces := looked.asked_faces(gears):
             looked.narrow += 1
+            if (wider := _wider(gears, faces)) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
             return
         try:
             fitted = Fitted.of(gears)
@@ -517,7 +536,7 @@ class _Comparison:
             return
         if fitted.short_of:
             looked.unfit.append(fitted)
-            if (wider := _wider(fitted)) is not None:
+            if (wider := _wider(gears, {stage: fitted.asked_face(stage) for stage in fitted.short_of})) is not None:
                 self._put(wider.estimate, _Course(course.place, wider, unfit=fitted))
         else:
             looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
@@ -577,14 +596,13 @@ class _Comparison:
             self.poor |= {own for own in teeth if own[0] in gears.failing}
 
 
-def _wider(unfit: Fitted) -> Geared | None:
+def _wider(found: Geared, faces: Mapping[str, float]) -> Geared | None:
     """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide."""
-    gears: Geared | None = unfit.found
-    for stage, planet in unfit.short_of.items():
+    gears: Geared | None = found
+    for stage, face in faces.items():
         if gears is None or load_sharing(gears.context.design, stage).by_size:
             return None
-        asked = planet.face_width / max(unfit.margins[stage], NO_MARGIN)
-        gears = with_face(gears, stage, max(asked, planet.face_width + FINEST))
+        gears = with_face(gears, stage, face)
     return gears
 
 
