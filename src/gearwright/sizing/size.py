@@ -150,7 +150,7 @@ COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 at most, where none passes so far [-]."""
 TOGETHER = 8
 """Stages of all gears that are completed, where they are few: one after the other costs a few milliseconds [-]."""
-UNFIT, NARROW = 4, 20
+UNFIT, NARROW = 4, 8
 """Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a
 transmission [-]."""
 FINEST = 1e-3
@@ -331,13 +331,15 @@ class _Looked:
                 best = gears
         return best
 
-    @property
-    def nearest_unfit(self) -> Fitted | None:
-        """Of the lightest gears whose planets have no bearing that serves the first that is as near as any; or None."""
+    def nearest_unfit(self, most: int) -> list[Fitted]:
+        """Return of the lightest gears whose planets have no bearing that serves those that come nearest to it.
+
+        Args:
+            most: How many at most [-].
+        """
         least = min((one.found.estimate for one in self.unfit), default=0.0)
         light = [one for one in self.unfit if one.found.estimate <= NEAR * least * (1.0 + EQUAL)]
-        best = max((one.margin for one in light), default=0.0)
-        return next((one for one in light if one.margin >= best - AS_NEAR), None)
+        return sorted(light, key=lambda one: round(-one.margin / AS_NEAR))[:most]
 
     def ranked(self) -> list[tuple[float, Sizing]]:
         """Return those of which the fewest checks fail, with what they weigh complete, the lightest first [kg].
@@ -431,7 +433,7 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
             search.put_back(course, expected)
         else:
             search.size_gears(course)
-    if not looked.passing and (unfit := looked.nearest_unfit) is not None:
+    for unfit in [] if looked.passing else looked.nearest_unfit(COMPLETED[design.level][1]):
         looked.complete(unfit, given, still=still)
     if not looked.whole and (nearest := looked.nearest) is not None:
         looked.complete(nearest, given, still=still)
