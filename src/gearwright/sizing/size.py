@@ -483,7 +483,8 @@ class _Comparison:
 
     def asks_for_faces(self) -> bool:
         """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
-        return not self.faces and not self.looked.passing and len(self.looked.unfit) >= UNFIT
+        looked = self.looked
+        return not self.faces and not looked.passing and len(looked.unfit) + looked.narrow >= UNFIT
 
     def begin_anew(self) -> None:
         """Choose teeth with faces as wide as bearings of planets about ask for, by what came nearest to them."""
@@ -503,7 +504,7 @@ class _Comparison:
         heapq.heapify(self.queue)
         self.order = count(len(self.choices) + next(self.order))
         self.waiting.clear()
-        self.sized = looked.sized
+        self.sized, looked.narrow = looked.sized, 0
 
     def lightest(self) -> _Course | None:
         """Return what weighs least by the estimate; None where nothing is left."""

@@ -624,11 +624,13 @@ def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -
     Args:
         found: Gears that pass.
         stage: The set.
-        least: From which it is looked for; where that is wider than it may be, its widest [m].
+        least: From which it is looked for; where that is wider than it may be, its widest beyond its own [m].
         most: Up to which it is looked for [m].
     """
     context, size = found.context, found.sizes[stage]
     faces = other_faces(context, stage, size)
+    if least > size.face_width:
+        faces = [row for row in faces if row[0] > size.face_width]
     low = min(least, faces[-1][0]) if faces else least
     for width, heavier in faces:
         if not low * (1.0 - ROUNDING) <= width <= most * (1.0 + ROUNDING):
