@@ -1,6 +1,7 @@
 """How far the gearbox that `size` chooses is from the lightest that passes: answers of a search, and today's choices.
 
-    python tests/oracle/oracle_answers.py answer                # answers what answers.jsonl lacks; 13 minutes
+    python tests/oracle/oracle_answers.py answer                # answers what answers.jsonl lacks; 13 minutes for all
+    python tests/oracle/oracle_answers.py answer --again        # searches anew, and keeps the lighter of both answers
     python tests/oracle/oracle_answers.py compare               # sizes every design anew beside the kept answers
     python tests/oracle/oracle_answers.py compare --keep        # and keeps today's choices in answers.jsonl
     python tests/oracle/oracle_answers.py table                 # what is kept, as docs/theory/choice.md has it
@@ -22,13 +23,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from oracle_designs import KINDS, OF_FILES, all_designs, design_of
-from oracle_search import MOST, Changes, Outcome, Trials, accepted, blocks_of, outcome_of, passes, searched
+from oracle_search import MOST, Changes, Outcome, Trials, accepted, blocks_of, no_worse_than, outcome_of, passes, searched
 
 from gearwright import DesignError, edited, size
 from gearwright.sizing.result import Sizing
 from gearwright.spec import Design, Planetary
 
 ANSWERS = Path(__file__).parent / "answers.jsonl"
+SAME = 1e-6
+"""Part of the mass that is rounding, of gears that are written into a design [-]."""
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -58,10 +61,10 @@ def answer(kind: str, number: int | str, most: int = MOST) -> dict[str, Any]:
         or (not passes(found) and found.mass >= choice.mass)
         or (passes(choice) and found.mass >= choice.mass)
     ):
-        found, changes = choice, {}
-    changes = {path: changes[path] for path in sorted(changes)}
+        found, changes = choice, entries(design, sizing)
     own = Compared(
-        kind, number, choice.mass, choice.failing, found.mass, found.failing, changes, was(design, sizing, changes)
+        kind, number, choice.mass, choice.failing, found.mass, found.failing, in_order(changes),
+        {} if found is choice else was(design, sizing),
     )  # fmt: skip
     record = anew({"kind": kind, "k": number, "level": design.level, "open": open_in(design)}, own)
     return record | {"sizings": len(trials.known), "seconds": round(time.process_time() - begun, 1)}
@@ -92,16 +95,32 @@ def open_in(design: Design) -> list[str]:
     return sorted(set(found))
 
 
-def was(design: Design, sizing: Sizing, changes: Changes) -> dict[str, str]:
-    """Return stage -> teeth, planets, module and face width of the choice, in short, where another one is lighter.
+def entries(design: Design, sizing: Sizing) -> Changes:
+    """Return the entries that give a design the gears of a sizing.
+
+    Args:
+        design: That leaves them open.
+        sizing: With them.
+    """
+    return in_order({path: value for block in blocks_of(design, sizing) for path, value in block.start.items()})
+
+
+def in_order(changes: Changes) -> Changes:
+    """Return entries in the order of their paths.
+
+    Args:
+        changes: Of a design.
+    """
+    return {path: changes[path] for path in sorted(changes)}
+
+
+def was(design: Design, sizing: Sizing) -> dict[str, str]:
+    """Return stage -> teeth, planets, module and face width of a choice, in short.
 
     Args:
         design: With its stages.
         sizing: The choice.
-        changes: Of the best; empty where it is the choice.
     """
-    if not changes:
-        return {}
     found = {}
     for stage in design.stages:
         gears = [gear for gear in sizing.gears if gear.stage == stage]
@@ -142,7 +161,7 @@ class Compared(NamedTuple):
     best_fails: Mapping[str, float]
     """What fails in that."""
     changes: Changes
-    """Entries of that gearbox; none where it is the choice."""
+    """Entries of that gearbox."""
     was: Mapping[str, str]
     """The choice in short, where another one is lighter."""
 
@@ -167,24 +186,21 @@ def compared(record: Mapping[str, Any]) -> Compared:
     design = design_of(*key)
     sizing = size(design)
     choice = outcome_of(sizing)
-    if (best := _kept_best(design, record, choice)) is None:
-        return Compared(*key, choice.mass, choice.failing, choice.mass, choice.failing, {}, {})
-    changes = record["changes"]
+    best = outcome_of(size(edited(design, record["changes"])))
+    if not _is_better(best, choice):
+        return Compared(
+            *key, choice.mass, choice.failing, choice.mass, choice.failing, entries(design, sizing), {}
+        )  # fmt: skip
     return Compared(
-        *key, choice.mass, choice.failing, best.mass, best.failing, changes, was(design, sizing, changes)
+        *key, choice.mass, choice.failing, best.mass, best.failing, record["changes"], was(design, sizing)
     )  # fmt: skip
 
 
-def _kept_best(design: Design, record: Mapping[str, Any], choice: Outcome) -> Outcome | None:
-    """Return the kept gearbox as it is sized today; None where today's choice is as good."""
-    if not record["changes"]:
-        kept_fails: Mapping[str, float] = record.get("best_fails", {})
-        heavier = choice.mass > record["best"] and choice.failing.keys() >= kept_fails.keys()
-        return Outcome(record["best"], kept_fails) if heavier else None
-    best = outcome_of(size(edited(design, record["changes"])))
-    if best.failing:
-        return best if choice.failing and best.mass < choice.mass else None
-    return best if choice.failing or best.mass < choice.mass else None
+def _is_better(best: Outcome, choice: Outcome) -> bool:
+    """Tell whether a kept gearbox is better than a choice: it passes alone, or is lighter and fails nothing worse."""
+    if choice.failing and not best.failing:
+        return True
+    return best.mass < choice.mass * (1.0 - SAME) and no_worse_than(choice)(best)
 
 
 def as_kept(record: Mapping[str, Any]) -> Compared:
@@ -235,6 +251,21 @@ def table(rows: Sequence[Compared]) -> str:
     return "\n".join(lines)
 
 
+def better(before: dict[str, Any], found: dict[str, Any]) -> dict[str, Any]:
+    """Return a new answer, with the gearbox that was kept where that is better than what is found.
+
+    Args:
+        before: As it was kept.
+        found: By another search of the same design.
+    """
+    if "refused" in found or "refused" in before:
+        return found
+    today = compared(before)
+    own = as_kept(found)
+    was_found = Outcome(own.best, own.best_fails or {})
+    return anew(found, today) if _is_better(Outcome(today.best, today.best_fails), was_found) else found
+
+
 # ----------------------------------------------------------------------------------------------------------------------
 # Commands.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -242,17 +273,16 @@ def table(rows: Sequence[Compared]) -> str:
 
 def _answer(arguments: argparse.Namespace) -> None:
     path: Path = arguments.answers
-    done = {(record["kind"], record["k"]) for record in kept(path)}
-    asked = [key for key in all_designs() if key not in done and arguments.kind in (None, key[0])]
-    with path.open("a") as file:
-        for kind, number in asked[: arguments.count]:
-            try:
-                record = answer(kind, number, arguments.most)
-            except DesignError as error:
-                record = {"kind": kind, "k": number, "refused": str(error)[:200]}
-            file.write(json.dumps(record, ensure_ascii=False) + "\n")
-            file.flush()
-            print(kind, number, record.get("class", "refused"), record.get("gap"), record.get("sizings"), flush=True)
+    done = {(record["kind"], record["k"]): record for record in kept(path)}
+    asked = [key for key in all_designs() if arguments.again or key not in done]
+    for kind, number in [key for key in asked if arguments.kind in (None, key[0])][: arguments.count]:
+        try:
+            record = answer(kind, number, arguments.most)
+        except DesignError as error:
+            record = {"kind": kind, "k": number, "refused": str(error)[:200]}
+        done[kind, number] = better(done[kind, number], record) if (kind, number) in done else record
+        path.write_text("".join(json.dumps(line, ensure_ascii=False) + "\n" for line in done.values()))
+        print(kind, number, record.get("class", "refused"), record.get("gap"), record.get("sizings"), flush=True)
 
 
 def _compare(arguments: argparse.Namespace) -> None:
@@ -308,6 +338,7 @@ def main(words: Sequence[str] | None = None) -> None:
         command.add_argument("--most", type=int, default=MOST)
         command.add_argument("--worst", type=int, default=10)
         command.add_argument("--keep", action="store_true")
+        command.add_argument("--again", action="store_true")
         command.set_defaults(run=run)
     command = commands.add_parser("exhaust")
     command.add_argument("kind")

@@ -590,11 +590,23 @@ def bevel_volume(
     Source: teeth that taper to the apex are a pyramid's frustum, V = z A (R_e³ − R_i³)/(3 R_m²), as every point of a
         back cone is R from the apex along its normal; frusta of cones behind them.
     """
+    return _crown(pair, side) + _under_roots(pair, side, bore, web, seat, dish=dish)
+
+
+def _crown(pair: BevelPair, side: int) -> float:
+    """Return what the teeth of a bevel gear fill [m³]."""
     tooth, mean, (inner, outer) = virtual_tooth(pair, side), pair.mean_cone_distance, _ends(pair)
-    crown = pair.teeth[side] * outline_area(tooth) * (outer**3 - inner**3) / (3.0 * mean**2)
+    return pair.teeth[side] * outline_area(tooth) * (outer**3 - inner**3) / (3.0 * mean**2)
+
+
+def _under_roots(
+    pair: BevelPair, side: int, bore: float, web: float, seat: SeatHub | None, *, dish: float = 0.0
+) -> float:
+    """Return what the body under the roots of a bevel gear fills [m³]."""
+    tooth, mean = virtual_tooth(pair, side), pair.mean_cone_distance
     root = (tooth.root_radius - tooth.pitch_radius) / mean
-    roots = [_under(pair, side, far, root * far) for far in (inner, outer)]
-    return crown + revolved_volume([*bevel_way(pair, side, bore, web, seat, dish=dish), *roots])
+    roots = [_under(pair, side, far, root * far) for far in _ends(pair)]
+    return revolved_volume([*bevel_way(pair, side, bore, web, seat, dish=dish), *roots])
 
 
 def lightened_web(pair: BevelPair, side: int, bore: float, share: float, seat: SeatHub | None = None) -> float:
@@ -609,11 +621,11 @@ def lightened_web(pair: BevelPair, side: int, bore: float, share: float, seat: S
 
     Source: `bevel_volume` by bisection, of a straight web, which a dished one weighs as much as but for its ends.
     """
-    low, high = _THINNEST, _WHOLE
-    target = share * bevel_volume(pair, side, bore, high, seat)
+    low, high, crown = _THINNEST, _WHOLE, _crown(pair, side)
+    target = share * (crown + _under_roots(pair, side, bore, high, seat))
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if bevel_volume(pair, side, bore, middle, seat) > target else (middle, high)
+        low, high = (low, middle) if crown + _under_roots(pair, side, bore, middle, seat) > target else (middle, high)
     return 0.5 * (low + high)
 
 

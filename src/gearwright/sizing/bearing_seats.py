@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.base import Check, Floats, Force, Kind, Length, PartId, Role, gear_part
 from gearwright.catalogue import Bearing, bearing, with_ratings
+from gearwright.memo import of_latest
 from gearwright.parts.gears import ISO53_A
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.airscrew_loads import usual_loads
@@ -448,6 +449,7 @@ ENDS = ("first", "second")
 """The two bearings of a shaft that the design leaves open, from its first end."""
 
 
+@of_latest(2)
 def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     """Return every seat whose load is known: on shafts that something bends or the design holds, and in each planet.
 

@@ -6,7 +6,7 @@ Lives of rolling bearings are `bearings`'s; pins are `shafts`'s.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import NamedTuple, NoReturn
@@ -475,20 +475,45 @@ def _by_diameter(task: Task, made: Made) -> PlanetBearingSizing:
             _refuse_room(task, f"{task.asked.kind} bearing on a pin of {1e3 * given:.4g} mm")
         return runs_on
     pins = np.geomspace(SLIMMEST * task.room, task.room, SIZES).tolist()
-    tried = list(_until_one_serves(_sizes(task, pins, made)))
+    tried = list[Tried]()
+    for pin in pins:
+        size = made(pin)
+        if size is None or size.outer_diameter > task.room:
+            continue
+        most, serves = _serves(task, size)
+        if serves:
+            return _refined(task, tried[-1].runs_on, size, made) if tried else size
+        tried.append(Tried(size, most))
     if not tried:
         _refuse_room(task, f"{task.asked.kind} bearing")
-    best = _first(tried)
-    if tried[-1].margin < 1.0 or len(tried) == 1:
-        return best
-    return _refined(task, tried[-2], tried[-1], made)
+    return _nearest(task, tried)
 
 
-def _sizes(task: Task, pins: list[float], made: Made) -> Iterator[Tried]:
-    for pin in pins:
-        runs_on = made(pin)
-        if runs_on is not None and runs_on.outer_diameter <= task.room:
-            yield Tried(runs_on, margin(task, runs_on))
+def _serves(task: Task, size: PlanetBearingSizing) -> tuple[float, bool]:
+    """Return what the margin of a bearing cannot exceed, and whether it serves: in full only where that lets it."""
+    load = task.load(size)
+    most = _ceiling(task, size, load)
+    return most, most >= 1.0 and margin(task, size, load) >= 1.0
+
+
+def _ceiling(task: Task, size: PlanetBearingSizing, load: PlanetLoad) -> float:
+    """Return what the margin of a bearing cannot exceed, as its pin and the pressure of its film tell [-]."""
+    pin = task.pin_margin(size.pin_diameter, load)
+    if size.journal is None:
+        return pin
+    turned = [radial for radial, speed in zip(load.radial.tolist(), load.speeds, strict=True) if speed > STANDING]
+    pressure = max(turned, default=0.0) / (size.journal.width * size.journal.diameter)
+    return min(pin, task.asked.largest_pressure / pressure) if pressure else pin
+
+
+def _nearest(task: Task, tried: Sequence[Tried]) -> PlanetBearingSizing:
+    """Return of bearings of which none serves, with the most that each may have, the one that comes nearest to it."""
+    found = dict[int, Tried]()
+    for place in sorted(range(len(tried)), key=lambda place: -tried[place].margin):
+        if tried[place].margin < max((one.margin for one in found.values()), default=0.0):
+            break
+        found[place] = Tried(tried[place].runs_on, margin(task, tried[place].runs_on))
+    return _first([found[place] for place in sorted(found)])
 
 
 def _until_one_serves(tried: Iterator[Tried]) -> Iterator[Tried]:
@@ -513,17 +538,17 @@ def _first(tried: list[Tried]) -> PlanetBearingSizing:
     return largest(tried, lambda one: min(one.margin, 1.0)).runs_on
 
 
-def _refined(task: Task, short: Tried, enough: Tried, made: Made) -> PlanetBearingSizing:
+def _refined(task: Task, short: PlanetBearingSizing, enough: PlanetBearingSizing, made: Made) -> PlanetBearingSizing:
     """Return a size that just serves, between one that does not and one that does."""
-    low, best = short.runs_on.pin_diameter, enough
+    low, best = short.pin_diameter, enough
     for _ in range(_HALVINGS):
-        middle = 0.5 * (low + best.runs_on.pin_diameter)
+        middle = 0.5 * (low + best.pin_diameter)
         runs_on = made(middle)
-        if runs_on is not None and margin(task, runs_on) >= 1.0:
-            best = Tried(runs_on, 1.0)
+        if runs_on is not None and _serves(task, runs_on)[1]:
+            best = runs_on
         else:
             low = middle
-    return best.runs_on
+    return best
 
 
 def _made(task: Task, pin: float) -> PlanetBearingSizing | None:
@@ -536,7 +561,7 @@ def _made(task: Task, pin: float) -> PlanetBearingSizing | None:
     return None if rollers is None else on_rollers(asked.kind, rollers, asked.side_by_side)
 
 
-def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
+def margin(task: Task, runs_on: PlanetBearingSizing, load: PlanetLoad | None = None) -> float:
     """Return the least of what a bearing has over what it must have [-].
 
     Lives count by the load that they could bear more, (L/L_asked)^(1/p).
@@ -544,8 +569,9 @@ def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
     Args:
         task: The planet.
         runs_on: Its bearing.
+        load: What it bears, where that is known.
     """
-    load = task.load(runs_on)
+    load = task.load(runs_on) if load is None else load
     pin = task.pin_margin(runs_on.pin_diameter, load)
     if runs_on.journal is not None:
         oil = design_oil(task.context.design, task.asked)
@@ -708,3 +734,21 @@ def fit_planets(context: Context, gears: tuple[GearSizing, ...]) -> tuple[GearSi
             made = on_rollers(asked.kind, as_made(asked, asked.designation), asked.side_by_side)
             fitted[gear.name] = bored(context, gear, made, crown=crown_of(context, gear))
     return tuple(fitted.get(gear.name, gear) for gear in gears)
+
+
+def bearing_margins(
+    context: Context, gears: tuple[GearSizing, ...], fitted: Sequence[GearSizing]
+) -> Mapping[str, float]:
+    """Return set -> the least of what the bearings of its planets have over what they must have [-].
+
+    Args:
+        context: What sizing reads.
+        gears: As sized, planets as solid discs.
+        fitted: From `fit_planets`.
+    """
+    found = dict[str, float]()
+    by_name = {gear.name: gear for gear in fitted}
+    for task in tasks(context, gears):
+        if (runs_on := by_name[task.planet.name].runs_on) is not None:
+            found[task.planet.stage] = margin(task, runs_on)
+    return found

@@ -14,10 +14,12 @@ import numpy as np
 
 from gearwright.base import (
     BEYOND_SIZING,
+    ROUNDING,
     Check,
     DesignError,
     Kind,
     PartId,
+    Role,
     accepted,
     largest,
     refuse,
@@ -50,13 +52,13 @@ from gearwright.sizing.places import (
     room_checks,
     settle,
 )
-from gearwright.sizing.planets import film_checks, fit_planets
-from gearwright.sizing.rating import MESHES, Context, Known
-from gearwright.sizing.result import MachineSizing, Sizing, refuse_no_numbers
+from gearwright.sizing.planets import bearing_margins, film_checks, fit_planets
+from gearwright.sizing.rating import MESHES, Context, Known, load_sharing
+from gearwright.sizing.result import GearSizing, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
-from gearwright.sizing.stage_sizes import StageSize
-from gearwright.sizing.stages import Geared, geared, gearings
+from gearwright.sizing.stage_sizes import AS_NEAR, NEAR
+from gearwright.sizing.stages import Geared, geared, gearings, with_face
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.sizing.webs import web_checks
@@ -147,10 +149,17 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
-BEARINGS = ("life", "static safety", "film thickness", "film pressure", "laminar film")
-"""Modes of checks of the bearings of planets, to which a wider face helps."""
-NARROW = 20
-"""Gears passed over as too narrow that count as a transmission [-]."""
+TOGETHER = 8
+"""Stages of all gears that are completed, where they are few: one after the other costs a few milliseconds [-]."""
+UNFIT, NARROW = 4, 8
+"""Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a
+transmission [-]."""
+FINEST = 1e-3
+"""Step of face widths that are tried for bearings of planets [m]."""
+NEARLY = 0.8
+"""Face width from which sizes are looked for over that which bearings of planets seem to ask for [-]."""
+NO_MARGIN = 0.05
+"""Margin of a bearing below which none is believed [-]."""
 HOPE = 0.7
 """Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
 SIZED = 12
@@ -213,6 +222,51 @@ def is_settled(design: Design) -> bool:
     return True
 
 
+class Fitted(NamedTuple):
+    """Gears whose planets have the bearings that the design asks for."""
+
+    found: Geared
+    gears: tuple[GearSizing, ...]
+    margins: Mapping[str, float]
+    """Set -> the least of what the bearings of its planets have over what they must have [-]."""
+
+    @classmethod
+    def of(cls, found: Geared) -> Fitted:
+        """Return gears with what their planets turn on.
+
+        Args:
+            found: Gears and meshes.
+
+        Raises:
+            DesignError: No bearing has room in a planet.
+        """
+        gears = fit_planets(found.context, found.gears)
+        return cls(found, gears, bearing_margins(found.context, found.gears, gears))
+
+    @property
+    def margin(self) -> float:
+        """Least of them [-]."""
+        return min(self.margins.values(), default=math.inf)
+
+    def asked_face(self, stage: str) -> float:
+        """Return the face with which bearings of a set that do not serve may do so, as their margins rise with it [m].
+
+        Args:
+            stage: Of those that fall short.
+        """
+        width = self.short_of[stage].face_width
+        return max(width / max(self.margins[stage], NO_MARGIN), width + FINEST)
+
+    @property
+    def short_of(self) -> Mapping[str, GearSizing]:
+        """Set whose bearings do not serve -> its planets."""
+        return {
+            gear.stage: gear
+            for gear in self.gears
+            if gear.role is Role.PLANET and self.margins.get(gear.stage, math.inf) < 1.0 - ROUNDING
+        }
+
+
 @dataclass
 class _Looked:
     """What came of the gears that were looked at."""
@@ -222,31 +276,38 @@ class _Looked:
     off: float = math.inf
     """Mass of sized gears over the estimate of the search, the least of all [-]."""
     narrow: int = 0
-    """Gears that are passed over as too narrow for the bearings of their planets [-]."""
+    """Gears that are passed over as their planets are no larger than those of others that are unfit [-]."""
+    unfit: list[Fitted] = field(default_factory=list)
+    """Gears whose planets have no bearing that serves."""
     short: list[Geared] = field(default_factory=list)
     """Gears of those that fall short of what is asked of them."""
     refused: list[DesignError] = field(default_factory=list)
     whole: list[Sizing] = field(default_factory=list)
     """Transmissions that are completed."""
 
-    def complete(self, gears: Geared, given: Mapping[str, Given], *, still: bool) -> None:
+    def complete(self, gears: Geared | Fitted, given: Mapping[str, Given], *, still: bool) -> None:
         """Add the transmission of some gears, or why there is none."""
         try:
-            self.whole.append(completed(gears, given, still=still))
+            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears)
+            self.whole.append(completed(fitted, given, still=still))
         except DesignError as error:
             self.refused.append(error)
 
-    def is_too_narrow(self, gears: Geared) -> bool:
-        """Tell whether planets of a set are no larger and no wider than some that have no bearing which lasts.
+    def asked_faces(self, gears: Geared) -> dict[str, float]:
+        """Return set -> face that bearings ask for in planets that are no smaller, no narrower and no fewer [m].
+
+        Of sets whose planets are no larger, no wider and no more than some in which no bearing serves.
 
         Args:
             gears: Of a transmission that is not completed yet.
         """
-        return any(
-            check.fails and check.mode in BEARINGS and check.part.name in gears.sizes
-            and _is_within(gears.sizes[check.part.name], sizing, check.part.name)
-            for sizing in self.whole for check in sizing.checks
-        )  # fmt: skip
+        planets = {gear.stage: gear for gear in gears.gears if gear.role is Role.PLANET}
+        found = dict[str, float]()
+        for one in self.unfit:
+            for stage, planet in one.short_of.items():
+                if _is_within(planets[stage], planet):
+                    found[stage] = max(found.get(stage, 0.0), one.asked_face(stage))
+        return found
 
     @property
     def passing(self) -> list[Sizing]:
@@ -254,17 +315,12 @@ class _Looked:
         return [sizing for sizing in self.whole if not _failing(sizing)]
 
     @property
-    def by_bearings(self) -> int:
-        """How many transmissions fail by the bearings of their planets [-]."""
-        return sum(any(check.fails and check.mode in BEARINGS for check in sizing.checks) for sizing in self.whole)
-
-    @property
     def hope(self) -> float:
-        """Margin of the worst check of the transmission that comes nearest to passing [-]."""
+        """Margin of the worst check of the transmission that comes nearest to passing, or of its bearings [-]."""
         worst = (
             min((check.margin or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
         )
-        return max(worst, default=1.0)
+        return max((*worst, *(one.margin for one in self.unfit)), default=1.0)
 
     @property
     def nearest(self) -> Geared | None:
@@ -275,6 +331,16 @@ class _Looked:
             if best is None or ahead > EQUAL or (ahead >= -EQUAL and gears.estimate < best.estimate * (1.0 - EQUAL)):
                 best = gears
         return best
+
+    def nearest_unfit(self, most: int) -> list[Fitted]:
+        """Return of the lightest gears whose planets have no bearing that serves those that come nearest to it.
+
+        Args:
+            most: How many at most [-].
+        """
+        least = min((one.found.estimate for one in self.unfit), default=0.0)
+        light = [one for one in self.unfit if one.found.estimate <= NEAR * least * (1.0 + EQUAL)]
+        return sorted(light, key=lambda one: round(-one.margin / AS_NEAR))[:most]
 
     def ranked(self) -> list[tuple[float, Sizing]]:
         """Return those of which the fewest checks fail, with what they weigh complete, the lightest first [kg].
@@ -290,14 +356,14 @@ class _Looked:
         return smallest_first([(complete_mass(sizing).total, sizing) for sizing in among], itemgetter(0))
 
 
-def _is_within(size: StageSize, sizing: Sizing, stage: str) -> bool:
-    """Tell whether a size is no larger in module nor in width than that of a stage of a transmission.
-
-    Other teeth may ask for the same module, to the last bit but one.
-    """
-    gear = next(gear for gear in sizing.gears if gear.stage == stage)
-    largest_equal = 1.0 + EQUAL
-    return size.module <= gear.module * largest_equal and size.face_width <= gear.face_width * largest_equal
+def _is_within(planet: GearSizing, other: GearSizing) -> bool:
+    """Tell whether planets of a set are no larger, no wider and no more than others, but for rounding."""
+    most = 1.0 + EQUAL
+    return (
+        planet.bodies <= other.bodies
+        and planet.pitch_diameter <= other.pitch_diameter * most
+        and planet.face_width <= other.face_width * most
+    )
 
 
 def _failing(sizing: Sizing) -> int:
@@ -346,22 +412,30 @@ class _Course(NamedTuple):
     gears: Geared | None = None
     """None where they are not sized yet."""
     others: Iterator[Geared] = iter(())
-    expected: bool = False
-    """Whether it stands where it is expected by what others came to."""
+    mass: float = 0.0
+    """By which it stands in the queue, where its gears are not sized yet [kg]."""
+    unfit: Fitted | None = None
+    """The same with narrower faces, in whose planets no bearing serves."""
 
 
 def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, *, still: bool) -> None:
     """Size teeth and complete gears with them, always what weighs least by the estimate, until it is enough."""
     search = _Comparison(design, train, given, looked, choose_teeth(considering(design), train))
-    while not search.is_enough() and (course := search.lightest()) is not None:
+    while not search.is_enough():
+        if search.asks_for_faces():
+            search.begin_anew()
+        if (course := search.lightest()) is None:
+            break
         if course.gears is not None:
             search.complete(course, course.gears, still=still)
         elif search.has_enough_teeth():
             continue
-        elif looked.sized >= FIRST and looked.off < math.inf and not course.expected:
-            search.put_back(course)
+        elif (expected := search.expected(course)) > course.mass * (1.0 + EQUAL):
+            search.put_back(course, expected)
         else:
             search.size_gears(course)
+    for unfit in [] if looked.passing else looked.nearest_unfit(COMPLETED[design.level][1]):
+        looked.complete(unfit, given, still=still)
     if not looked.whole and (nearest := looked.nearest) is not None:
         looked.complete(nearest, given, still=still)
 
@@ -372,9 +446,12 @@ class _Comparison:
     def __init__(
         self, design: Design, train: Train, given: Mapping[str, Given], looked: _Looked, choices: Sequence[Chosen]
     ) -> None:
-        self.design, self.train, self.given, self.looked, self.choices = design, train, given, looked, choices
+        self.design, self.train, self.given, self.looked = design, train, given, looked
+        self.choices = list(choices)
         self.known = MESHES.now()
-        self.queue = [(choice.gear_mass, place, _Course(place)) for place, choice in enumerate(choices)]
+        self.queue = [
+            (choice.gear_mass, place, _Course(place, mass=choice.gear_mass)) for place, choice in enumerate(choices)
+        ]
         """What they weigh by the estimate [kg], then in which order they came."""
         heapq.heapify(self.queue)
         self.order = count(len(choices))
@@ -382,20 +459,53 @@ class _Comparison:
         """Gears of which the next size is not looked for yet."""
         self.poor = set[StageTeeth]()
         """Teeth of stages that fell short."""
+        self.faces = dict[str, float]()
+        """Set -> narrowest face, as far as bearings of its planets have told [m]."""
+        self.sized = 0
+        """Choices of teeth that were sized before that was known [-]."""
+        self.heavier = dict[frozenset[StageTeeth], float]()
+        """Teeth of stages that are sized together -> by how much they are heavier than the search has it [kg]."""
 
     def is_enough(self) -> bool:
         """Tell whether so many transmissions are completed that no more are, as one passes or none comes near to it."""
         looked, (enough, most) = self.looked, COMPLETED[self.design.level]
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
         tried = len(looked.whole) + len(looked.refused) // spared + looked.narrow // NARROW
+        tried += len(looked.unfit) // UNFIT
         if looked.passing:
-            wanted = max(enough, self.design.teeth.sized)
-            return tried >= wanted + min(looked.by_bearings, wanted)
+            several = TOGETHER // len(self.design.stages) if most > 1 else 1
+            return tried >= max(enough, several, self.design.teeth.sized)
         return tried >= (most if looked.hope >= HOPE else most // 2)
 
     def has_enough_teeth(self) -> bool:
         """Tell whether so many choices of teeth are sized that no more are."""
-        return self.looked.sized >= max(FIRST if self.looked.passing else SIZED, self.design.teeth.sized)
+        sized = self.looked.sized - self.sized
+        return sized >= max(FIRST if self.looked.passing else SIZED, self.design.teeth.sized)
+
+    def asks_for_faces(self) -> bool:
+        """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
+        looked = self.looked
+        return not self.faces and not looked.passing and len(looked.unfit) + looked.narrow >= UNFIT
+
+    def begin_anew(self) -> None:
+        """Choose teeth with faces as wide as bearings of planets about ask for, by what came nearest to them."""
+        looked = self.looked
+        for stage in {stage for one in looked.unfit for stage in one.short_of}:
+            own = [one for one in looked.unfit if stage in one.short_of]
+            nearest = max(own, key=lambda one: one.margins[stage])
+            self.faces[stage] = NEARLY * nearest.asked_face(stage)
+        first = len(self.choices)
+        self.choices += choose_teeth(considering(self.design), self.train, self.faces)
+        self.queue = [row for row in self.queue if row[2].unfit is not None]
+        self.queue += [
+            (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
+            for place, choice in enumerate(self.choices)
+            if place >= first
+        ]
+        heapq.heapify(self.queue)
+        self.order = count(len(self.choices) + next(self.order))
+        self.waiting.clear()
+        self.sized, looked.narrow = looked.sized, 0
 
     def lightest(self) -> _Course | None:
         """Return what weighs least by the estimate; None where nothing is left."""
@@ -409,27 +519,61 @@ class _Comparison:
         heapq.heappush(self.queue, (mass, next(self.order), course))
 
     def complete(self, course: _Course, gears: Geared, *, still: bool) -> None:
-        """Complete gears, but for those whose planets are too narrow.
+        """Complete gears, but for those whose planets have no bearing that serves.
 
         Args:
             course: Where they stand; those of other sizes come after them.
             gears: Those.
             still: Whether open axes stay where they stand first.
         """
-        if self.looked.is_too_narrow(gears):
-            self.looked.narrow += 1
-        else:
-            self.looked.complete(gears, self.given, still=still)
+        looked = self.looked
         self.waiting.append(course)
+        if faces := looked.asked_faces(gears):
+            looked.narrow += 1
+            if (wider := _wider(gears, faces)) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
+            return
+        try:
+            fitted = Fitted.of(gears)
+        except DesignError as error:
+            looked.refused.append(error)
+            return
+        if fitted.short_of:
+            looked.unfit.append(fitted)
+            if (wider := _wider(gears, {stage: fitted.asked_face(stage) for stage in fitted.short_of})) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=fitted))
+        else:
+            looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
 
-    def put_back(self, course: _Course) -> None:
+    def put_back(self, course: _Course, mass: float) -> None:
         """Put a choice of teeth where it is expected by what others came to.
 
         Args:
             course: That choice.
+            mass: What it is expected to weigh by the estimate [kg].
         """
-        mass = self.choices[course.place].gear_mass * max(self.looked.off, 1.0)
-        heapq.heappush(self.queue, (mass, course.place, course._replace(expected=True)))
+        heapq.heappush(self.queue, (mass, course.place, course._replace(mass=mass)))
+
+    def expected(self, course: _Course) -> float:
+        """Return what gears are expected to weigh, by what others with the same teeth of some stages came to [kg].
+
+        Args:
+            course: A choice of teeth that is not sized yet.
+        """
+        choice, looked = self.choices[course.place], self.looked
+        off = looked.off if looked.sized >= FIRST and looked.off < math.inf else 1.0
+        teeth = stage_teeth(self.train, choice)
+        more = sum(heavier for own, heavier in self.heavier.items() if own <= teeth)
+        return max(choice.gear_mass * off, choice.gear_mass + more)
+
+    def _learn(self, gears: Geared, choice: Chosen) -> None:
+        """Keep by how much stages are heavier than the search has them."""
+        owners, teeth = module_owners(self.design), stage_teeth(self.train, choice)
+        for stages, mass in gears.ranked.items():
+            groups = {owners.get(stage, stage) for stage in stages}
+            if groups <= choice.masses.keys():
+                own = frozenset(row for row in teeth if row[0] in stages)
+                self.heavier[own] = mass - sum(choice.masses[group] for group in groups)
 
     def size_gears(self, course: _Course) -> None:
         """Size gears with a choice of teeth, unless a stage with the same teeth fell short before.
@@ -441,7 +585,7 @@ class _Comparison:
         if (teeth := stage_teeth(self.train, choice)) & self.poor:
             return
         try:
-            others = gearings(self.design, self.train, choice, given=self.given, known=self.known)
+            others = gearings(self.design, self.train, choice, given=self.given, known=self.known, faces=self.faces)
             gears = next(others)
         except DesignError as error:
             looked.refused.append(error)
@@ -449,10 +593,39 @@ class _Comparison:
         looked.sized += 1
         if gears.passes:
             looked.off = min(looked.off, gears.estimate / max(choice.gear_mass, 1e-9))
+            self._learn(gears, choice)
             self._put(gears.estimate, _Course(course.place, gears, others))
         else:
             looked.short.append(gears)
             self.poor |= {own for own in teeth if own[0] in gears.failing}
+
+
+def _wider(found: Geared, faces: Mapping[str, float]) -> Geared | None:
+    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide."""
+    gears: Geared | None = found
+    for stage, face in faces.items():
+        if gears is None or load_sharing(gears.context.design, stage).by_size:
+            return None
+        gears = with_face(gears, stage, face)
+    return gears
+
+
+def _narrowed(fitted: Fitted, unfit: Fitted) -> Fitted:
+    """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
+    for stage, planet in unfit.short_of.items():
+        low = planet.face_width
+        high = fitted.found.sizes[stage].face_width
+        while high - low > 1.5 * FINEST:
+            middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
+            between = with_face(fitted.found, stage, middle, high - FINEST)
+            tried = None if between is None else Fitted.of(between)
+            if tried is None:
+                high = middle
+            elif tried.short_of:
+                low = tried.found.sizes[stage].face_width
+            else:
+                fitted, high = tried, tried.found.sizes[stage].face_width
+    return fitted
 
 
 def considering(design: Design) -> Design:
@@ -477,20 +650,20 @@ def sized_with(
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes have given with other teeth of the design, and are to give.
     """
-    return completed(geared(design, train, choice, given=given, known=known), given)
+    return completed(Fitted.of(geared(design, train, choice, given=given, known=known)), given)
 
 
-def completed(found: Geared, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
-    """Return the transmission of sized gears: what planets turn on, what carries gears, and where all stands.
+def completed(fitted: Fitted, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
+    """Return the transmission of sized gears: what carries them, and where all stands.
 
     Args:
-        found: Gears and meshes.
+        fitted: Gears, and what their planets turn on.
         given: Path -> value that the user gives instead of the computed one.
         still: Whether open axes stay where they stand first, room or not.
     """
+    found, gears = fitted.found, fitted.gears
     context, meshes = found.context, found.meshes
     design, train, flows = context.design, context.train, context.flows
-    gears = fit_planets(context, found.gears)
     settled = settle(context, gears, still=still)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [

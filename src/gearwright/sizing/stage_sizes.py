@@ -259,7 +259,7 @@ NEAR = 1.25
 STRENGTHS = ("pitting", "tooth root")
 """Modes of the checks of flanks and roots against fatigue."""
 WIDER = 1.15
-"""Face over the one before that is tried for the bearings of planets, and for keys in hubs of built gearboxes [-]."""
+"""Face over the one before that is tried for keys in hubs of built gearboxes [-]."""
 STEEP = 0.3
 """Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
 AS_NEAR = 0.01
@@ -399,8 +399,7 @@ def _options(
             nearness = min(nearness, all_of_it)
         else:
             yield Option(tuple(own.size for own in row), mass, nearness)
-            sets = any(isinstance(context.design.stages[own.part.stage], Planetary) for own in row)
-            if sets or context.design.level == BUILT:
+            if context.design.level == BUILT:
                 _put(heap, order, tuple(_wider(own) for own in row))
 
 
@@ -424,7 +423,7 @@ def _put(heap: list[tuple[float, int, _Row]], order: Iterator[int], row: _Row) -
 
 
 def _wider(own: _Widths) -> _Widths:
-    """Return a part at a wider face, for what its gears turn or sit on, which no strength of teeth asks for."""
+    """Return a part at a wider face, for keys in hubs, which no strength of teeth asks for."""
     return replace(own, at=int(np.searchsorted(own.widths, WIDER * own.widths[own.at])))
 
 
@@ -515,6 +514,29 @@ def _strongest(
         near.append(min(_near(context, own, demands, LENIENT[-1])[1] for own in row))
     best = rows[int(np.argmax(near))]
     return Option(tuple(own.size for own in best), _mass(best), max(near))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Other faces of planetary sets, as bearings of their planets may ask for them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def other_faces(context: Context, stage: str, size: StageSize) -> list[tuple[float, float]]:
+    """Return the faces that a planetary set may have beside its own [m], and by how much they are heavier [kg].
+
+    Args:
+        context: What gear sizing reads.
+        stage: The set.
+        size: Its size, as it is chosen.
+    """
+    (part,) = _parts(context, stage, 1.0)
+    if part.width is not None or context.ratings[stage].proportions is None:
+        return []
+    widths, _ = widths_at(context, part, size.module)
+    others = np.abs(widths - size.face_width) > ROUNDING * size.face_width
+    all_of_them = np.array([size.face_width, *widths[others]])
+    mass = np.add(*_masses(context, part, np.full(len(all_of_them), size.module), all_of_them))
+    return list(zip(widths[others].tolist(), (mass[1:] - mass[0]).tolist(), strict=True))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -617,10 +639,13 @@ def all_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, Stag
     return closed
 
 
-def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tuple[dict[str, StageSize], float]]:
-    """Yield the same in combinations of sizes that pass, the lightest first, and what they weigh by an estimate [kg].
+def combinations(
+    context: Context, demands: Mapping[str, Demand]
+) -> Iterator[tuple[dict[str, StageSize], dict[frozenset[str], float]]]:
+    """Yield the same in combinations of sizes that pass, the lightest first.
 
-    What follows in closed form is not in the estimate.
+    With each the stages that are sized together, and what they weigh by an estimate [kg]; what follows in closed form
+    is not in it.
 
     Args:
         context: What gear sizing reads.
@@ -636,13 +661,13 @@ def combinations(context: Context, demands: Mapping[str, Demand]) -> Iterator[tu
     while heap:
         _, places = heapq.heappop(heap)
         taken = [course.at(place) for course, place in zip(courses, places, strict=True)]
-        sizes, mass = dict(closed), 0.0
+        sizes, masses = dict(closed), dict[frozenset[str], float]()
         for ones, option in zip(alike.values(), taken, strict=True):
             assert option is not None
-            mass += len(ones) * option.mass
             for one in ones:
+                masses[frozenset(part.stage for part in one.parts)] = option.mass
                 sizes |= {part.name: size for part, size in zip(one.parts, option.sizes, strict=True)}
-        yield sizes, mass
+        yield sizes, masses
         for k, course in enumerate(courses):
             after = (*places[:k], places[k] + 1, *places[k + 1 :])
             if after not in seen and course.at(after[k]) is not None:

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from gearwright.base import (
+    ROUNDING,
     Check,
     DesignError,
     Kind,
@@ -68,7 +69,15 @@ from gearwright.sizing.rating import (
     shared,
 )
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.stage_sizes import ROUNDS, STILL, StageSize, all_sizes, combinations, sharing_of_sizes
+from gearwright.sizing.stage_sizes import (
+    ROUNDS,
+    STILL,
+    StageSize,
+    all_sizes,
+    combinations,
+    other_faces,
+    sharing_of_sizes,
+)
 from gearwright.sizing.teeth import Chosen, refuse_contradictions
 from gearwright.spec import Design, Epicyclic, case_named, edited
 from gearwright.spec.checks import relief_problem, table_of
@@ -506,10 +515,8 @@ class Geared:
     sizes: Mapping[str, StageSize]
     demands: Mapping[str, Demand]
     choice: Chosen
-    ranked: float = 0.0
-    """What those weigh with their shafts and carriers that are sized on a grid, to rank them [kg]."""
-    gridded: frozenset[str] = frozenset()
-    """Those stages."""
+    ranked: Mapping[frozenset[str], float] = field(default_factory=dict)
+    """Stages that are sized together on a grid -> what they weigh with what is around them, to rank them [kg]."""
 
     @cached_property
     def failing(self) -> Mapping[str, float]:
@@ -533,7 +540,9 @@ class Geared:
     @property
     def estimate(self) -> float:
         """What the gears weigh with rims, webs and bores by the estimate of the search, to rank them [kg]."""
-        return self.ranked + sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in self.gridded)
+        gridded = frozenset[str]().union(*self.ranked)
+        own = sum(_mass(self.context, gear) for gear in self.gears if gear.stage not in gridded)
+        return sum(self.ranked.values()) + own
 
 
 def _mass(context: Context, gear: GearSizing) -> float:
@@ -570,8 +579,9 @@ def geared(
 
 
 def gearings(
-    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None
-) -> Iterator[Geared]:
+    design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None,
+    faces: Mapping[str, float] | None = None,
+) -> Iterator[Geared]:  # fmt: skip
     """Yield the gears of chosen teeth in sizes that pass, those first that weigh least by an estimate.
 
     Where loads are shared by the sizes of gears, the lightest alone.
@@ -582,6 +592,7 @@ def gearings(
         choice: Teeth, and numbers of planets that the design leaves open.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth, and are to give.
+        faces: Stage -> narrowest face that it may have [m].
 
     Raises:
         DesignError: As `geared`.
@@ -590,19 +601,49 @@ def gearings(
         yield geared(design, train, choice, given=given, known=known)
         return
     context = _with_teeth(design, train, choice, given=given, known=known)
+    if faces:
+        wider = {stage: replace(context.ratings[stage], least_face=face) for stage, face in faces.items()}
+        context = replace(context, ratings={**context.ratings, **wider})
     demands = demands_of(context)
     refused, came_out = list[DesignError](), False
-    gridded = frozenset(stage for stage, rating in context.ratings.items() if rating.proportions is not None)
-    for sizes, mass in combinations(context, demands):
+    for sizes, masses in combinations(context, demands):
         try:
             found = _held_against(_with_sizes(context, sizes, demands, choice))
         except DesignError as error:  # bores and reliefs for which these sizes have no room
             refused.append(error)
             continue
         came_out = True
-        yield replace(found, ranked=mass, gridded=gridded)
+        yield replace(found, ranked=masses)
     if not came_out:
         raise refused[0]
+
+
+def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -> Geared | None:
+    """Return gears with the narrowest other face of a planetary set within limits that passes; None: no such.
+
+    Args:
+        found: Gears that pass.
+        stage: The set.
+        least: From which it is looked for; where that is wider than it may be, its widest beyond its own [m].
+        most: Up to which it is looked for [m].
+    """
+    context, size = found.context, found.sizes[stage]
+    faces = other_faces(context, stage, size)
+    if least > size.face_width:
+        faces = [row for row in faces if row[0] > size.face_width]
+    low = min(least, faces[-1][0]) if faces else least
+    for width, heavier in faces:
+        if not low * (1.0 - ROUNDING) <= width <= most * (1.0 + ROUNDING):
+            continue
+        sizes = {**found.sizes, stage: size._replace(face_width=width, asked_width=width)}
+        try:
+            other = _held_against(_with_sizes(context, sizes, found.demands, found.choice))
+        except DesignError:
+            continue
+        if other.passes:
+            together = next(stages for stages in found.ranked if stage in stages)
+            return replace(other, ranked={**found.ranked, together: found.ranked[together] + heavier})
+    return None
 
 
 def _with_teeth(

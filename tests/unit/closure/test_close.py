@@ -239,6 +239,18 @@ def test_the_screen_shows_the_first_round_of_each_kind_and_the_last_or_all():
     assert len(told[0]) < len(told[1])
 
 
+def test_the_screen_says_once_over_what_was_searched():
+    design = edited(RATED, {"pairs.stage.face_width_mm": 12, "pairs.stage.module_mm": 2})
+    narrow = close(design, wishes=Wishes(separate=False, lighten=False))
+    widest = Console(width=400, file=StringIO())
+    with widest.capture() as screen:
+        widest.print(closure_text(narrow))
+    words = screen.get()
+    assert len(narrow.unmet) > 1
+    assert words.count("not met:") == len(narrow.unmet)
+    assert words.lower().count(" searched ") == 1 + bool(narrow.effort.not_searched)
+
+
 def test_what_stands_against_what_is_not_met_is_named():
     design = edited(RATED, {"pairs.stage.face_width_mm": 12, "pairs.stage.module_mm": 2})
     narrow = close(design, wishes=Wishes(separate=False, lighten=False))

@@ -162,7 +162,10 @@ _STEPS = 481
 """Of the tables over ε that one bearing is read from: linear between them errs by less than 1e-4 [-]."""
 _HOTTEST = 400.0
 """Rise of the oil's mean temperature beyond which none is looked for [K]."""
-_HALVINGS = 40
+_ROUNDS = 40
+"""In which that mean is found, at most: mostly six are enough [-]."""
+_STILL = 1e-9
+"""Difference of that mean and what heat makes of it, that counts as none [K]."""
 _SIZES = (0.063, 0.160, 0.400, 1.0)
 """Diameters up to which each row of the least films holds [m]."""
 _SPEEDS = (1.0, 3.0, 10.0, 30.0)
@@ -239,15 +242,30 @@ def run_film(bearing: Journal, load: Values, speed: Values, oil: FilmOil) -> Fil
         speed: ω_h that builds the film, of `film_speed`, above 0 [rad/s].
         oil: That enters.
 
-    Source: DIN 31652-1 and ISO 7902-1: f F u = ρ c Q (T_ex − T_en), T_eff = (T_en + T_ex)/2; laws of `plain`.
+    Source: DIN 31652-1 and ISO 7902-1: f F u = ρ c Q (T_ex − T_en), T_eff = (T_en + T_ex)/2; laws of `plain`. The mean
+        temperature by the rule of false position, which halves what an end has that stays (Illinois).
     """
     of = functions(load, speed, oil.supply)
+
+    def colder(mean: Values) -> Values:
+        return oil.supply + _at(bearing, load, speed, oil, mean).rise / 2.0 - mean
+
     low, high = oil.supply, oil.supply + _HOTTEST
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        warmer = oil.supply + _at(bearing, load, speed, oil, middle).rise / 2.0 > middle
-        low, high = of.where(warmer, middle, low), of.where(warmer, high, middle)
-    return _at(bearing, load, speed, oil, 0.5 * (low + high))
+    at_low, at_high = colder(low), colder(high)
+    stayed, mean = 0.0, high
+    for _ in range(_ROUNDS):
+        mean = (low * at_high - high * at_low) / of.where(at_high < at_low, at_high - at_low, -1.0)
+        mean = of.where(at_high < 0.0, mean, high)
+        at_mean = colder(mean)
+        if np.all(np.abs(at_mean) < _STILL):
+            break
+        warmer = at_mean > 0.0
+        at_low, at_high = (
+            of.where(warmer, at_mean, of.where(stayed < 0.0, 0.5, 1.0) * at_low),
+            of.where(warmer, of.where(stayed > 0.0, 0.5, 1.0) * at_high, at_mean),
+        )
+        low, high, stayed = of.where(warmer, mean, low), of.where(warmer, high, mean), of.where(warmer, 1.0, -1.0)
+    return _at(bearing, load, speed, oil, mean)
 
 
 def _at(bearing: Journal, load: Values, speed: Values, oil: FilmOil, temperature: Values) -> FilmState:

@@ -122,7 +122,7 @@ def _closed_rows(closed: Closed, nearest: Eased | None, *, all_rounds: bool) -> 
     for unmet in closed.unmet:
         kept = f"; given and kept: {unmet.kept}" if unmet.kept else ""
         best = f"the best that was found is {check_sentence(unmet.check)}{kept}"
-        yield f"not met: {unmet.requirement}", f"{best}. Searched: {unmet.searched}. What helps: {unmet.helps}"
+        yield f"not met: {unmet.requirement}", f"{best}. What helps: {unmet.helps}"
     if closed.unmet:
         further = "--variants looks for the smallest change of what is given that meets everything"
         found = "none in these sizes with less life, less power or other speeds"

@@ -530,6 +530,7 @@ class Run(NamedTuple):
         return f"shaft {self.shaft}" if self.piece == 1 else f"shaft {self.shaft}, piece {self.piece}"
 
 
+@of_latest(2)
 def runs(sizing: Sizing) -> tuple[tuple[Run, ...], tuple[str, ...]]:
     """Return every shaft, and in sentences which are cut because another one stands in their place.
 

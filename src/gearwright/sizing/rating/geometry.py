@@ -426,7 +426,7 @@ def _least(weak: float, strong: float, gap: Callable[[float], float]) -> float:
 
 
 def least_width(rating: Rating, module: float) -> float:
-    """Return the least face width that is chosen [m]: no less than usual, of helical teeth with the asked overlap.
+    """Return the least face width that is chosen [m]: as usual, of helical teeth with the asked overlap, for bearings.
 
     Args:
         rating: Resolved rules.
@@ -434,7 +434,8 @@ def least_width(rating: Rating, module: float) -> float:
     """
     lean, rules = math.sin(rating.helix_angle), rating.proportions
     usual = module if rules is None else rules.narrowest_modules * module
-    return max(rating.rules.overlap_ratio * math.pi * module / lean, usual) if lean else usual
+    overlapping = rating.rules.overlap_ratio * math.pi * module / lean if lean else 0.0
+    return max(overlapping, usual, rating.least_face)
 
 
 def least_bevel_width(teeth: tuple[int, int], outer: float, rating: Rating) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, TypeVar
 
@@ -140,6 +140,8 @@ class Rating:
     """Profile shifts of the gears of a compound set, whose meshes have some of their own; None: of any other stage."""
     load_factor: float = 1.0
     """K_γ [-]."""
+    least_face: float = field(default=0.0, compare=False)
+    """Narrowest face that is chosen, as bearings of planets ask for it [m]; no rating of a mesh reads it."""
 
     def of_mesh(self, mesh: Mesh) -> Rating:
         """Return the rules with the shifts and the centre distance of one mesh of the stage.
@@ -320,16 +322,16 @@ def factor_rows(record: object, chapter: str) -> Iterator[Factor]:
         chapter: Of its rows.
     """
     marks = marks_of(type(record))
-    for field in fields(record):  # type: ignore[arg-type]
-        value, mark = getattr(record, field.name), marks[field.name]
-        inner = CHAPTERS.get(field.name, chapter)
+    for part in fields(record):  # type: ignore[arg-type]
+        value, mark = getattr(record, part.name), marks[part.name]
+        inner = CHAPTERS.get(part.name, chapter)
         if is_dataclass(value):
-            yield from factor_rows(value, inner) if field.name not in _HIDDEN else ()
+            yield from factor_rows(value, inner) if part.name not in _HIDDEN else ()
         elif isinstance(value, tuple) and value and is_dataclass(value[0]):
             yield from map(_side_by_side, factor_rows(value[0], inner), factor_rows(value[1], inner))
         elif (origin := mark.origin) is not None and value is not None:
             values = value if isinstance(value, tuple) else (value,)
-            words = field.name.replace("_", " ")
+            words = part.name.replace("_", " ")
             yield Factor(chapter, words, origin.equation, values, mark.dimension or "number", origin.source)
 
 

@@ -599,7 +599,8 @@ def _modules(task: Task, needed: Floats) -> Floats:
 
 def _narrow(task: Task, modules: Floats) -> Floats:
     """Return the narrowest faces that are tried, in whole millimetres [m]."""
-    return np.ceil(modules * (least_width(task.rating, 1.0) / _MM) - 1e-9) * _MM
+    least = np.maximum(modules * least_width(task.rating, 1.0), task.rating.least_face)
+    return np.ceil(least / _MM - 1e-9) * _MM
 
 
 def _repeated(ask: Ask, count: int) -> Ask:

@@ -232,9 +232,11 @@ class Chosen(NamedTuple):
     """How it was found; None where the design gives all teeth."""
     gear_mass: float = 0.0
     """What its gears weigh by the estimate of the search [kg]; 0 where the design gives all teeth."""
+    masses: Mapping[str, float] = {}
+    """The same of every group of stages with one module, by the one that owns it [kg]."""
 
 
-def choose_teeth(design: Design, train: Train) -> list[Chosen]:
+def choose_teeth(design: Design, train: Train, faces: Mapping[str, float] | None = None) -> list[Chosen]:
     """Return the tooth number of every gear, and how many planets each set has, of the lightest gears first.
 
     As many of the lightest as the rules of the search size in full.
@@ -242,6 +244,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     Args:
         design: Given teeth are kept, those left out are chosen.
         train: Its graph.
+        faces: Stage -> narrowest face with which it is weighed [m].
 
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
@@ -256,13 +259,15 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     flow, kept = nominal_flow(design, train, nominal)
     given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
+    tasks = [replace(task, rating=replace(task.rating, least_face=(faces or {}).get(task.name, 0.0))) for task in tasks]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
     )  # fmt: skip
     bans = banned(tasks, given, train, nominal, flow)
     found = _searched(_Search(design, nominal, bans.whole), start, with_twins(bans.tasks, design, nominal))
-    mass = aligned(found.front, design).mass
+    front = aligned(found.front, design)
+    mass = front.mass
     first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
     others = [place for place in np.argsort(ranks_of(mass), kind="stable").tolist() if place != first]
     if bans.whole:
@@ -277,7 +282,10 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
         proven=found.proven,
     )
     return [
-        _chosen(design, found.front, place, search)._replace(gear_mass=float(mass[place]))
+        _chosen(design, found.front, place, search)._replace(
+            gear_mass=float(mass[place]),
+            masses={group: float(cube[place] * front.volumes[group][place]) for group, cube in front.cubes.items()},
+        )
         for place in (first, *others)[: design.teeth.sized]
     ]
 

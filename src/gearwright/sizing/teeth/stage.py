@@ -243,6 +243,7 @@ def extend(
 ) -> Extended:
     """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is.
 
+    Where bearings of planets ask for a face, which few teeth have, it looks further at once.
     Of the choices that leave the same to the stages after them only the lightest is kept.
 
     Args:
@@ -257,7 +258,7 @@ def extend(
         DesignError: If no candidate is left, with what would do.
     """
     forbidden = list[Front]()
-    for reach in REACHES:
+    for reach in REACHES[1:] if task.rating.least_face else REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
         for part, variant in product(_parts(front), ring_variants(task, design)):
             ratios, added = _grown(part, variant, design, asked_ratios(part, task, nominal), reach=reach)
