@@ -511,6 +511,10 @@ class MeshDuty:
     """Greatest speed of the pinion relative to the carrier, for a class that is not stated [rad/s]; None: this one."""
 
     def __post_init__(self) -> None:
+        factors = min(self.application_factor, self.mesh_load_factor)
+        least = np.minimum(np.minimum(self.pinion_torque, np.abs(self.pinion_speed)), np.minimum(self.life, factors))
+        if (least > 0.0).all():
+            return
         refuse(
             Problem(name, f"{np.min(np.asarray(value)):.6g} given; must be above 0")
             for name, value in (

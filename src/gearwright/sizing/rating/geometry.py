@@ -334,6 +334,12 @@ def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
     """Y_B of one gear."""
     if (rim := rim_below_roots(rating, role, internal=internal)) is None:
         return 1.0
+    return _rim_factor(rim, internal=internal)
+
+
+@lru_cache(maxsize=256)
+def _rim_factor(rim: float, *, internal: bool) -> float:
+    """Y_B by the rim below the roots over the module, which all gears of a rule have."""
     return float(np.asarray(rim_factor(rim, TOOTH_HEIGHT, 1.0, internal=internal)))
 
 
