@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import Annotated, cast
 
 import numpy as np
 
 from gearwright.base import Origin, Quantity
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value, of_contact, of_form
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value, of_form
 from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.parts.stiffness import LINEAR_LOAD, THEORY_TO_MEASUREMENT, modulus_factor, theoretical_stiffness
 
@@ -316,7 +316,7 @@ def dynamic_factor(
     pitch = springs.single * deviations.base_pitch / specific_load
     profile = springs.single * deviations.profile / specific_load
     relief = deviations.relief_term
-    every, constants = list[DynamicFactor](), _constants(mesh)
+    every, constants = list[DynamicFactor](), _coefficients(mesh.total_contact_ratio)
     for mass in masses:
         ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
         factor = _by_region(ratio, constants, specific_load, pitch=pitch, profile=profile, relief=relief)
@@ -353,10 +353,18 @@ def _by_region(
     return as_value(np.where(ratio <= lower, below, np.where(ratio <= RESONANCE_ENDS, resonant, beyond)))
 
 
-@of_contact
-def _constants(mesh: MeshGeometry) -> tuple[Value, ...]:
-    """C_v2, C_v3, C_v4, C_v6, C_v7 by ε_γ."""
-    overlap = np.asarray(mesh.total_contact_ratio, dtype=float)
+def _coefficients(overlap: Value) -> tuple[Value, ...]:
+    """C_v2, C_v3, C_v4, C_v6, C_v7 over ε_γ."""
+    return _coefficients_of_one(overlap) if isinstance(overlap, float) else _coefficients_over(overlap)
+
+
+@lru_cache(maxsize=1024)
+def _coefficients_of_one(overlap: float) -> tuple[Value, ...]:
+    """The same of one mesh, whose sizes have them in common."""
+    return _coefficients_over(overlap)
+
+
+def _coefficients_over(overlap: Value) -> tuple[Value, ...]:
     high = np.maximum(overlap, 2.0)
     spur = overlap <= 2.0
     middle = 0.125 * np.sin(np.pi * overlap) + 0.875  # ε_γ − 2 in the standard: a whole turn less
