@@ -87,8 +87,18 @@ def seat_forces(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Flo
 
     Source: equilibrium; m r ω² of a planet stands across its tangential force; a rotor points where it loads most.
     """
-    force = np.maximum(torques, 0.0) @ seat.forward + np.maximum(-torques, 0.0) @ seat.backward
-    return _borne(seat, force, carrier_speed)
+    return borne(seat, pushed(seat, torques), carrier_speed)
+
+
+def pushed(seat: Seat, torques: Floats) -> Floats:
+    """Return what meshes push on one seat, across it and along its shaft, shape (..., 3) [N].
+
+    Args:
+        seat: The seat.
+        torques: On gear a of one single mesh of each row, shape (..., meshes) [N m].
+    """
+    force: Floats = np.maximum(torques, 0.0) @ seat.forward + np.maximum(-torques, 0.0) @ seat.backward
+    return force
 
 
 def seat_forces_along(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
@@ -105,10 +115,17 @@ def seat_forces_along(seat: Seat, torques: Floats, carrier_speed: Floats) -> tup
             back = torque < 0.0
             along = np.where(back[:, None], backward, forward) if back.any() else forward
             force += np.abs(torque)[:, None] * along
-    return _borne(seat, force, carrier_speed)
+    return borne(seat, force, carrier_speed)
 
 
-def _borne(seat: Seat, force: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
+def borne(seat: Seat, force: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
+    """Return the radial force on one seat, with what swings there, and the force along its shaft [N].
+
+    Args:
+        seat: The seat.
+        force: From `pushed` [N].
+        carrier_speed: Speed of what swings a planet, shape (...) [rad/s].
+    """
     radial = np.hypot(force[..., 0], force[..., 1] + seat.swung * carrier_speed**2)
     return radial + seat.across, force[..., 2]
 

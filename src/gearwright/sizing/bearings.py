@@ -50,8 +50,9 @@ from gearwright.sizing.airscrew_loads import LoadRow
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import (
     Seat,
+    borne,
     planet_seats,
-    seat_forces,
+    pushed,
     unit_loads,
 )
 from gearwright.sizing.loads import ShaftForces, shaft_forces
@@ -88,22 +89,9 @@ def duty_of(
         speeds: Of one ring against the other, in every case [rad/s].
         life: Asked; left out: that of the service [s].
         rows: What each row of the forces is; left out: each is a load case.
-    """  # fmt: skip
-    design, service, said = context.design, context.design.service, shares_of(context.design)
-    shares = said or {context.reference.case: 1.0}
-    cases = list(context.flows)
-    lasting = [(k, cases[row.case], row.share) for k, row in enumerate(rows)] or [
-        (k, case, 1.0) for k, case in enumerate(cases)
-    ]
-    levels = [
-        (k, level, part * of_case * shares.get(case, 0.0))
-        for k, case, of_case in lasting
-        if of_case
-        for level, part in levels_of(design, case)
-    ]
-    limit = {k for k, row in enumerate(rows) if row.use == "limit"}
-    whole = [(k, 1.0 / service.application_factor if k in limit else 1.0, 0.0) for k, _, _ in lasting]
-    every = [*whole, *levels]
+    """
+    service = context.design.service
+    every = _rows_of(context, rows) if rows else spectrum_rows(context)
     return BearingSpectrum(
         radial=tuple(level * float(radial[k]) for k, level, _ in every),
         axial=tuple(level * float(axial[k]) for k, level, _ in every),
@@ -111,9 +99,38 @@ def duty_of(
         share=tuple(share for _, _, share in every),
         life=life or service.bearing_life,
         static_safety=service.static_safety,
-        mean_factor=1.0 if said or service.spectrum else service.mean_load,
+        mean_factor=1.0 if service.spectrum or shares_of(context.design) else service.mean_load,
         limit_factor=service.application_factor,
     )
+
+
+def spectrum_rows(context: Context) -> list[tuple[int, float, float]]:
+    """Return place of a case, part of its loads and share of the life [-] of every row of what a bearing bears.
+
+    Args:
+        context: What sizing reads.
+    """
+    shares = shares_of(context.design) or {context.reference.case: 1.0}
+    levels = [
+        (k, level, part * shares.get(case, 0.0))
+        for k, case in enumerate(context.flows)
+        for level, part in levels_of(context.design, case)
+    ]
+    return [*((k, 1.0, 0.0) for k in range(len(context.flows))), *levels]
+
+
+def _rows_of(context: Context, rows: Sequence[LoadRow]) -> list[tuple[int, float, float]]:
+    """Return the same of forces of which some are of flight, fatigue or limit alone."""
+    design, cases = context.design, list(context.flows)
+    shares = shares_of(design) or {context.reference.case: 1.0}
+    levels = [
+        (k, level, part * row.share * shares.get(cases[row.case], 0.0))
+        for k, row in enumerate(rows)
+        if row.share
+        for level, part in levels_of(design, cases[row.case])
+    ]
+    limit = 1.0 / design.service.application_factor
+    return [*((k, limit if row.use == "limit" else 1.0, 0.0) for k, row in enumerate(rows)), *levels]
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -578,13 +595,42 @@ def borne_by(context: Context, seat: Seat) -> PlanetLoad:
         context: What sizing reads.
         seat: Inside the planet.
     """
+    return pushes_on(context, seat).with_swing(seat)
+
+
+class PlanetPushes(NamedTuple):
+    """What meshes push on the bearings of a planet in every case, whatever swings there."""
+
+    force: Floats
+    """Across and along, shape (cases, 3) [N]."""
+    carrier: Floats
+    """Speed of the carrier, shape (cases,) [rad/s]."""
+    speeds: list[float]
+    """Of the planet as a film on its pin feels it [rad/s]."""
+
+    def with_swing(self, seat: Seat) -> PlanetLoad:
+        """Return what the bearings bear.
+
+        Args:
+            seat: With what it swings.
+        """
+        radial, axial = borne(seat, self.force, self.carrier)
+        return PlanetLoad(radial, axial, self.speeds)
+
+
+def pushes_on(context: Context, seat: Seat) -> PlanetPushes:
+    """Return what meshes push on the bearings of a planet in every case.
+
+    Args:
+        context: What sizing reads.
+        seat: Inside the planet.
+    """
     flows = context.flows.values()
     torques = np.array([[flow.meshes[m.name].torques[0] / m.count for m in context.train.meshes] for flow in flows])
-    carrier = [flow.speeds[seat.carrier] for flow in flows]
-    radial, axial = seat_forces(seat, torques, np.array(carrier))
+    carrier = np.array([flow.speeds[seat.carrier] for flow in flows])
     inner, outer = seat.nodes
     speeds = [film_speed(flow.speeds[inner], flow.speeds[outer], flow.speeds[inner]) for flow in flows]
-    return PlanetLoad(radial, axial, speeds)
+    return PlanetPushes(pushed(seat, torques), carrier, speeds)
 
 
 def planet_duty(context: Context, seat: Seat, fitted: Bearing, borne: PlanetLoad) -> BearingSpectrum:

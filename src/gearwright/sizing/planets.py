@@ -17,6 +17,7 @@ from gearwright.base import (
     CELSIUS,
     Check,
     DesignError,
+    Floats,
     Problem,
     Role,
     Status,
@@ -40,6 +41,7 @@ from gearwright.parts.bearings import (
     fatigue_load_limit,
     laminar_limit,
     life_exponent,
+    life_time,
     pair_factor,
     rolling_weights,
     run_film,
@@ -51,8 +53,18 @@ from gearwright.parts.bearings import (
 from gearwright.parts.gears import disc_mass
 from gearwright.parts.losses import oil_viscosity
 from gearwright.parts.planetary import pin_stress
-from gearwright.sizing.bearing_seats import Carrying, Seat, as_made, planet_seats, unit_loads
-from gearwright.sizing.bearings import PlanetLoad, borne_by, highest_speed_factor, oiled_life, planet_duty, running_of
+from gearwright.sizing.bearing_seats import Carrying, Seat, as_made, borne, planet_seats, unit_loads
+from gearwright.sizing.bearings import (
+    PlanetLoad,
+    PlanetPushes,
+    borne_by,
+    highest_speed_factor,
+    oiled_life,
+    planet_duty,
+    pushes_on,
+    running_of,
+    spectrum_rows,
+)
 from gearwright.sizing.gear_geometry import crown_volume, pin_circle, planet_body_volume
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
@@ -114,14 +126,34 @@ class Task:
         """What the teeth of the planet fill [m³]; 0 where it counts as a ring without them."""
         return crown_of(self.context, self.planet)
 
+    @cached_property
+    def pushes(self) -> PlanetPushes:
+        """What meshes push on its bearings."""
+        return pushes_on(self.context, self.seat)
+
+    @cached_property
+    def masses(self) -> dict[float, float]:
+        """Outside of a bearing [m] -> mass of the planet around it [kg], of those that were asked for."""
+        return {}
+
+    def swung(self, runs_on: PlanetBearingSizing) -> float:
+        """Return mass times radius of what swings with the carrier, of the planet and of what turns in it [kg m].
+
+        Args:
+            runs_on: The bearing.
+        """
+        outside = runs_on.outer_diameter
+        if outside not in self.masses:
+            self.masses[outside] = _mass_around(self.context, self.planet, outside, crown=self.crown)
+        return (self.masses[outside] + runs_on.turning_mass) * self.radius
+
     def load(self, runs_on: PlanetBearingSizing) -> PlanetLoad:
         """Return what a bearing bears in every case, with what it takes from the planet and what it swings itself.
 
         Args:
             runs_on: The bearing.
         """
-        moving = bored(self.context, self.planet, runs_on, crown=self.crown).turning_mass
-        return borne_by(self.context, replace(self.seat, swung=moving * self.radius))
+        return self.pushes.with_swing(replace(self.seat, swung=self.swung(runs_on)))
 
     def pin_margin(self, pin: float, load: PlanetLoad) -> float:
         """Return allowable over actual stress of a solid pin [-].
@@ -130,10 +162,14 @@ class Task:
             pin: Its diameter [m].
             load: On it.
         """
-        design = self.context.design
-        allowable = (design.shaft_material.yield_strength or 0.0) / design.carriers.safety
         stress = pin_stress(float(load.radial.max()), self.planet.face_width, pin)
-        return allowable / stress if stress else math.inf
+        return self.allowable / stress if stress else math.inf
+
+    @property
+    def allowable(self) -> float:
+        """Stress that a pin may have [Pa]."""
+        design = self.context.design
+        return (design.shaft_material.yield_strength or 0.0) / design.carriers.safety
 
 
 def tasks(context: Context, gears: tuple[GearSizing, ...]) -> Iterator[Task]:
@@ -183,15 +219,24 @@ def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing, *,
         crown: From `crown_of` [m³].
     """
     mean = planet.pitch_diameter + 2.0 * planet.profile_shift * planet.module
-    bore = min(runs_on.outer_diameter, THICKEST * (planet.pitch_diameter - 2.5 * planet.module))
-    density = context.ratings[planet.stage].material.density
-    if crown:
-        own = density * (crown + planet_body_volume(context.design, planet, runs_on.outer_diameter))
-    else:
-        own = planet.mass - disc_mass(bore, planet.face_width, density)
-    mass = context.given.get(f"{planet.name}.mass", own)
+    bore = _bore(planet, runs_on.outer_diameter)
+    mass = _mass_around(context, planet, runs_on.outer_diameter, crown=crown)
     inertia = context.given.get(f"{planet.name}.inertia", mass * (mean**2 + bore**2) / 8.0)
     return replace(planet, mass=mass, inertia=inertia, runs_on=runs_on)
+
+
+def _bore(planet: GearSizing, outside: float) -> float:
+    return min(outside, THICKEST * (planet.pitch_diameter - 2.5 * planet.module))
+
+
+def _mass_around(context: Context, planet: GearSizing, outside: float, *, crown: float) -> float:
+    """Return the mass of a planet around what stands in it, as given or as it is made [kg]."""
+    density = context.ratings[planet.stage].material.density
+    if crown:
+        own = density * (crown + planet_body_volume(context.design, planet, outside))
+    else:
+        own = planet.mass - disc_mass(_bore(planet, outside), planet.face_width, density)
+    return context.given.get(f"{planet.name}.mass", own)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -406,6 +451,8 @@ SLIMMEST = 0.1
 _HALVINGS = 16
 """Between the last that does not serve and the first that does [-]."""
 _NARROW = 1e-9
+SURELY = 1.0 - 1e-6
+"""Margin below which what arrays find is no matter of rounding [-]."""
 ROLLERS = "cylindrical roller bearing of the catalogue"
 """What has no room, in the words of a refusal."""
 
@@ -440,12 +487,65 @@ def chosen(task: Task) -> PlanetBearingSizing:
 
 def _of_catalogue(task: Task) -> PlanetBearingSizing:
     """Return the first cylindrical roller bearing that serves, by outside and width."""
-    count = task.asked.side_by_side
-    fitting = [on_rollers(task.asked.kind, size, count) for size in cylindrical() if fits(task, size)]
+    made = _catalogued(task.asked.kind, task.asked.side_by_side)
+    fitting = [own for own, size in zip(made, cylindrical(), strict=True) if fits(task, size)]
     if not fitting:
         refuse_catalogue(task)
-    tried = (Tried(size, margin(task, size)) for size in fitting)
-    return _first(list(_until_one_serves(tried)))
+    most = at_most(task, fitting)
+    may = [size for size, best in zip(fitting, most.tolist(), strict=True) if best >= SURELY]
+    tried = list(_until_one_serves(Tried(size, margin(task, size)) for size in may))
+    if len(tried) == len(fitting) or (tried and tried[-1].margin >= 1.0):
+        return _first(tried)
+    return _nearest(task, fitting, most)
+
+
+def _nearest(task: Task, fitting: list[PlanetBearingSizing], most: Floats) -> PlanetBearingSizing:
+    """Return the one that comes nearest to serving, where none does."""
+    known, best = dict[int, Tried](), 0.0
+    for place in np.argsort(-most, kind="stable").tolist():
+        if most[place] < SURELY * best:
+            break
+        known[place] = Tried(fitting[place], margin(task, fitting[place]))
+        best = max(best, known[place].margin)
+    return _first([known[place] for place in sorted(known)])
+
+
+@cache
+def _catalogued(kind: str, side_by_side: int) -> tuple[PlanetBearingSizing, ...]:
+    """Return what a planet turns on with each of the bearings of the catalogue."""
+    return tuple(on_rollers(kind, size, side_by_side) for size in cylindrical())
+
+
+def at_most(task: Task, fitting: list[PlanetBearingSizing]) -> Floats:
+    """Return what the margins of bearings of the catalogue are at most: those of pin, static rating and basic life [-].
+
+    Args:
+        task: The planet.
+        fitting: What has room.
+    """
+    kind, count, service = BearingKind.CYLINDRICAL, task.asked.side_by_side, task.context.design.service
+    pins, static, dynamic, swung = np.array([
+        (size.pin_diameter, size.bearing.static_rating, size.bearing.dynamic_rating, task.swung(size))
+        for size in fitting if size.bearing is not None
+    ]).T  # fmt: skip
+    radial, _ = borne(replace(task.seat, swung=swung[:, None]), task.pushes.force, task.pushes.carrier)
+    most, duty = radial.max(axis=1), planet_duty(task.context, task.seat, cylindrical()[0], task.load(fitting[0]))
+    bent = [
+        pin_stress(load, task.planet.face_width, pin) for load, pin in zip(most.tolist(), pins.tolist(), strict=True)
+    ]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near = [
+            task.allowable / np.array(bent),
+            count * static / (service.static_safety * service.application_factor * most),
+        ]
+        if task.context.design.bearing_rules.life == "basic" and any(duty.turns):
+            place, level, _ = (np.array(column) for column in zip(*spectrum_rows(task.context), strict=True))
+            exponent, turns = life_exponent(kind), np.array(duty.turns)
+            loads = level * radial[:, place.astype(int)] / pair_factor(kind, count)
+            mean = duty.mean_factor * (loads**exponent @ turns / turns.sum()) ** (1.0 / exponent)
+            near.append(dynamic / mean * (life_time(1.0, duty.mean_speed) / duty.life) ** (1.0 / exponent))
+    least = np.minimum.reduce(near)
+    return np.where(np.isnan(least), math.inf, least)
 
 
 @cache

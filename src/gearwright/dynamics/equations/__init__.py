@@ -6,6 +6,7 @@ name where something runs through time: numba takes longer to load than statics 
 
 from gearwright.dynamics.equations.modes import (
     DampedModes,
+    Linear,
     Modes,
     damped_modes,
     damped_rates,
@@ -40,6 +41,7 @@ __all__ = [
     "WORKS",
     "DampedModes",
     "Equilibrium",
+    "Linear",
     "Modes",
     "Redundancy",
     "Work",

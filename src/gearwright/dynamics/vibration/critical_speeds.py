@@ -44,7 +44,7 @@ from gearwright.base import (
     verb,
 )
 from gearwright.dynamics.assembly import assemble, bodies_of
-from gearwright.dynamics.equations import DampedModes, Modes, damped_modes, linear, statics
+from gearwright.dynamics.equations import DampedModes, Linear, Modes, damped_modes, linear, statics
 from gearwright.dynamics.model import (
     PIN,
     Excitation,
@@ -594,6 +594,15 @@ def _teeth(sizing: Sizing, part: PartId) -> tuple[int, ...]:
     return (sizing.teeth[str(whole._replace(branch=""))],)
 
 
+class _Resonance(NamedTuple):
+    """How modes of one frequency answer what pushes coordinates."""
+
+    shares: Complexes
+    """Of each mode in what pushes [-], shape (modes, coordinates)."""
+    forces: Complexes
+    """Of meshes over their mean, by the shares, shape (carrying meshes, modes)."""
+
+
 class Shaker:
     """What each order does at its resonances in one load case."""
 
@@ -603,9 +612,13 @@ class Shaker:
         arrays, mean = system.arrays, np.abs(self.mean)
         meshes = np.array([kind == "mesh" for kind in system.labels.line_kinds])
         self.carrying = meshes & (mean > UNLOADED * np.max(mean[meshes], initial=0.0))
-        self.load = mean[self.carrying]
+        stretched = (arrays.stiffness[:, None] * self.matrix)[self.carrying]
+        self.forces = stretched / mean[self.carrying][:, None]  # of meshes that carry over their mean, by motions
         self.pushes: dict[Order, Complexes] = {}
+        self.resonances: dict[tuple[float, float], _Resonance] = {}
+        self.matrices: dict[float, Linear] = {}
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
+        self.stiffens = self.changes or bool(len(arrays.centripetal.value))
 
     def force(self, crossing: Crossing) -> float:
         """Return the estimated amplitude of the worst mesh force at a resonance over its mean force [-].
@@ -618,22 +631,31 @@ class Shaker:
         if crossing.order not in self.pushes:
             self.pushes[crossing.order] = self._push(crossing.order)
         exciting = self.pushes[crossing.order]
-        if not np.any(exciting):
+        if not exciting.any():
             return 0.0
-        modes = self._modes(crossing.factor)
-        rate = 2.0 * math.pi * crossing.frequency
+        resonance = self._resonance(crossing)
+        alone = float(np.abs(resonance.forces @ (resonance.shares @ exciting)).max(initial=0.0))
+        # The mode decides whether the order excites it at all; how large the force is, all modes say together.
+        return self._answer(exciting, crossing) if alone > SILENT else alone
+
+    def _resonance(self, crossing: Crossing) -> _Resonance:
+        """Return how the modes of a crossing answer, once for all orders that cross them at one speed."""
+        key = crossing.factor if self.changes else 1.0, crossing.frequency
+        if key not in self.resonances:
+            self.resonances[key] = self._resonant(self._modes(crossing.factor), 2.0 * math.pi * crossing.frequency)
+        return self.resonances[key]
+
+    def _resonant(self, modes: DampedModes, rate: float) -> _Resonance:
         apart = np.abs(modes.rate.imag / rate - 1.0)
         near = apart < max(SAME, 1.01 * float(np.min(apart)))
         resonant = modes.shape[:, near]
-        push = resonant.conj().T @ exciting
         # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
         together = resonant.conj().T @ (self.system.arrays.mass[:, None] * resonant)
+        push = resonant.conj().T
         shares = push / together[0] if len(push) == 1 else np.linalg.pinv(together) @ push
-        moved = resonant @ shares / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
-        alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
-        # The mode decides whether the order excites it at all; how large the force is, all modes say together.
-        return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
+        moved = resonant / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
+        return _Resonance(shares, self.forces @ moved)
 
     def _push(self, order: Order) -> Complexes:
         """Return the complex amplitude with which an order pushes each coordinate [N or N m]."""
@@ -648,22 +670,20 @@ class Shaker:
         bodies = np.array([name in order.on for name in labels.coordinates])
         return np.asarray(bodies * self.system.arrays.loads.constant + self.matrix.T @ (lines * self.mean))
 
-    def _answer(self, exciting: Complexes, rate: float, factor: float) -> float:
+    def _answer(self, exciting: Complexes, crossing: Crossing) -> float:
         """Return the worst mesh force over its mean when all modes answer an excitation [-]."""
-        system = linear(self.system.arrays, factor)
+        key, rate = crossing.factor if self.stiffens else 1.0, 2.0 * math.pi * crossing.frequency
+        if key not in self.matrices:
+            self.matrices[key] = linear(self.system.arrays, key)
+        system = self.matrices[key]
         dynamic = np.diag(-(rate**2) * system.mass) + 1j * rate * system.damping + system.stiffness
-        moved = np.linalg.solve(dynamic, exciting)
-        return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
+        return float(np.abs(self.forces @ np.linalg.solve(dynamic, exciting)).max(initial=0.0))
 
     def _modes(self, factor: float) -> DampedModes:
         key = factor if self.changes else 1.0
         if key not in self.modes:
             self.modes[key] = damped_modes(self.system.arrays, key)
         return self.modes[key]
-
-    def _worst(self, amplitude: Floats) -> float:
-        """Return the largest amplitude over the mean force, of meshes that carry."""
-        return float(np.max(amplitude[self.carrying] / self.load, initial=0.0))
 
 
 def _exciting(system: System, tone: Tone, force: Floats) -> Complexes:

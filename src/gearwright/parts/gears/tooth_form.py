@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -300,6 +301,7 @@ def transverse_form(tooth: TransverseTooth, *, fillet: int, flank: int) -> tuple
     return np.concatenate((radius[low], flanks[high])), np.concatenate((angle[low], half[high]))
 
 
+@lru_cache(maxsize=1024)
 def outline_area(tooth: TransverseTooth) -> float:
     """Return the area of one tooth between its root and tip circles, with the fillets that its tool leaves [m²].
 

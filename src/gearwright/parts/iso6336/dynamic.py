@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import Annotated, cast
 
 import numpy as np
 
 from gearwright.base import Origin, Quantity
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value, of_form
 from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.parts.stiffness import LINEAR_LOAD, THEORY_TO_MEASUREMENT, modulus_factor, theoretical_stiffness
 
@@ -53,19 +53,46 @@ def mesh_springs(
     Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel; E = 2 E_1 E_2/(E_1 + E_2).
     Valid for: β ≤ 45°, 1.2 < ε_α < 1.9 (higher is taken as it is), −0.5 ≤ x_1 + x_2 ≤ 2; not checked for arrays.
     """
-    first, second = mesh.virtual_teeth
-    teeth = (first, np.where(np.asarray(mesh.side) > 0, second, np.inf))
-    shifts = (mesh.proportions[0].profile_shift, mesh.proportions[1].profile_shift)
-    # The formula is plain arithmetic, so arrays pass through it.
-    theory = theoretical_stiffness(cast(tuple[float, float], teeth), cast(tuple[float, float], shifts))
-    rack = 1.0 + 0.5 * (1.2 - 0.5 * (mesh.proportions[0].dedendum + mesh.proportions[1].dedendum))
-    rack = rack * (1.0 - 0.02 * (20.0 - np.degrees(mesh.pressure_angle)))
     light = np.minimum(1.0, (specific_load / LINEAR_LOAD) ** 0.25)
-    single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light * blank
+    single = _single_stiffness(mesh) * light * blank
     if steels is not None:
         single = single * modulus_factor((steels[0].elastic_modulus, steels[1].elastic_modulus))
     mean = single * (0.75 * mesh.transverse_contact_ratio + 0.25)
     return MeshSprings(single, mean, 0.85 * mean)
+
+
+@of_form
+def _single_stiffness(mesh: MeshGeometry) -> Value:
+    """c′ of solid gears of steel under a load from 100 N/mm on."""
+    rack = 1.0 + 0.5 * (1.2 - 0.5 * (mesh.proportions[0].dedendum + mesh.proportions[1].dedendum))
+    rack = rack * (1.0 - 0.02 * (20.0 - np.degrees(mesh.pressure_angle)))
+    return theory_of_mesh(mesh) * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle)
+
+
+@of_form
+def theory_of_mesh(mesh: MeshGeometry) -> Value:
+    """Return the theoretical single stiffness c′_th of a mesh [N/m²].
+
+    Args:
+        mesh: The pair.
+
+    Source: ISO 6336-1:2006, clause 9; z_n2 = ∞ for an internal wheel.
+    """
+    first, second = mesh.virtual_teeth
+    teeth = (first, np.where(np.asarray(mesh.side) > 0, second, np.inf))
+    return theory_of(teeth, (mesh.proportions[0].profile_shift, mesh.proportions[1].profile_shift))
+
+
+def theory_of(teeth: tuple[Value, Value], shifts: tuple[Value, Value]) -> Value:
+    """Return the theoretical single stiffness c′_th of pairs of virtual spur gears [N/m²].
+
+    Args:
+        teeth: z_n of both [-].
+        shifts: x of both [-].
+
+    Source: as `theoretical_stiffness`, whose formula is plain arithmetic, so that arrays pass through it.
+    """
+    return theoretical_stiffness(cast(tuple[float, float], teeth), cast(tuple[float, float], shifts))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -172,15 +199,16 @@ def moving_mass(mesh: MeshGeometry, gear: int, density: float, body: MovingBody 
     """
     sign = 1.0 if gear == 0 else mesh.side
     mean = 2.0 * mesh.tip_radii[gear] - sign * mesh.tooth_heights[gear]
-    hollow = (
-        0.0 if body.inside is None else np.minimum(body.inside, _THINNEST * mean) if _external(sign) else body.inside
-    )
-    wall = np.abs(mean**4 - np.asarray(hollow) ** 4)
+    wall = mean**4
+    if (inside := body.inside) is not None:
+        hollow = np.minimum(inside, _THINNEST * mean) if gear == 0 or _external(mesh) else inside
+        wall = np.abs(wall - hollow**4)
     return as_value(np.pi / 8.0 * density * wall / mesh.base_diameters[gear] ** 2)
 
 
-def _external(sign: Value) -> bool:
-    return bool(np.all(np.asarray(sign) > 0.0))
+@of_form
+def _external(mesh: MeshGeometry) -> bool:
+    return bool(np.all(np.asarray(mesh.side) > 0.0))
 
 
 def reduced_mass(
@@ -202,10 +230,11 @@ def reduced_mass(
     Source: ISO 6336-1:2006, clause 6.5.9: m*_1 m*_2/(m*_1 + m*_2); sun and p planets m*_s m*_p/(m*_s + p m*_p); the
         other cases are the same rule. Held against a printed report of sun, planets and a bored helical pair.
     """
-    return as_value(1.0 / sum(lightness(mesh, gear, densities[gear], bodies[gear]) for gear in (0, 1)))
+    first, second = (lightness(mesh, gear, densities[gear], bodies[gear], meshes=1.0) for gear in (0, 1))
+    return as_value(1.0 / (first + second))
 
 
-def lightness(mesh: MeshGeometry, gear: int, density: float, body: MovingBody = SOLID) -> Value:
+def lightness(mesh: MeshGeometry, gear: int, density: float, body: MovingBody, *, meshes: float) -> Value:
     """Return what one gear adds to 1/m_red: p/m*, 0 of a gear that is held [m/kg].
 
     Args:
@@ -213,13 +242,13 @@ def lightness(mesh: MeshGeometry, gear: int, density: float, body: MovingBody = 
         gear: 0 the first, 1 the second.
         density: ρ [kg/m³].
         body: Its bore, mates and hold.
+        meshes: Equal meshes that move it, where the body says fewer [-].
 
     Source: ISO 6336-1:2006, clause 6.5.9.
     """
-    internal = gear == 1 and not _external(mesh.side)
-    if body.held or (internal and body.inside is None):
+    if body.held or (body.inside is None and gear == 1 and not _external(mesh)):
         return 0.0
-    return as_value(body.meshes / moving_mass(mesh, gear, density, body))
+    return as_value(max(body.meshes, meshes) / moving_mass(mesh, gear, density, body))
 
 
 def idler_masses(first: Value, idler: Value, last: Value) -> tuple[Value, Value]:
@@ -287,10 +316,10 @@ def dynamic_factor(
     pitch = springs.single * deviations.base_pitch / specific_load
     profile = springs.single * deviations.profile / specific_load
     relief = deviations.relief_term
-    every = list[DynamicFactor]()
+    every, constants = list[DynamicFactor](), _coefficients(mesh.total_contact_ratio)
     for mass in masses:
         ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
-        factor = _by_region(ratio, mesh.total_contact_ratio, specific_load, pitch=pitch, profile=profile, relief=relief)
+        factor = _by_region(ratio, constants, specific_load, pitch=pitch, profile=profile, relief=relief)
         every.append(DynamicFactor(mass, as_value(ratio), pitch, profile, relief, factor))
     return reduce(_larger, every)
 
@@ -311,21 +340,31 @@ def _larger(first: DynamicFactor, second: DynamicFactor) -> DynamicFactor:
 
 
 def _by_region(
-    ratio: Value, overlap: Value, specific_load: Value, *, pitch: Value, profile: Value, relief: Value
+    ratio: Value, constants: tuple[Value, ...], specific_load: Value, *, pitch: Value, profile: Value, relief: Value
 ) -> Value:
     """K_V below, in, above and between the main resonance."""
-    c_2, c_3, c_4, c_6, c_7 = _coefficients(np.asarray(overlap, dtype=float))
+    c_2, c_3, c_4, c_6, c_7 = constants
     lower = resonance_begins(specific_load)
     resonant = 0.32 * pitch + c_2 * profile + c_4 * relief + 1.0
     above = 0.47 * pitch + c_6 * profile + c_7
     below = ratio * (0.32 * pitch + c_2 * profile + c_3 * relief) + 1.0
     between = above + (resonant - above) * (1.5 - ratio) / 0.35
-    regions = [np.asarray(ratio) <= lower, np.asarray(ratio) <= RESONANCE_ENDS, np.asarray(ratio) < 1.5]
-    return as_value(np.select(regions, [below, resonant, between], above))
+    beyond = np.where(ratio < 1.5, between, above)
+    return as_value(np.where(ratio <= lower, below, np.where(ratio <= RESONANCE_ENDS, resonant, beyond)))
 
 
-def _coefficients(overlap: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tuple[Value, ...]:
+def _coefficients(overlap: Value) -> tuple[Value, ...]:
     """C_v2, C_v3, C_v4, C_v6, C_v7 over ε_γ."""
+    return _coefficients_of_one(overlap) if isinstance(overlap, float) else _coefficients_over(overlap)
+
+
+@lru_cache(maxsize=1024)
+def _coefficients_of_one(overlap: float) -> tuple[Value, ...]:
+    """The same of one mesh, whose sizes have them in common."""
+    return _coefficients_over(overlap)
+
+
+def _coefficients_over(overlap: Value) -> tuple[Value, ...]:
     high = np.maximum(overlap, 2.0)
     spur = overlap <= 2.0
     middle = 0.125 * np.sin(np.pi * overlap) + 0.875  # ε_γ − 2 in the standard: a whole turn less
@@ -334,7 +373,7 @@ def _coefficients(overlap: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) ->
         np.where(spur, 0.23, 0.096 / (high - 1.56)),
         np.where(spur, 0.90, (0.57 - 0.05 * high) / (high - 1.44)),
         np.where(spur, 0.47, 0.12 / (high - 1.74)),
-        np.select([overlap <= 1.5, overlap <= 2.5], [0.75, middle], 1.0),
+        np.where(overlap <= 1.5, 0.75, np.where(overlap <= 2.5, middle, 1.0)),
     )
 
 
@@ -348,7 +387,11 @@ def mean_allowance(deviation: Value, steels: tuple[GearSteel, GearSteel], speed:
 
     Source: ISO 6336-1:2019, clause 8.3.6.
     """
-    return 0.5 * (running_in_allowance(deviation, steels[0], speed) + running_in_allowance(deviation, steels[1], speed))
+    first, second = steels
+    allowance = running_in_allowance(deviation, first, speed)
+    if second is first:
+        return allowance
+    return 0.5 * (allowance + running_in_allowance(deviation, second, speed))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -403,7 +446,7 @@ def dynamic_factor_by_speed(
     """
     lever = np.abs(mesh.ratio) / np.sqrt(1.0 + mesh.ratio**2)
     place = speed * mesh.teeth[0] / 100.0 * lever
-    slope = np.clip(2.071 - 0.357 * place, 1.0, 2.0)
+    slope = np.minimum(np.maximum(2.071 - 0.357 * place, 1.0), 2.0)
     load = np.maximum(specific_load / 1e3, _LEAST_LOAD)
     rises = (
         np.interp(grade, _CLASSES, constants) / load + size for constants, size in ((_SPUR, 0.0193), (_HELICAL, 0.0087))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from enum import Enum
-from functools import cached_property
-from typing import Annotated, Any, NamedTuple, TypeAlias
+from functools import cached_property, wraps
+from typing import Annotated, Any, Concatenate, NamedTuple, ParamSpec, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -62,6 +63,15 @@ class ToothProportions:
     """Shaper cutter of a ring; None: its fillet radius is what the tool leaves."""
 
 
+_ANGLES = (
+    "side", "ratio", "transverse_angle", "base_helix_angle", "working_angle", "tip_tangents", "addendum_contact_ratios",
+    "transverse_contact_ratio", "virtual_teeth",
+)  # fmt: skip
+"""What is the same of teeth of every module and face width."""
+_LENGTHS = ("pitch_diameters", "base_diameters", "tooth_heights")
+"""What goes with the module, of both gears."""
+
+
 @dataclass(frozen=True)
 class MeshGeometry:
     """A pair of cylindrical gears as ISO 6336 sees it."""
@@ -82,11 +92,37 @@ class MeshGeometry:
     """α_n [rad]."""
     proportions: tuple[ToothProportions, ToothProportions] = (ToothProportions(), ToothProportions())
     """Tooth proportions of the two gears."""
+    form: MeshGeometry | None = field(default=None, init=False, compare=False, repr=False)
+    """The same teeth of a module of 1 m, of which this is a size; None: it is no size of others."""
+    kept: dict[tuple[Any, ...], Any] = field(default_factory=dict, init=False, compare=False, repr=False)
+    """What functions `of_form` and `of_contact` gave of it."""
+
+    def of_size(self, module: Value, face_width: Value) -> MeshGeometry:
+        """Return the same teeth in another size; what depends on neither module nor width is computed once for all.
+
+        Args:
+            module: m_n [m]; that of these teeth is 1 m.
+            face_width: b [m].
+        """
+        radii, centre = (self.tip_radii[0] * module, self.tip_radii[1] * module), self.centre_distance * module
+        angles = self.helix_angle, self.pressure_angle
+        sized = MeshGeometry(self.teeth, module, face_width, centre, radii, *angles, self.proportions)
+        known: dict[str, Any] = {name: getattr(self, name) for name in _ANGLES}
+        for name in _LENGTHS:
+            first, second = getattr(self, name)
+            known[name] = first * module, second * module
+        sized.__dict__.update(known, relative_curvature=self.relative_curvature * module, form=self)
+        return sized
 
     @cached_property
     def side(self) -> Value:
         """+1 for an external pair, −1 for an internal one [-]."""
         return np.sign(self.teeth[1])
+
+    @property
+    def is_spur(self) -> bool:
+        """Whether it is known to have straight teeth, all of an array."""
+        return type(self.helix_angle) is float and self.helix_angle == 0.0
 
     @cached_property
     def ratio(self) -> Value:
@@ -166,6 +202,8 @@ class MeshGeometry:
     @cached_property
     def overlap_ratio(self) -> Value:
         """ε_β = b sin β / (π m_n) [-]."""
+        if self.is_spur:
+            return 0.0
         return self.face_width * np.sin(self.helix_angle) / (np.pi * self.module)
 
     @cached_property
@@ -196,6 +234,60 @@ class MeshGeometry:
         """Root radius of one gear [m]."""
         tooth = self.proportions[gear]
         return 0.5 * self.pitch_diameters[gear] - side * (tooth.dedendum - tooth.profile_shift) * self.module
+
+
+Given = ParamSpec("Given")
+Found = TypeVar("Found")
+
+
+def of_form(
+    function: Callable[Concatenate[MeshGeometry, Given], Found],
+) -> Callable[Concatenate[MeshGeometry, Given], Found]:
+    """Return a function of a mesh, whose result depends on neither module nor face width, that keeps what it gave.
+
+    Sizes of one mesh have it in common: it is computed with a module of 1 m.
+
+    Args:
+        function: Of a mesh and of what can be looked up.
+    """
+
+    @wraps(function)
+    def looked_up(mesh: MeshGeometry, /, *given: Given.args, **named: Given.kwargs) -> Found:
+        return _kept(mesh.form or mesh, function, *given, **named)
+
+    return looked_up
+
+
+def of_contact(
+    function: Callable[Concatenate[MeshGeometry, Given], Found],
+) -> Callable[Concatenate[MeshGeometry, Given], Found]:
+    """Return a function of a mesh, whose result depends on its size by its overlap alone, that keeps what it gave.
+
+    Spur gears have none: sizes of one mesh have it in common.
+
+    Args:
+        function: Of a mesh and of what can be looked up.
+    """
+
+    @wraps(function)
+    def looked_up(mesh: MeshGeometry, /, *given: Given.args, **named: Given.kwargs) -> Found:
+        return _kept(mesh.form if mesh.form is not None and mesh.is_spur else mesh, function, *given, **named)
+
+    return looked_up
+
+
+def _kept(
+    mesh: MeshGeometry,
+    function: Callable[Concatenate[MeshGeometry, Given], Found],
+    *given: Given.args,
+    **named: Given.kwargs,
+) -> Found:
+    """Return what a function gave of a mesh, or gives now."""
+    key = (function.__name__, given, *named.items())
+    if key not in mesh.kept:
+        mesh.kept[key] = function(mesh, *given, **named)
+    found: Found = mesh.kept[key]
+    return found
 
 
 def shifted_mesh(
@@ -565,6 +657,35 @@ def tip_loaded(mesh: MeshGeometry, gear: int) -> LoadedTooth:
     return LoadedTooth(z_n, np.copysign(tip, z_n), mesh.pressure_angle, mesh.proportions[gear])
 
 
+@of_form
+def loaded_sections(
+    mesh: MeshGeometry, method: RatingMethod, edition: Edition = Edition.ISO2019
+) -> tuple[RootSection, RootSection]:
+    """Return the critical sections of both gears of a mesh, with the load where a method puts it.
+
+    Args:
+        mesh: The pair.
+        method: B or C.
+        edition: As `root_section` takes it.
+
+    Source: ISO 6336-3:2019, clause 6 (method B); ISO 6336-3:1996, clause 5 (method C).
+    """
+    return root_section(loaded_tooth(mesh, 0, method), edition), root_section(loaded_tooth(mesh, 1, method), edition)
+
+
+def loaded_tooth(mesh: MeshGeometry, gear: int, method: RatingMethod) -> LoadedTooth:
+    """Return a tooth with the load where a method puts it.
+
+    Args:
+        mesh: The pair.
+        gear: 0 for the pinion, 1 for the wheel.
+        method: B or C.
+
+    Source: ISO 6336-3:2019, clause 6 (method B); ISO 6336-3:1996, clause 5 (method C).
+    """
+    return tip_loaded(mesh, gear) if method is RatingMethod.C else outer_single_contact(mesh, gear)
+
+
 def root_section(loaded: LoadedTooth, edition: Edition = Edition.ISO2019) -> RootSection:
     """Return the critical section, Y_F and Y_S of a loaded tooth.
 
@@ -653,11 +774,11 @@ def _corner(loaded: LoadedTooth, tooth: ToothProportions) -> Value:
 
 def _tangent_angle(drop: Value, constant: Value, teeth: Value) -> Value:
     """Solve ϑ = 2 G/z_n tan ϑ − H by Newton's iteration, for all variants at once; each stops where it is found."""
-    theta = -constant
+    theta, double, per_tooth = -constant, 2.0 * drop, 2.0 * drop / teeth
     moving: Any = 1.0
     for _ in range(_TANGENT_STEPS):
-        slope = 1.0 - 2.0 * drop / (teeth * np.cos(theta) ** 2)
-        step = moving * (theta - 2.0 * drop / teeth * np.tan(theta) + constant) / slope
+        slope = 1.0 - double / (teeth * np.cos(theta) ** 2)
+        step = moving * (theta - per_tooth * np.tan(theta) + constant) / slope
         theta = theta - step
         moving = np.abs(step) >= 1e-14
         if not _any(moving):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Annotated, NamedTuple, cast
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,8 @@ from gearwright.parts.iso6336.dynamic import (
     idler_masses,
     lightness,
     mean_allowance,
-    reduced_mass,
+    theory_of,
+    theory_of_mesh,
 )
 from gearwright.parts.iso6336.geometry import (
     USUAL_CHOICES,
@@ -31,11 +32,12 @@ from gearwright.parts.iso6336.geometry import (
     ToothProportions,
     Value,
     as_value,
+    of_form,
 )
 from gearwright.parts.iso6336.steels import GearSteel
-from gearwright.parts.iso6336.tooth_strength import contact_ratio_factor
+from gearwright.parts.iso6336.tooth_strength import mesh_contact_ratio_factor
 from gearwright.parts.material import STEEL_MODULUS
-from gearwright.parts.stiffness import LINEAR_LOAD, theoretical_stiffness
+from gearwright.parts.stiffness import LINEAR_LOAD
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Flank tolerances of ISO 1328-1:2013, which the load factors of ISO 6336-1 start from.
@@ -84,11 +86,23 @@ def flank_tolerances(diameter: Value, module: Value, face_width: Value, *, grade
     d, m, b = diameter / _MM, module / _MM, face_width / _MM
     scale = _TOLERANCE_MICRON * _STEP ** (grade - 5.0)
     return FlankTolerances(
-        single_pitch=scale * (0.001 * d + 0.4 * m + 5.0),
-        profile_form=scale * (0.55 * m + 5.0),
+        single_pitch=scale * _pitch(d, m),
+        profile_form=scale * _profile(m),
         profile_slope=scale * (0.4 * m + 0.001 * d + 4.0),
-        helix_slope=scale * (0.05 * np.sqrt(d) + 0.35 * np.sqrt(b) + 4.0),
+        helix_slope=scale * _helix(d, np.sqrt(b)),
     )
+
+
+def _pitch(diameter: Value, module: Value) -> Value:
+    return 0.001 * diameter + 0.4 * module + 5.0
+
+
+def _profile(module: Value) -> Value:
+    return 0.55 * module + 5.0
+
+
+def _helix(diameter: Value, root_width: Value) -> Value:
+    return 0.05 * np.sqrt(diameter) + 0.35 * root_width + 4.0
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -182,16 +196,15 @@ def in_ring(mesh: MeshGeometry, springs: MeshSprings, planet: int) -> MeshSpring
 
     Source: ISO 6336-1:2006, clause 9: z_n2 = ∞ for an internal wheel.
     """
-    teeth = mesh.virtual_teeth[planet], np.inf
-    here = (mesh.virtual_teeth[0], np.where(np.asarray(mesh.side) > 0.0, mesh.virtual_teeth[1], np.inf))
-    shifts = (mesh.proportions[0].profile_shift, mesh.proportions[1].profile_shift)
-    stiffer = _theory(teeth, (shifts[planet], 0.0)) / _theory(here, shifts)
+    stiffer = _stiffer_in_ring(mesh, planet)
     return MeshSprings(springs.single * stiffer, springs.mesh * stiffer, springs.face * stiffer)
 
 
-def _theory(teeth: tuple[Value, Value], shifts: tuple[Value, Value]) -> Value:
-    # The formula is plain arithmetic, so arrays pass through it.
-    return theoretical_stiffness(cast(tuple[float, float], teeth), cast(tuple[float, float], shifts))
+@of_form
+def _stiffer_in_ring(mesh: MeshGeometry, planet: int) -> Value:
+    """c′_th of a planet in an unshifted ring over that of one of its meshes."""
+    shifts = mesh.proportions[planet].profile_shift, 0.0
+    return theory_of((mesh.virtual_teeth[planet], np.inf), shifts) / theory_of_mesh(mesh)
 
 
 def _lightness(load: Value) -> Value:
@@ -417,7 +430,9 @@ def face_load_factor(
     deflection, manufacture = misalignment
     weighted = 1.33 * modification.deflection * deflection + modification.manufacture * manufacture
     initial = np.maximum(weighted, _LEAST_MISALIGNMENT * specific_load)
-    allowance = 0.5 * (lead_allowance(initial, steels[0], speed) + lead_allowance(initial, steels[1], speed))
+    allowance = lead_allowance(initial, steels[0], speed)
+    if steels[1] is not steels[0]:
+        allowance = 0.5 * (allowance + lead_allowance(initial, steels[1], speed))
     effective = initial - allowance
     tilt = effective * stiffness / (2.0 * specific_load)
     contact = as_value(np.where(tilt >= 1.0, 2.0 * np.sqrt(tilt), 1.0 + tilt))
@@ -446,10 +461,12 @@ def transverse_load_factor(
     """
     total, alpha = mesh.total_contact_ratio, mesh.transverse_contact_ratio
     error = stiffness * pitch_deviation / specific_load
-    wide = np.sqrt(2.0 * (np.maximum(total, 2.0) - 1.0) / np.maximum(total, 2.0))
-    factor = np.where(np.asarray(total) <= 2.0, 0.5 * total * (0.9 + 0.4 * error), 0.9 + 0.4 * wide * error)
-    contact = np.clip(factor, 1.0, np.maximum(1.0, total / (alpha * contact_ratio_factor**2)))
-    bending = np.clip(factor, 1.0, np.maximum(1.0, total / (0.25 * alpha + 0.75)))
+    high = np.maximum(total, 2.0)
+    wide = np.sqrt(2.0 * (high - 1.0) / high)
+    factor = np.where(total <= 2.0, 0.5 * total * (0.9 + 0.4 * error), 0.9 + 0.4 * wide * error)
+    least = np.maximum(factor, 1.0)
+    contact = np.minimum(least, np.maximum(1.0, total / (alpha * contact_ratio_factor**2)))
+    bending = np.minimum(least, np.maximum(1.0, total / (0.25 * alpha + 0.75)))
     return TransverseLoadFactor(as_value(contact), as_value(bending))
 
 
@@ -494,6 +511,10 @@ class MeshDuty:
     """Greatest speed of the pinion relative to the carrier, for a class that is not stated [rad/s]; None: this one."""
 
     def __post_init__(self) -> None:
+        factors = min(self.application_factor, self.mesh_load_factor)
+        least = np.minimum(np.minimum(self.pinion_torque, np.abs(self.pinion_speed)), np.minimum(self.life, factors))
+        if (least > 0.0).all():
+            return
         refuse(
             Problem(name, f"{np.min(np.asarray(value)):.6g} given; must be above 0")
             for name, value in (
@@ -621,13 +642,13 @@ def tip_relief(
     run_in = running_in_relief(steels)
     tolerance = quality.relief_tolerance
     if quality.tip_relief is not None:
-        made = TipRelief(quality.tip_relief, deflection)
+        amount, usual = quality.tip_relief, as_value(0.0)
     elif quality.relief_rule is ReliefRule.RUN_IN:
-        made = TipRelief(run_in, deflection)
+        amount, usual = run_in, as_value(0.0)
     else:
         made = relief_for(deflection, mesh.module, run_in)
-    made = replace(made, stiffness=single)
-    return made if tolerance is None else replace(made, tolerance=tolerance, stated=True)
+        amount, usual = made.amount, made.tolerance
+    return TipRelief(amount, deflection, usual if tolerance is None else tolerance, single, tolerance is not None)
 
 
 def moving_masses(mesh: MeshGeometry, steels: Steels, *, duty: MeshDuty, quality: MeshQuality) -> tuple[Value, ...]:
@@ -641,15 +662,17 @@ def moving_masses(mesh: MeshGeometry, steels: Steels, *, duty: MeshDuty, quality
 
     Source: ISO 6336-1:2006, clause 6.5.9.
     """
-    pairs = zip(quality.bodies, duty.meshes_per_turn, strict=True)
-    first, second = (replace(body, meshes=max(body.meshes, meshes)) for body, meshes in pairs)
-    own = tuple(lightness(mesh, gear, steels[gear].density, body) for gear, body in enumerate((first, second)))
+    own = tuple(
+        lightness(mesh, gear, steels[gear].density, quality.bodies[gear], meshes=duty.meshes_per_turn[gear])
+        for gear in (0, 1)
+    )
     masses = list[Value]()
     for gear, neighbour in enumerate(quality.beyond):
         if neighbour is not None:
-            far = lightness(_beyond(mesh, gear, neighbour.teeth), 1, neighbour.density, neighbour.body)
+            row = _beyond(mesh, gear, neighbour.teeth)
+            far = lightness(row, 1, neighbour.density, neighbour.body, meshes=1.0)
             masses += idler_masses(own[1 - gear], own[gear], far)
-    return tuple(masses) or (reduced_mass(mesh, (steels[0].density, steels[1].density), (first, second)),)
+    return tuple(masses) or (as_value(1.0 / (own[0] + own[1])),)
 
 
 def _beyond(mesh: MeshGeometry, gear: int, teeth: Value) -> MeshGeometry:
@@ -730,16 +753,15 @@ def load_distribution(
         pitch_left,
         stiffness=springs.mesh,
         specific_load=with_dynamic * face.contact,
-        contact_ratio_factor=contact_ratio_factor(mesh),
+        contact_ratio_factor=mesh_contact_ratio_factor(mesh),
     )
     return dynamic, face, transverse
 
 
 def _deviations(mesh: MeshGeometry, grade: Value) -> tuple[Value, Value, Value]:
     """Greater f_pb of the two gears, f_fα of their module, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
-    pinion, wheel = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
-    return (
-        np.maximum(pinion.single_pitch, wheel.single_pitch) * np.cos(mesh.transverse_angle),
-        pinion.profile_form,
-        np.hypot(pinion.helix_slope, wheel.helix_slope),
-    )
+    (first, second), module = (diameter / _MM for diameter in mesh.pitch_diameters), mesh.module / _MM
+    scale, root = _TOLERANCE_MICRON * _STEP ** (grade - 5.0), np.sqrt(mesh.face_width / _MM)
+    pitch = scale * np.maximum(_pitch(first, module), _pitch(second, module))
+    slope = np.hypot(scale * _helix(first, root), scale * _helix(second, root))
+    return pitch * np.cos(mesh.transverse_angle), scale * _profile(module), slope

@@ -18,6 +18,7 @@ from gearwright.parts.iso6336.geometry import (
     RootSection,
     Value,
     as_value,
+    loaded_sections,
     mesh_geometry,
     outer_single_contact,
     root_section,
@@ -50,7 +51,6 @@ from gearwright.parts.iso6336.tooth_strength import (
     contact_size_factor,
     deep_tooth_factor,
     equivalent_roughness,
-    loaded_tooth,
     lubricant_factor,
     notch_sensitivity_factor,
     pitting_rating,
@@ -182,7 +182,7 @@ def rate_mesh(
         profile_factor=quality.profile_factor,
         edition=edition,
     )
-    sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
+    sections = loaded_sections(mesh, quality.choices.root, edition)
     roots = _root_strengths(mesh, steels, cycles, sections=sections, quality=quality)
     deep = deep_tooth_factor(mesh, grade)
     first, second = (
@@ -213,12 +213,14 @@ def _contact_strengths(
 ) -> tuple[ContactStrengthFactors, ContactStrengthFactors]:
     """Z factors of the strength of both gears; the film factors go by the softer one."""
     softer = min(steel.tabulated_strength for steel in steels)
+    film = lubricant_factor(quality.viscosity, softer), speed_factor(speed, softer)
+    rough = roughness_factor(0.5 * sum(quality.flanks), mesh.relative_curvature, softer)
     first, second = (
         ContactStrengthFactors(
             life=life_factor(life_curves(steel)[0], count),
-            lubricant=lubricant_factor(quality.viscosity, softer),
-            speed=speed_factor(speed, softer),
-            roughness=roughness_factor(0.5 * sum(quality.flanks), mesh.relative_curvature, softer),
+            lubricant=film[0],
+            speed=film[1],
+            roughness=rough,
             work_hardening=_work_hardening(mesh, steels, gear, quality=quality, speed=speed, edition=edition),
             size=contact_size_factor(mesh.module, steel.treatment) if edition is Edition.DIN1987 else 1.0,
         )
@@ -232,16 +234,17 @@ def _work_hardening(
 ) -> Value:
     """Z_W of one gear by the Brinell hardness of both; DIN 3990 knows no roughness in it, and hard mates alone."""
     steel, mate = steels[gear], steels[1 - gear]
-    if edition is Edition.DIN1987 and not mate.treatment.is_surface_hardened:
+    hard = mate.treatment.is_surface_hardened
+    if steel.treatment.is_surface_hardened or (edition is Edition.DIN1987 and not hard):
         return 1.0
     flanks = (quality.flanks[1 - gear], quality.flanks[gear])
     return work_hardening_factor(
         steel.hardness * BRINELL_PER_VICKERS,
         (steel.treatment, mate.treatment),
         mate_hardness=mate.hardness * BRINELL_PER_VICKERS,
-        mate_roughness=SMOOTH
-        if edition is Edition.DIN1987
-        else equivalent_roughness(flanks, mesh.relative_curvature, viscosity=quality.viscosity, speed=speed),
+        mate_roughness=equivalent_roughness(flanks, mesh.relative_curvature, viscosity=quality.viscosity, speed=speed)
+        if hard and edition is not Edition.DIN1987
+        else SMOOTH,
         ratio=np.abs(mesh.ratio),
     )
 

@@ -112,6 +112,11 @@ class LifeCurve:
         )
 
     @cached_property
+    def logarithms(self) -> tuple[Floats, Floats]:
+        """Natural logarithms of the corners' cycles and life factors [-]."""
+        return np.log(self.cycles), np.log(self.factors)
+
+    @cached_property
     def fall(self) -> float:
         """Part ln f_1/f_2 over ln N_2/N_1 by which the last line falls, within its corners and beyond [-]."""
         return math.log(self.factors[-2] / self.factors[-1]) / math.log(self.cycles[-1] / self.cycles[-2])
@@ -306,9 +311,10 @@ def life_factor(curve: LifeCurve, cycles: Value) -> Value:
     >>> round(float(life_factor(contact_life_curve(Treatment.CASE_HARDENED), 1.08e9)), 3)
     0.91
     """
-    logarithm, ends = np.log(np.maximum(cycles, curve.cycles[0])), np.log(curve.cycles)
+    ends, factors = curve.logarithms
+    logarithm = np.log(np.maximum(cycles, curve.cycles[0]))
     beyond = np.maximum(logarithm - ends[-1], 0.0)
-    return as_value(np.exp(np.interp(logarithm, ends, np.log(curve.factors)) - curve.fall * beyond))
+    return as_value(np.exp(np.interp(logarithm, ends, factors) - curve.fall * beyond))
 
 
 def endurable_cycles(curve: LifeCurve, factor: float) -> float:

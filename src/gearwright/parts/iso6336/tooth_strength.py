@@ -11,15 +11,15 @@ import numpy as np
 from gearwright.base import DesignError, Origin, Problem, Quantity
 from gearwright.parts.iso6336.geometry import (
     Edition,
-    LoadedTooth,
     MeshGeometry,
     RatingMethod,
     RootSection,
     Value,
     as_value,
-    outer_single_contact,
+    loaded_tooth,
+    of_contact,
+    of_form,
     root_section,
-    tip_loaded,
 )
 from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
 
@@ -125,6 +125,7 @@ class PittingRating:
     """Safety against pitting of pinion and wheel S_H [-]."""
 
 
+@of_form
 def zone_factor(mesh: MeshGeometry) -> Value:
     """Return the zone factor Z_H, which takes the force at the reference circle to the flank at the pitch point.
 
@@ -137,6 +138,7 @@ def zone_factor(mesh: MeshGeometry) -> Value:
     return as_value(np.sqrt(numerator / (np.cos(mesh.transverse_angle) ** 2 * np.sin(mesh.working_angle))))
 
 
+@lru_cache(maxsize=256)
 def elasticity_factor(steels: tuple[GearSteel, GearSteel]) -> float:
     """Return the elasticity factor Z_E [√Pa].
 
@@ -162,6 +164,16 @@ def contact_ratio_factor(mesh: MeshGeometry) -> Value:
     return np.sqrt((4.0 - alpha) / 3.0 * (1.0 - beta) + beta / alpha)
 
 
+@of_contact
+def mesh_contact_ratio_factor(mesh: MeshGeometry) -> Value:
+    """Return the same of a mesh that keeps it.
+
+    Args:
+        mesh: The pair.
+    """
+    return contact_ratio_factor(mesh)
+
+
 def single_contact_factors(mesh: MeshGeometry, *, profile_factor: Value = 1.0) -> PairOf:
     """Return Z_B and Z_D, which take the stress from the pitch point to the inner points of single pair contact.
 
@@ -172,19 +184,25 @@ def single_contact_factors(mesh: MeshGeometry, *, profile_factor: Value = 1.0) -
 
     Source: ISO 6336-2:2019, clause 6.3; Z_D = 1 for an internal wheel.
     """
+    beta = np.minimum(mesh.overlap_ratio, 1.0)
+    helical = np.sqrt(profile_factor)
+    pinion, wheel = (
+        np.where(factor > 1.0, factor + beta * (helical - factor), 1.0 + beta * (helical - 1.0))
+        for factor in _inner_single_contact(mesh)
+    )
+    return as_value(pinion), as_value(np.where(np.asarray(mesh.side) > 0, wheel, 1.0))
+
+
+@of_form
+def _inner_single_contact(mesh: MeshGeometry) -> PairOf:
+    """M_1 and M_2 of spur gears."""
     turns = [2.0 * np.pi / mesh.teeth[0], 2.0 * np.pi / np.abs(mesh.teeth[1])]
     beyond = mesh.transverse_contact_ratio - 1.0
     pinion_tip, wheel_tip = mesh.tip_tangents
     tangent = np.tan(mesh.working_angle)
     first = tangent / np.sqrt((pinion_tip - turns[0]) * (wheel_tip - mesh.side * beyond * turns[1]))
     second = tangent / np.sqrt(np.abs((wheel_tip - mesh.side * turns[1]) * (pinion_tip - beyond * turns[0])))
-    beta = np.minimum(mesh.overlap_ratio, 1.0)
-    helical = np.sqrt(profile_factor)
-    pinion, wheel = (
-        np.where(factor > 1.0, factor + beta * (helical - factor), 1.0 + beta * (helical - 1.0))
-        for factor in (np.asarray(first), np.asarray(second))
-    )
-    return as_value(pinion), as_value(np.where(np.asarray(mesh.side) > 0, wheel, 1.0))
+    return first, second
 
 
 def contact_geometry_factors(
@@ -204,14 +222,24 @@ def contact_geometry_factors(
 
     Source: ISO 6336-2:2019, clauses 6 to 9; DIN 3990-2:1987.
     """
-    slant = np.sqrt(np.cos(mesh.helix_angle))
+    known = type(profile_factor) is float
     return ContactGeometryFactors(
         zone=zone_factor(mesh),
-        single_contact=single_contact_factors(mesh, profile_factor=profile_factor),
+        single_contact=(_single_contact if known else single_contact_factors)(mesh, profile_factor=profile_factor),
         elasticity=elasticity_factor(steels),
-        contact_ratio=contact_ratio_factor(mesh),
-        helix=slant if edition is Edition.DIN1987 else 1.0 / slant,
+        contact_ratio=mesh_contact_ratio_factor(mesh),
+        helix=_slant(mesh) if edition is Edition.DIN1987 else 1.0 / _slant(mesh),
     )
+
+
+@of_form
+def _slant(mesh: MeshGeometry) -> Value:
+    return np.sqrt(np.cos(mesh.helix_angle))
+
+
+@of_contact
+def _single_contact(mesh: MeshGeometry, *, profile_factor: Value) -> PairOf:
+    return single_contact_factors(mesh, profile_factor=profile_factor)
 
 
 def pitting_rating(
@@ -354,7 +382,7 @@ def equivalent_roughness(flanks: tuple[Value, Value], curvature: Value, *, visco
     hard, soft = flanks
     running_in = (10e-3 / curvature) ** 0.33 * (hard / soft) ** 0.66
     film = (viscosity / _MM2_S * speed / 1500.0) ** 0.33
-    return as_value(np.clip(hard * running_in / film, SMOOTH, 16.0 * _MICRON))
+    return as_value(np.minimum(np.maximum(hard * running_in / film, SMOOTH), 16.0 * _MICRON))
 
 
 def contact_size_factor(module: Value, treatment: Treatment) -> Value:
@@ -576,8 +604,8 @@ def deep_tooth_factor(mesh: MeshGeometry, grade: Value) -> Value:
 
     Source: ISO 6336-3:2006, clause 10: 2.366 − 0.666 ε_αn from 2.05 to 2.5 for class 4 and finer, else 1.
     """
-    ratio = np.asarray(mesh.transverse_contact_ratio / np.cos(mesh.base_helix_angle) ** 2)
-    deep = np.select([ratio <= 2.05, ratio <= 2.5], [1.0, 2.366 - 0.666 * ratio], 0.7)
+    ratio = mesh.transverse_contact_ratio / np.cos(mesh.base_helix_angle) ** 2
+    deep = np.where(ratio <= 2.05, 1.0, np.where(ratio <= 2.5, 2.366 - 0.666 * ratio, 0.7))
     return as_value(np.where(np.asarray(grade) <= 4, deep, 1.0))
 
 
@@ -627,8 +655,20 @@ def surface_factor(roughness: Value, treatment: Treatment) -> Value:
     >>> round(float(surface_factor(10e-6, Treatment.CASE_HARDENED)), 3)
     1.002
     """
+    if isinstance(roughness, float):
+        return _surface_of_one(roughness, treatment)
+    return _surface(roughness, treatment)
+
+
+@lru_cache(maxsize=256)
+def _surface_of_one(roughness: float, treatment: Treatment) -> Value:
+    """The same of one gear, as many have it."""
+    return _surface(roughness, treatment)
+
+
+def _surface(roughness: Value, treatment: Treatment) -> Value:
     rough = np.asarray(roughness) / _MICRON
-    height = np.clip(rough, 1.0, 40.0) + 1.0
+    height = np.minimum(np.maximum(rough, 1.0), 40.0) + 1.0
     if treatment is Treatment.STRUCTURAL:
         return as_value(np.where(rough < 1.0, 1.07, 5.306 - 4.203 * height**0.01))
     if treatment.is_nitrided or treatment.is_brittle_iron:
@@ -653,17 +693,14 @@ def bending_size_factor(module: Value, treatment: Treatment) -> Value:
     return np.minimum(np.maximum(1.03 - 0.006 * module / 1e-3, 0.85), 1.0)
 
 
-def loaded_tooth(mesh: MeshGeometry, gear: int, method: RatingMethod) -> LoadedTooth:
-    """Return a tooth with the load where a method puts it.
-
-    Args:
-        mesh: The pair.
-        gear: 0 for the pinion, 1 for the wheel.
-        method: B or C.
-
-    Source: ISO 6336-3:2019, clause 6 (method B); ISO 6336-3:1996, clause 5 (method C).
-    """
-    return tip_loaded(mesh, gear) if method is RatingMethod.C else outer_single_contact(mesh, gear)
+@of_contact
+def _shared_and_slanted(
+    mesh: MeshGeometry, method: RatingMethod, edition: Edition
+) -> tuple[Value, Value, Value | None]:
+    """f_ε and Y_β, which both gears have in common, and Y_ε of a load at the tip."""
+    tip = contact_ratio_factor_root(mesh) if method is RatingMethod.C else None
+    sharing = load_sharing_factor(mesh) if edition is Edition.ISO2019 and tip is None else 1.0
+    return sharing, helix_factor(mesh, edition), tip
 
 
 def bending_rating(
@@ -692,9 +729,7 @@ def bending_rating(
     Source: ISO 6336-3:2019, clause 5.
     """
     section = section or root_section(loaded_tooth(mesh, gear, body.method), body.edition)
-    tip = contact_ratio_factor_root(mesh) if body.method is RatingMethod.C else None
-    sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 and tip is None else 1.0
-    helix = helix_factor(mesh, body.edition)
+    sharing, helix, tip = _shared_and_slanted(mesh, body.method, body.edition)
     nominal = specific_load / mesh.module * section.form * sharing * section.stress_correction * helix
     nominal = nominal * body.rim * body.deep_tooth * (1.0 if tip is None else tip)
     stress = nominal * loads.bending

@@ -91,6 +91,7 @@ def of_catalogue(module: ModuleType) -> None:
         return each_of([on_rollers(kind, sizes[k], count) for k in taken.tolist()], own)
 
     module._of_catalogue = in_lanes  # type: ignore[attr-defined]
+    module.at_most = lambda task, fitting: np.full(len(fitting), np.inf)  # type: ignore[attr-defined]
 
 
 def friction(module: ModuleType) -> None:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from gearwright.base import Floats, Problem, Role
 from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, cone_forces
-from gearwright.parts.gears import ISO53_A, least_teeth
+from gearwright.parts.gears import ISO53_A, ToothShift, least_teeth
 from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, Value, as_value, rim_factor, shifted_mesh
 from gearwright.sizing.rating.protocol import Rating
 from gearwright.spec.design import GearRules, working_angle
@@ -139,30 +140,62 @@ def cylindrical_mesh(
 
     Source: ISO 21771:2007.
     """
-    pinion, wheel, size, width = np.broadcast_arrays(
-        *(np.asarray(numbers, dtype=float) for numbers in (*teeth, module, face_width))
-    )
-    mesh = shifted_mesh(
-        (pinion, -wheel if internal else wheel),
+    return cylindrical_teeth(teeth, rating, internal=internal).of_size(as_value(module), as_value(face_width))
+
+
+def cylindrical_teeth(teeth: tuple[ArrayLike, ArrayLike], rating: Rating, *, internal: bool) -> MeshGeometry:
+    """Return the teeth of one cylindrical mesh, or of an array of them, with a module of 1 m.
+
+    Args:
+        teeth: z_1, z_2, both positive [-].
+        rating: Resolved rules: angles and profile shifts.
+        internal: The second gear is a ring.
+
+    Source: ISO 21771:2007.
+    """
+    first, second = teeth
+    tool = rating.rules.iso6336.ring_cutter if internal else None
+    form = _Form(
+        internal,
         rating.shifts.mesh(internal=internal),
         rating.shifts.centre,
-        pressure_angle=rating.rules.pressure_angle,
-        helix_angle=rating.helix_angle,
-        module=size,
-        face_width=width,
+        (rating.rules.pressure_angle, rating.helix_angle),
+        None if tool is None else (tool.teeth, tool.shift, tool.tip_radius),
     )
-    return _shaped(mesh, rating) if internal else mesh
+    return (_teeth_of_one if type(first) is type(second) is int else _teeth)(first, second, form)
 
 
-def _shaped(mesh: MeshGeometry, rating: Rating) -> MeshGeometry:
-    """Return a mesh whose ring is cut by the stage's shaper cutter, if its rules have one."""
-    tool = rating.rules.iso6336.ring_cutter
-    if tool is None:
+class _Form(NamedTuple):
+    """What the teeth of a mesh are like, beside their numbers."""
+
+    internal: bool
+    shifts: tuple[ToothShift, ToothShift]
+    centre: float | None
+    angles: tuple[float, float]
+    """α_n, β [rad]."""
+    cutter: tuple[int, float, float] | None
+    """Of the ring: z_0, x_0 [-] and the radius of its tip over the module [-]."""
+
+
+def _teeth(first: ArrayLike, second: ArrayLike, form: _Form) -> MeshGeometry:
+    pinion, wheel = as_value(first), as_value(second)
+    mesh = shifted_mesh(
+        (pinion, -wheel if form.internal else wheel),
+        form.shifts,
+        form.centre,
+        pressure_angle=form.angles[0],
+        helix_angle=form.angles[1],
+    )
+    if form.cutter is None:
         return mesh
+    teeth, shift, tip_radius = form.cutter
     per_tooth = mesh.virtual_teeth[1] / mesh.teeth[1]
-    cutter = ShaperCutter(tool.teeth * per_tooth, tool.shift)
-    ring = replace(mesh.proportions[1], fillet_radius=tool.tip_radius, cutter=cutter)
+    ring = replace(mesh.proportions[1], fillet_radius=tip_radius, cutter=ShaperCutter(teeth * per_tooth, shift))
     return replace(mesh, proportions=(mesh.proportions[0], ring))
+
+
+_teeth_of_one = lru_cache(maxsize=1024)(_teeth)
+"""Of one mesh, which many sizes have."""
 
 
 def working_radii(first: float, second: float, rating: Rating, *, internal: bool, module: float) -> tuple[float, float]:
@@ -301,6 +334,12 @@ def _factor(rating: Rating, role: Role, *, internal: bool) -> float:
     """Y_B of one gear."""
     if (rim := rim_below_roots(rating, role, internal=internal)) is None:
         return 1.0
+    return _rim_factor(rim, internal=internal)
+
+
+@lru_cache(maxsize=256)
+def _rim_factor(rim: float, *, internal: bool) -> float:
+    """Y_B by the rim below the roots over the module, which all gears of a rule have."""
     return float(np.asarray(rim_factor(rim, TOOTH_HEIGHT, 1.0, internal=internal)))
 
 

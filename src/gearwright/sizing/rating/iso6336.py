@@ -36,7 +36,7 @@ from gearwright.parts.iso6336 import (
 )
 from gearwright.parts.micropitting import Micropitting
 from gearwright.parts.scuffing import IntegralTemperature
-from gearwright.sizing.rating.geometry import cylindrical_mesh, ring_problems, widest_ratio
+from gearwright.sizing.rating.geometry import cylindrical_mesh, cylindrical_teeth, ring_problems, widest_ratio
 from gearwright.sizing.rating.iso6336_inputs import (
     EDITIONS,
     Beyond,
@@ -554,12 +554,14 @@ class Iso6336:
         """Return the modules at which S_F = S_Fmin and S_H = S_Hmin [m]."""
         rules, steels = rating.rules.iso6336, steels_of(rating, ask.roles)
         torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
+        teeth = cylindrical_teeth(ask.teeth, rating, internal=ask.internal)
 
         def safeties_at(module: Floats) -> tuple[Floats, Floats]:
-            width = module * np.asarray(ask.width_ratio)
-            mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
+            mesh, quality = (
+                teeth.of_size(module, module * np.asarray(ask.width_ratio)),
+                mesh_quality(rating, ask, module),
+            )
             duty = duty_of(rating, torque, ask.speed, life=rating.service.life, ask=ask)
-            quality = mesh_quality(rating, ask, module)
             rated = rate_mesh(mesh, steels, duty, quality=quality, edition=self._part3)
             bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
             return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
@@ -699,7 +701,8 @@ class Iso6336:
     def checks(self, rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears, resonance, films, static strength and what lies beyond ranges."""
         for check in _judgements(rated, mesh, gears):
-            yield replace(check, clause=clause_of(check.clause, self._part3))
+            clause = clause_of(check.clause, self._part3)
+            yield check if clause is check.clause else replace(check, clause=clause)
 
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
@@ -764,7 +767,7 @@ class Iso6336:
         if len(loads) == 1:
             return [] if loads[0].static else [0]
         whole = sum(load.life for load in mesh.loads)
-        wear = [load.life * float(np.mean(load.ask.speed)) * float(np.mean(load.torque)) ** WEAR for load in loads]
+        wear = [load.life * _mean(load.ask.speed) * _mean(load.torque) ** WEAR for load in loads]
         counting = dict[str, int]()
         for place, (load, worn) in enumerate(zip(loads, wear, strict=True)):
             counts = place >= len(mesh.loads) or load.life >= _COUNTS * whole or worn >= _COUNTS * sum(wear)
@@ -782,6 +785,10 @@ class Iso6336:
         duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, ask=load.ask)
         alone = replace(duty, application_factor=1.0)
         return self._rate(mesh.rating, load.ask, alone, mesh.module, mesh.face_width)
+
+
+def _mean(values: Value) -> float:
+    return float(values) if isinstance(values, float) else float(np.mean(values))
 
 
 def _judgements(rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:

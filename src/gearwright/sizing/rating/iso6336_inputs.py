@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from gearwright.base import Angle, Check, PartId, Role, apart, text
 from gearwright.catalogue import is_cast_iron, rated_steel
+from gearwright.memo import of_latest
 from gearwright.parts import Material
 from gearwright.parts.agma2001 import reliability_factor
 from gearwright.parts.iso6336 import (
@@ -68,6 +70,19 @@ def steel_of(rating: Rating, role: Role = Role.PINION) -> GearSteel:
     Raises:
         DesignError: Unknown class or grade, or a hardness outside the grade's range.
     """
+    known = _steels(rating)
+    if role not in known:
+        known[role] = _steel(rating, role)
+    return known[role]
+
+
+@of_latest(256)
+def _steels(rating: Rating) -> dict[Role, GearSteel]:
+    """Role -> steel of a gear, of those that were asked for."""
+    return {}
+
+
+def _steel(rating: Rating, role: Role) -> GearSteel:
     rules = rating.rules.iso6336
     if rules.wheel is None or role not in WITH_OWN_STEEL:
         steel = rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
@@ -168,8 +183,19 @@ def quality_of(
         shaft: Where the pinion sits on its shaft.
         rims: Y_B of both gears [-].
     """
+    return replace(_flanks(rating), shaft=shaft, rims=rims, mean_stresses=_mean_stresses(idlers, reverse))
+
+
+def _mean_stresses(idlers: tuple[bool, bool], reverse: tuple[float, float]) -> tuple[float, float]:
+    """Y_M of both gears."""
+    first, second = (mean_stress_factor(part) if idler else 1.0 for idler, part in zip(idlers, reverse, strict=True))
+    return first, second
+
+
+@of_latest(256)
+def _flanks(rating: Rating) -> MeshQuality:
+    """Return what all meshes of a stage have in common."""
     rules = rating.rules.iso6336
-    means = [mean_stress_factor(part) if idler else 1.0 for idler, part in zip(idlers, reverse, strict=True)]
     return MeshQuality(
         grade=rules.tolerance_class,
         flank_roughness=rules.flank_roughness,
@@ -179,10 +205,7 @@ def quality_of(
         relief_tolerance=rules.tip_relief_tolerance,
         blank=rules.blank_factor,
         helix=_HELIX[rules.helix_modification],
-        shaft=shaft,
         viscosity=rules.oil_viscosity * SQUARE_MM,
-        rims=rims,
-        mean_stresses=(means[0], means[1]),
         choices=Choices(
             RatingMethod(rules.dynamic_method),
             RatingMethod(rules.root_method),
@@ -199,8 +222,6 @@ def mesh_quality(rating: Rating, ask: Ask, module: Value) -> MeshQuality:
         ask: Teeth and kind of the mesh.
         module: m_n [m].
     """
-    rims = rim_factors(rating, ask.roles, internal=ask.internal)
-    quality = quality_of(rating, idlers=ask.idlers, reverse=ask.reverse, rims=rims)
     bodies = tuple(
         _body(rating, ask.roles[gear], ask.teeth[gear], module, bore=ask.bores[gear], held=ask.held[gear],
               internal=ask.internal and gear == 1)
@@ -208,11 +229,20 @@ def mesh_quality(rating: Rating, ask: Ask, module: Value) -> MeshQuality:
     )  # fmt: skip
     beyond = tuple(None if far is None else _neighbour(rating, far, module) for far in ask.beyond)
     planet = ask.roles.index(Role.PLANET) if Role.PLANET in ask.roles else None
-    quality = replace(quality, bodies=(bodies[0], bodies[1]), beyond=(beyond[0], beyond[1]), planet=planet)
-    if ask.made is None:
-        return quality
-    made = ask.made
-    return replace(quality, tip_relief=made.relief, relief_tolerance=made.tolerance or None, grade=made.grade)
+    made: dict[str, Any] = {}
+    if ask.made is not None:
+        made = {
+            "tip_relief": ask.made.relief, "relief_tolerance": ask.made.tolerance or None, "grade": ask.made.grade
+        }  # fmt: skip
+    return replace(
+        _flanks(rating),
+        rims=rim_factors(rating, ask.roles, internal=ask.internal),
+        mean_stresses=_mean_stresses(ask.idlers, ask.reverse),
+        bodies=(bodies[0], bodies[1]),
+        beyond=(beyond[0], beyond[1]),
+        planet=planet,
+        **made,
+    )
 
 
 def _body(
@@ -241,6 +271,7 @@ def duty_of(rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayL
         ask: Mates that a tooth of each gear meets in a turn, the load for which tips are relieved, the greatest speed.
     """
     relieved = np.asarray(ask.relieved, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
+    fastest = np.asarray(ask.fastest, dtype=float)
     return MeshDuty(
         np.asarray(torque, dtype=float) / rating.load_factor,
         np.asarray(speed, dtype=float),
@@ -248,8 +279,8 @@ def duty_of(rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayL
         application_factor=rating.service.application_factor,
         mesh_load_factor=rating.load_factor,
         meshes_per_turn=ask.passes,
-        relief_torque=relieved / rating.load_factor if np.all(relieved > 0.0) else None,
-        fastest=np.asarray(ask.fastest, dtype=float) if np.all(np.asarray(ask.fastest) > 0.0) else None,
+        relief_torque=relieved / rating.load_factor if (relieved > 0.0).all() else None,
+        fastest=fastest if (fastest > 0.0).all() else None,
     )
 
 
