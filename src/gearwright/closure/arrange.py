@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -149,6 +150,10 @@ def core_of(items: Sequence[Item], *, floats: bool) -> Core | None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+ENDS = ("first", "second")
+"""Of what stands between the bearings of a shaft."""
+
+
 class Option(NamedTuple):
     """Kinds of the bearings of a shaft."""
 
@@ -156,16 +161,16 @@ class Option(NamedTuple):
     """Kind of the first radial one, and what it locates."""
     second: tuple[str, str]
     """Of the second."""
-    axial: int = 0
-    """A four-point contact bearing that locates both ways: before the first (−1) or behind the second (+1); 0: none."""
+    axial_end: str = ""
+    """End at which a four-point contact bearing stands beside the radial one and locates both ways; empty: none."""
 
 
 OPTIONS = (
     Option(("deep-groove", "both"), ("cylindrical", "none")),
     Option(("cylindrical", "none"), ("deep-groove", "both")),
     Option(("taper", "first"), ("taper", "second")),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), axial=-1),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), axial=1),
+    Option(("cylindrical", "none"), ("cylindrical", "none"), "first"),
+    Option(("cylindrical", "none"), ("cylindrical", "none"), "second"),
 )
 """Arrangements of locating and floating bearings that are tried for every shaft."""
 GUESS = 60e-3
@@ -193,11 +198,14 @@ OVERHANG = 2.5
 """From the last bearing to the plane of a propeller over the diameter that its torque alone asks for [-]."""
 SPAN_OF_WHEEL = 0.25
 """Span of bearings over the pitch diameter of the largest gear between them, at least [-]: it tilts."""
-SPAN_OF_OVERHANG = 1.25
-"""Span over the overhang of a propeller or rotor, at least [-]."""
-SLACK = (0.0, 2e-3, 6e-3)
-"""More than the width of a bearing that is left for it, where axes that turn with longer shafts load others [m]."""
-ROUNDS = 5
+SPANS = {"gear": 1.0 / 0.6, "airscrew": 1.25}
+"""What overhangs its bearings -> their span over that overhang, at least [-]."""
+SLACK = ((0.0, 0.0), (2e-3, 5e-3), (6e-3, 10e-3))
+"""More room for a bearing than its width, and a thicker seat where the end of a shaft carries little, for axes that
+turn with longer shafts and load others [m]."""
+PLACINGS = 5
+"""How often room is made for what stands into something else, at most [-]."""
+ROUNDS = 6
 """How often places follow from the widths of the bearings that are chosen, at most [-]."""
 
 
@@ -216,6 +224,18 @@ class Line:
     """Over its diameter [-]; None: as the design gives it."""
     slack: float = 0.0
     """By which more than the width of a bearing is left for it [m]."""
+    @property
+    def machine_end(self) -> str:
+        """End at which a machine stands that may stand at the other as well; empty: none, or beside a set."""
+        kinds = [item.kind for item in self.items]
+        if "set" in kinds or kinds.count("machine") != 1:
+            return ""
+        return "first" if kinds[0] == "machine" else "second" if kinds[-1] == "machine" else ""
+
+    no_axial: frozenset[str] = frozenset()
+    """Ends at which there is no room for one more bearing."""
+    thicker: float = 0.0
+    """By which the thinnest seat is thicker [m]."""
 
 
 def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Mapping[str, float]) -> ShaftPlan:
@@ -229,9 +249,9 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
     """
     names = [f"{line.name}-first", f"{line.name}-second"]
     before, after = [names[0]], [names[1]]
-    if option.axial < 0:
+    if option.axial_end == "first":
         before = [f"{line.name}-axial", *before]
-    elif option.axial > 0:
+    elif option.axial_end:
         after = [*after, f"{line.name}-axial"]
     bearings = {
         name: Item(name, 0.0, *(2 * (widths.get(name, GUESS) / 2.0,)), "bearing") for name in (*before, *after)
@@ -277,9 +297,11 @@ def _step(line: Line, one: Item, other: Item) -> float:
 def _spread(line: Line, row: Sequence[Item], steps: list[float], names: Sequence[str]) -> None:
     """Move both bearings apart as far as wheels between them, and what overhangs them, ask for."""
     first, second = (next(k for k, item in enumerate(row) if item.name == name) for name in names)
-    screw = [steps[k] for k, (one, other) in enumerate(pairwise(row)) if "airscrew" in (one.kind, other.kind)]
-    asked = max(SPAN_OF_WHEEL * line.wheel, *(SPAN_OF_OVERHANG * far for far in screw), 0.0)
-    lacking = asked - sum(steps[first:second])
+    asked = [SPAN_OF_WHEEL * line.wheel]
+    for k, item in enumerate(row):
+        if item.kind in SPANS and not first < k < second:
+            asked.append(SPANS[item.kind] * (sum(steps[k:first]) if k < first else sum(steps[second:k])))
+    lacking = max(asked) - sum(steps[first:second])
     if lacking <= 0.0:
         return
     if second == first + 1:
@@ -315,6 +337,15 @@ class Stood(NamedTuple):
     plan: ShaftPlan
     built: Built
     failing: tuple[Check, ...]
+
+    @property
+    def ends(self) -> dict[str, str]:
+        """Bearing -> the end of what the shaft carries at which it stands; none where all stand at one."""
+        if self.line.core.first == self.line.core.last:
+            return {}
+        middle = sum(self.plan.bearings) / 2.0
+        return {name: "first" if seat.position < middle else "second" for name, seat in self.plan.seats.items()}
+
     mass: float
     """Of shaft and bearings [kg]."""
 
@@ -330,18 +361,21 @@ def stood(sizing: Sizing, context: Context, line: Line) -> Stood:
     Raises:
         DesignError: If none can be had.
     """
-    refused = list[DesignError]()
+    tried, refused = list[Stood](), list[DesignError]()
     for bore in _bores(context.design, line.name):
-        tried = list[Stood]()
         for option in OPTIONS:
+            if option.axial_end in line.no_axial:
+                continue
             try:
                 tried.append(_with(sizing, context, replace(line, bore=bore), option))
             except DesignError as error:
                 refused.append(error)
-        if tried:
-            fewest = min(len(one.failing) for one in tried)
-            return smallest([one for one in tried if len(one.failing) == fewest], lambda one: one.mass)
-    raise DesignError(dict.fromkeys(problem for error in refused for problem in error.problems))
+        if any(not one.failing for one in tried):
+            break
+    if not tried:
+        raise DesignError(dict.fromkeys(problem for error in refused for problem in error.problems))
+    fewest = min(len(one.failing) for one in tried)
+    return smallest([one for one in tried if len(one.failing) == fewest], lambda one: one.mass)
 
 
 def _bores(design: Design, shaft: str) -> tuple[float | None, ...]:
@@ -358,12 +392,12 @@ def _with(sizing: Sizing, context: Context, line: Line, option: Option) -> Stood
         plan = plan_with(line, option, widths, bores)
         own = replace(context, design=_in_bearings(context.design, sizing, line, plan))
         forces = shaft_forces(own, line.name, plan, axes=sizing.arrangement.axes, gears=gears)
-        core = context.given.get(f"{line.name}.diameter")
         try:
-            built = build_shaft(own, line.name, forces, shaft_material(own), gears=gears, core=core)
+            built = build_shaft(own, line.name, forces, shaft_material(own), gears=gears, core=None)
         except DesignError:
-            if found is None:
+            if found is None and not bores:
                 raise
+            bores = {name: bore + BORE_STEP for name, bore in bores.items()}
             widths = {name: width * 1.3 for name, width in widths.items()}
             continue
         failing = tuple(check for check in built_checks(built, own.design) if check.fails)
@@ -379,7 +413,7 @@ def _with(sizing: Sizing, context: Context, line: Line, option: Option) -> Stood
 
 def _thinnest(line: Line) -> float:
     """Return the bore that a bearing of a shaft has at least: of a standard that is no thinner than usual [m]."""
-    return math.ceil(LEAST_SEAT * line.thick / BORE_STEP - 1e-6) * BORE_STEP
+    return math.ceil(LEAST_SEAT * line.thick / BORE_STEP - 1e-6) * BORE_STEP + line.thicker
 
 
 def _in_bearings(design: Design, sizing: Sizing, line: Line, plan: ShaftPlan) -> Design:
@@ -425,8 +459,17 @@ class Arranged:
     """Of that."""
     shafts: tuple[Stood, ...]
     """What was put into bearings."""
-    masses: tuple[CompleteMass, CompleteMass]
-    """Before and after."""
+
+    @cached_property
+    def masses(self) -> tuple[CompleteMass, CompleteMass]:
+        """Complete masses before and after."""
+        return complete_mass(self.before), complete_mass(self.sizing)
+
+    @cached_property
+    def worse(self) -> tuple[Check, ...]:
+        """Checks that fail and did not before."""
+        known = {check.name for check in self.before.checks if check.fails}
+        return tuple(check for check in self.sizing.checks if check.fails and check.name not in known)
 
     @property
     def text(self) -> str:
@@ -448,37 +491,114 @@ def arrange(design: Design) -> Arranged:
     own = edited(design, {**dict(teeth_of(design, before)), **dict(_sizes(design, before))})
     sized = size(own)
     context = context_of(sized.design, sized.train, sized.teeth, sized.flows, sized.given)
-    for slack in SLACK:
-        shafts, problems = list[Stood](), list[Problem]()
-        for line in _lines(sized):
-            try:
-                shafts.append(stood(sized, context, replace(line, slack=slack)))
-            except DesignError as error:
-                problems += error.problems
-        refuse(problems)
+    wider: dict[str, float] = {}
+    tried = list[tuple[int, Arranged]]()
+    for _ in range(PLACINGS):
+        found = _placed(own, sized, context, wider)
+        arranged = Arranged(before, found[0], found[1], found[2])
+        lacking = _lacking(arranged)
+        tried.append((len(arranged.worse), arranged))
+        if not lacking:
+            break
+        wider = {name: wider.get(name, 0.0) + lacking.get(name, 0.0) for name in {**wider, **lacking}}
+    return min(tried, key=lambda one: one[0])[1]
+
+
+def _placed(
+    own: Design, sized: Sizing, context: Context, wider: Mapping[str, float]
+) -> tuple[Design, Sizing, tuple[Stood, ...]]:
+    """Return a design with bearings, with more room around some sets and bearings than they take."""
+    refused: DesignError | None = None
+    for slack, thicker in SLACK:
+        lines = [replace(line, slack=slack, thicker=thicker) for line in _lines(sized, wider)]
+        shafts = _stand(sized, context, lines)
+        try:
+            turned = size(edited(own, dict(_changes(own, sized, shafts, as_given=True))))
+        except DesignError:  # it tells where axes stand; without it they are taken as they stood
+            turned = sized
+        shafts = _stand(turned, context, lines)
         arranged = edited(own, dict(_changes(own, sized, shafts)))
         try:
-            built = size(arranged)
-        except DesignError:
-            if slack == SLACK[-1]:
-                raise
-        else:
+            return arranged, size(arranged), shafts
+        except DesignError as error:
+            refused = refused or error
+    assert refused is not None
+    raise refused
+
+
+def _stand(sizing: Sizing, context: Context, lines: Sequence[Line]) -> tuple[Stood, ...]:
+    """Return all shafts in bearings, loaded as their axes stand in a sizing."""
+    shafts, problems = list[Stood](), list[Problem]()
+    for line in lines:
+        try:
+            shafts.append(stood(sizing, context, line))
+        except DesignError as error:
+            problems += error.problems
+    refuse(problems)
+    return tuple(shafts)
+
+
+def _lacking(arranged: Arranged) -> dict[str, float]:
+    """Return what keeps parts out of each other: set -> more room along its shaft [m], shaft and what it does -> 1.
+
+    A bearing for which there is no room at one end of what its shaft carries goes to the other, and where a machine
+    stands at that end, that goes there, too.
+    """
+    found = dict[str, float]()
+    for check in arranged.worse:
+        if not check.mode.startswith("room") or check.value is None or check.limit is None:
+            continue
+        words = {str(check.part), *check.place.replace(",", " ").split(), *check.mode.split()}
+        into = [stage for stage in arranged.design.sets if any(word.split(".")[0] == stage for word in words)]
+        if into:
+            found |= {stage: max(found.get(stage, 0.0), _up(check.limit - check.value) + _MM) for stage in into}
+            continue
+        names = set(check.place.replace(",", " ").split())
+        for one in arranged.shafts:
+            ends = [end for name, end in one.ends.items() if name in names]
+            if one.line.name in names and one.line.machine_end:
+                found[f"{one.line.name} mirrored"] = 1.0
+            elif f"{one.line.name}-axial" in names and ends:
+                found[f"{one.line.name} axial {ends[0]}"] = 1.0
+            elif ends and ends[0] == one.line.machine_end:
+                found[f"{one.line.name} mirrored"] = 1.0
+            elif ends:
+                found[f"{one.line.name} {ends[0]}"] = 1.0
+            else:
+                continue
             break
-    return Arranged(before, arranged, built, tuple(shafts), (complete_mass(before), complete_mass(built)))
+    return found
 
 
-def _lines(sizing: Sizing) -> Iterator[Line]:
+
+def _lines(sizing: Sizing, wider: Mapping[str, float]) -> Iterator[Line]:
     """Yield the shafts that need bearings and have none."""
     design, gears = sizing.design, {gear.name: gear for gear in sizing.gears}
     seated = {seat.shaft for seat in design.bearings.values()}
     for shaft in sizing.shafts:
         if shaft.name in seated:
             continue
-        items = items_on(sizing, shaft.name)
+        items = tuple(_widened(item, wider) for item in items_on(sizing, shaft.name))
+        if f"{shaft.name} mirrored" in wider:
+            items = tuple(item._replace(place=-item.place, before=item.after, after=item.before) for item in items[::-1])
         core = core_of(items, floats=_floats(sizing, items))
         if core is not None:
+            core = _beside(core, {end for end in ENDS if f"{shaft.name} {end}" in wider})
             wheel = max((gears[item.name].pitch_diameter for item in items if item.kind == "gear"), default=0.0)
-            yield Line(shaft.name, items, core, shaft.diameter, wheel)
+            full = frozenset(end for end in ENDS if f"{shaft.name} axial {end}" in wider)
+            yield Line(shaft.name, items, core, shaft.diameter, wheel, no_axial=full)
+
+
+def _beside(core: Core, blocked: set[str]) -> Core:
+    """Return where bearings stand if there is no room for them at one end of what they hold: both at the other."""
+    if blocked == {"second"}:
+        return Core(core.first, core.first)
+    return Core(core.last, core.last) if blocked == {"first"} else core
+
+
+def _widened(item: Item, wider: Mapping[str, float]) -> Item:
+    more = next((far for stage, far in wider.items() if item.kind == "set" and item.name.split(".")[0] == stage), 0.0)
+    return item._replace(before=item.before + more, after=item.after + more)
 
 
 def _floats(sizing: Sizing, items: Sequence[Item]) -> bool:
@@ -505,34 +625,39 @@ def _sizes(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
             yield f"{table}.face_width_mm", gears[name].face_width / _MM
 
 
-def _changes(design: Design, sizing: Sizing, shafts: Sequence[Stood]) -> Iterator[tuple[str, Value]]:
-    """Yield what is written of bearings and shafts, and of shafts on the same axes as they stand."""
+def _changes(
+    design: Design, sizing: Sizing, shafts: Sequence[Stood], *, as_given: bool = False
+) -> Iterator[tuple[str, Value]]:
+    """Yield what is written of bearings, splines, lengths and places; as given, with bearings and diameters."""
+    if "level" in design.model_fields_set:
+        yield "level", BUILT
+    if "rating" not in design.gears.model_fields_set:
+        yield "gears.rating", design.gears.rating
+    seats = {name: seat for one in shafts for name, seat in one.plan.seats.items()}
+    if as_given:
+        taken = {bearing.name: bearing.bearing.designation for one in shafts for bearing in one.built.bearings}
+        seats = {name: seat.model_copy(update={"designation": taken[name], "bore": None}) for name, seat in seats.items()}
+    yield "bearings", {
+        name: {key: value for key, value in seat.model_dump().items() if value is not None}
+        for name, seat in {**design.bearings, **seats}.items()
+    }
+    if not as_given:
+        joints = {**{name: Joint(kind="spline") for one in shafts for name in _splined(sizing, one.line)}, **design.joints}
+        yield "joints", {name: own.model_dump(exclude_none=True, exclude_defaults=True) for name, own in joints.items()}
     plans = {one.line.name: one.plan for one in shafts}
-    seats = {name: seat for plan in plans.values() for name, seat in plan.seats.items()}
     axis = shared_axes(design)
     beside = {axis[name] for name in plans}
     plans |= {
         name: plan for name, plan in sizing.arrangement.plans.items() if name not in plans and axis[name] in beside
     }
-    if "level" in design.model_fields_set:
-        yield "level", BUILT
-    if "rating" not in design.gears.model_fields_set:
-        yield "gears.rating", design.gears.rating
-    yield "bearings", {
-        name: {key: value for key, value in seat.model_dump().items() if value is not None}
-        for name, seat in {**design.bearings, **seats}.items()
-    }
     layout = dict(design.layout)
     for name, plan in plans.items():
         kept = layout.get(name, NOTHING_GIVEN)
-        layout[name] = kept.model_copy(
-            update={"length": plan.length, "places": {label: Place(position=at) for label, at in plan.places.items()}}
-        )
+        places = {label: Place(position=at) for label, at in plan.places.items()}
+        layout[name] = kept.model_copy(update={"length": plan.length, "places": places})
     for one in shafts:
-        if one.line.bore is not None:
-            layout[one.line.name] = layout[one.line.name].model_copy(update={"bore_ratio": one.line.bore})
-    joints = {name: Joint(kind="spline") for one in shafts for name in _splined(sizing, one.line)}
-    yield "joints", {
-        name: own.model_dump(exclude_none=True, exclude_defaults=True) for name, own in {**joints, **design.joints}.items()
-    }
+        own: dict[str, Any] = {"diameter": None} | ({} if one.line.bore is None else {"bore_ratio": one.line.bore})
+        if as_given:
+            own |= {"as_given": True, "diameter": max(bearing.bearing.bore for bearing in one.built.bearings)}
+        layout[one.line.name] = layout[one.line.name].model_copy(update=own)
     yield "layout", {name: own.model_dump(exclude_none=True, exclude_defaults=True) for name, own in layout.items()}
