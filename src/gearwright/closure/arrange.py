@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -25,7 +26,7 @@ from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.spec import Airscrew, Design, design_text, edited
 from gearwright.spec.design import BUILT, NOTHING_GIVEN, BearingSeat, Pair, module_owners
 from gearwright.spec.design.stages import Joint, Place
-from gearwright.spec.edit import Value
+from gearwright.spec.edit import Value, implied
 
 _MM = 1e-3
 PARALLEL = 1e-6
@@ -47,7 +48,7 @@ class Item(NamedTuple):
     after: float
     """From its place to the end of what it takes [m]."""
     kind: str
-    """``gear`` of a pair, ``set``, ``machine`` or ``airscrew``; links are machines."""
+    """``gear`` of a pair, ``set``, ``machine``, ``airscrew``, or ``link``: a clutch, brake or damper."""
     inside: float = 0.0
     """How far its shaft goes on beyond its place where it ends there: a sun's as far as its teeth [m]."""
 
@@ -72,7 +73,8 @@ def items_on(sizing: Sizing, shaft: str) -> tuple[Item, ...]:
             middle = _middle(sizing, shaft, name, sets[name])
             found.append(Item(name, middle, *_taken(sizing, shaft, middle, sets[name]), "set", suns.get(name, 0.0)))
         else:
-            kind = "airscrew" if isinstance(design.machines.get(name), Airscrew) else "machine"
+            machine = design.machines.get(name)
+            kind = "link" if machine is None else "airscrew" if isinstance(machine, Airscrew) else "machine"
             found.append(Item(name, place, 0.0, 0.0, kind))
     order = list(plan.places)
     return tuple(sorted(found, key=lambda item: (plan.places[item.name], order.index(item.name))))
@@ -111,6 +113,12 @@ def _taken(sizing: Sizing, shaft: str, place: float, what: GearSizing | str) -> 
     return place - min(ends), max(ends) - place
 
 
+STANDING = ("gear", "set")
+"""Kinds of items that are wider than the shaft."""
+COUPLED = ("machine", "link")
+"""Kinds of items that a hub joins to a shaft."""
+
+
 class Core(NamedTuple):
     """Which of the items on a shaft stand between its bearings."""
 
@@ -136,7 +144,7 @@ def core_of(items: Sequence[Item], *, floats: bool) -> Core | None:
     if screws:
         return Core(screws[0], screws[0]) if screws[0] else Core(1, 1)
     held = [k for k, item in enumerate(items) if item.kind == "set" and not item.name.endswith(".sun")]
-    machines = [k for k, item in enumerate(items) if item.kind == "machine"]
+    machines = [k for k, item in enumerate(items) if item.kind in COUPLED]
     if not held or not machines:
         return None
     middle = [k for k in machines if 0 < k < len(items) - 1]
@@ -178,7 +186,9 @@ GUESS = 60e-3
 BESIDE = 2e-3
 """Between two bearings side by side [m]."""
 GAP = 3e-3
-"""Between a bearing and what stands beside it, at least [m]."""
+"""Between a bearing and what its shaft carries between both, at least [m]."""
+COVER = 10e-3
+"""Between a bearing and what stands beyond it: a cover with its screws, and room for what turns [m]."""
 SHOULDER = 0.1
 """Shoulder of a seat and gap together over the diameter of the shaft [-]: 0.08 d and 0.02 d."""
 END = 5e-3
@@ -232,6 +242,8 @@ class Line:
             return ""
         return "first" if kinds[0] == "machine" else "second" if kinds[-1] == "machine" else ""
 
+    apart: Mapping[str, float] = field(default_factory=dict)
+    """Bearing -> how much farther it stands from what is beside it [m]."""
     no_axial: frozenset[str] = frozenset()
     """Ends at which there is no room for one more bearing."""
     thicker: float = 0.0
@@ -254,12 +266,16 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
     elif option.axial_end:
         after = [*after, f"{line.name}-axial"]
     bearings = {
-        name: Item(name, 0.0, *(2 * (widths.get(name, GUESS) / 2.0,)), "bearing") for name in (*before, *after)
+        name: Item(name, 0.0, *(2 * (widths.get(name, GUESS) / 2.0 + line.apart.get(name, 0.0),)), "bearing")
+        for name in (*before, *after)
     }
     row = [*line.items[: line.core.first], *(bearings[name] for name in before),
            *line.items[line.core.first : line.core.last],
            *(bearings[name] for name in after), *line.items[line.core.last :]]  # fmt: skip
     steps = [_step(line, one, other) for one, other in pairwise(row)]
+    for k, (one, other) in enumerate(pairwise(row)):
+        beyond = (one.name in after and other.kind in STANDING) or (other.name in before and one.kind in STANDING)
+        steps[k] += (COVER - GAP) * beyond
     _spread(line, row, steps, names)
     places, reached = {}, _beyond(line, row[0], row[0].before)
     for k, item in enumerate(row):
@@ -289,7 +305,7 @@ def _step(line: Line, one: Item, other: Item) -> float:
         return _up(far + BESIDE)
     if "airscrew" in kinds:
         return _up(max(far + SEAL + HUB * line.thick, OVERHANG * line.thick))
-    if "machine" in kinds:
+    if not kinds.isdisjoint(COUPLED):
         return _up(far + SEAL + HUB * line.thick / 2.0)
     return _up(far + max(GAP, SHOULDER * line.thick))
 
@@ -312,9 +328,9 @@ def _spread(line: Line, row: Sequence[Item], steps: list[float], names: Sequence
 
 def _beyond(line: Line, item: Item, half: float) -> float:
     """Return how far a shaft goes on beyond the middle of what stands at its end [m]."""
-    if item.kind == "set":
+    if item.kind in ("set", "link"):
         return item.inside
-    if item.kind in ("machine", "airscrew"):
+    if item.kind in (*COUPLED, "airscrew"):
         return _up(HUB * line.thick / 2.0)
     return _up(half + (END if item.kind == "bearing" else 0.0))
 
@@ -429,9 +445,15 @@ def _in_bearings(design: Design, sizing: Sizing, line: Line, plan: ShaftPlan) ->
 
 
 def _splined(sizing: Sizing, line: Line) -> tuple[str, ...]:
-    """Return the wheels on a shaft; pinions and suns are of one piece with it."""
-    wheels = {gear.name for gear in sizing.gears if gear.role is Role.WHEEL}
-    return tuple(item.name for item in line.items if item.name in wheels)
+    """Return the gears that splines join to a shaft: all but one, its smallest pinion, or a sun where it has none."""
+    gears = {gear.name: gear for gear in sizing.gears}
+    every = [gears[item.name] for item in line.items if item.name in gears]
+    own = [gear for gear in every if gear.role is not Role.RING]
+    pinions = [gear for gear in own if gear.role is Role.PINION]
+    if not pinions and len(own) == len(every):
+        pinions = [gear for gear in own if gear.role is Role.SUN]
+    solid = smallest(pinions, lambda gear: gear.pitch_diameter).name if pinions else ""
+    return tuple(gear.name for gear in own if gear.name != solid)
 
 
 def _mass(context: Context, built: Built) -> float:
@@ -459,6 +481,8 @@ class Arranged:
     """Of that."""
     shafts: tuple[Stood, ...]
     """What was put into bearings."""
+    tried: frozenset[str] = frozenset()
+    """For what room was made before."""
 
     @cached_property
     def masses(self) -> tuple[CompleteMass, CompleteMass]:
@@ -495,7 +519,7 @@ def arrange(design: Design) -> Arranged:
     tried = list[tuple[int, Arranged]]()
     for _ in range(PLACINGS):
         found = _placed(own, sized, context, wider)
-        arranged = Arranged(before, found[0], found[1], found[2])
+        arranged = Arranged(before, *found, frozenset(wider))
         lacking = _lacking(arranged)
         tried.append((len(arranged.worse), arranged))
         if not lacking:
@@ -545,6 +569,11 @@ def _lacking(arranged: Arranged) -> dict[str, float]:
     stands at that end, that goes there, too.
     """
     found = dict[str, float]()
+    planned = {bearing.name: bearing.bearing.width for one in arranged.shafts for bearing in one.built.bearings}
+    for bearing in arranged.sizing.bearings:
+        wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
+        if wider > _MM / 2.0:
+            found[bearing.name] = _up(wider / 2.0)
     for check in arranged.worse:
         if not check.mode.startswith("room") or check.value is None or check.limit is None:
             continue
@@ -556,8 +585,8 @@ def _lacking(arranged: Arranged) -> dict[str, float]:
         names = set(check.place.replace(",", " ").split())
         for one in arranged.shafts:
             ends = [end for name, end in one.ends.items() if name in names]
-            if one.line.name in names and one.line.machine_end:
-                found[f"{one.line.name} mirrored"] = 1.0
+            if one.line.name in names and (end := _end_of(one, check.why)):
+                found[f"{one.line.name} {'mirrored' if end == one.line.machine_end else end}"] = 1.0
             elif f"{one.line.name}-axial" in names and ends:
                 found[f"{one.line.name} axial {ends[0]}"] = 1.0
             elif ends and ends[0] == one.line.machine_end:
@@ -566,8 +595,20 @@ def _lacking(arranged: Arranged) -> dict[str, float]:
                 found[f"{one.line.name} {ends[0]}"] = 1.0
             else:
                 continue
+            seat = next((name for name in one.ends if name in names), "")
+            if seat and seat not in arranged.tried:
+                found = {key: far for key, far in found.items() if not key.startswith(f"{one.line.name} ")}
+                found[seat] = _up(check.limit - check.value) + _MM
             break
     return found
+
+
+def _end_of(one: Stood, why: str) -> str:
+    """Return at which end of a shaft the stretch is that a check tells of; empty where it tells of none."""
+    found = re.search(rf"\b{re.escape(one.line.name)} ([\d.]+) to ([\d.]+) mm", why)
+    if found is None:
+        return ""
+    return "first" if sum(map(float, found.groups())) * _MM < one.plan.length else "second"
 
 
 
@@ -586,14 +627,14 @@ def _lines(sizing: Sizing, wider: Mapping[str, float]) -> Iterator[Line]:
             core = _beside(core, {end for end in ENDS if f"{shaft.name} {end}" in wider})
             wheel = max((gears[item.name].pitch_diameter for item in items if item.kind == "gear"), default=0.0)
             full = frozenset(end for end in ENDS if f"{shaft.name} axial {end}" in wider)
-            yield Line(shaft.name, items, core, shaft.diameter, wheel, no_axial=full)
+            apart = {name: far for name, far in wider.items() if name.startswith(f"{shaft.name}-")}
+            yield Line(shaft.name, items, core, shaft.diameter, wheel, apart=apart, no_axial=full)
 
 
 def _beside(core: Core, blocked: set[str]) -> Core:
-    """Return where bearings stand if there is no room for them at one end of what they hold: both at the other."""
-    if blocked == {"second"}:
-        return Core(core.first, core.first)
-    return Core(core.last, core.last) if blocked == {"first"} else core
+    """Return where bearings stand if there is no room for them at one end: what is outermost there overhangs them."""
+    first = core.first + ("first" in blocked)
+    return Core(first, max(core.last - ("second" in blocked), first))
 
 
 def _widened(item: Item, wider: Mapping[str, float]) -> Item:
@@ -631,8 +672,7 @@ def _changes(
     """Yield what is written of bearings, splines, lengths and places; as given, with bearings and diameters."""
     if "level" in design.model_fields_set:
         yield "level", BUILT
-    if "rating" not in design.gears.model_fields_set:
-        yield "gears.rating", design.gears.rating
+    yield from ((path, value) for path, value in implied(design).items() if path != "level")
     seats = {name: seat for one in shafts for name, seat in one.plan.seats.items()}
     if as_given:
         taken = {bearing.name: bearing.bearing.designation for one in shafts for bearing in one.built.bearings}
