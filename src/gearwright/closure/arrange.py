@@ -194,6 +194,8 @@ OPTIONS = (
 """Arrangements of locating and floating bearings that are tried for every shaft."""
 AXIAL = ("four-point", "both")
 """Kind of the bearing that stands beside a radial one, and what it locates."""
+DIGITS = 4
+"""To which places and lengths in millimetres are written [-]."""
 GUESS = 60e-3
 """Width of a bearing before one is chosen: wider than it will be, as a bearing without room is refused [m]."""
 BESIDE = 2e-3
@@ -293,19 +295,18 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
     _spread(line, row, steps, radial)
     places, reached = dict[str, float](), _beyond(line, row[0], row[0].before)
     for k, item in enumerate(row):
-        places[item.name] = reached
+        places[item.name] = _written(reached)
         reached += steps[k] if k < len(steps) else _beyond(line, item, item.after)
     kinds = dict(zip(radial, (option.first, option.second), strict=True))
-    seats = {
-        name: BearingSeat.model_validate({
-            "shaft": line.name, "position": places[name], "kind": kinds.get(name, AXIAL)[0],
-            "locates": kinds.get(name, AXIAL)[1], "radial": name in kinds, "bore": bores.get(name),
-        })
-        for name in (*before, *after)
-    }  # fmt: skip
+    seats = dict[str, BearingSeat]()
+    for name in (*before, *after):
+        kind, locates = kinds.get(name, AXIAL)
+        seat = {"shaft": line.name, "position": places[name], "kind": kind, "locates": locates}
+        seat |= {"bore": bores[name]} if name in bores else {}
+        seats[name] = BearingSeat.model_validate(seat if name in kinds else {**seat, "radial": False})
     own = {item.name: places[item.name] for item in line.items}
     seats = dict(sorted(seats.items(), key=lambda seat: seat[1].position))
-    return ShaftPlan(reached, (places[radial[0]], places[radial[1]]), own, seats)
+    return ShaftPlan(_written(reached), (places[radial[0]], places[radial[1]]), own, seats)
 
 
 def _step(line: Line, one: Item, other: Item) -> float:
@@ -348,6 +349,11 @@ def _beyond(line: Line, item: Item, half: float) -> float:
 def _up(length: float) -> float:
     """Return a length in whole millimetres, rounded up [m]."""
     return math.ceil(length / _MM - 1e-6) * _MM
+
+
+def _written(length: float) -> float:
+    """Return a length as it is read from a file [m]."""
+    return round(length / _MM, DIGITS) * _MM
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -404,7 +410,7 @@ def stood(sizing: Sizing, context: Context, line: Line) -> Stood:
         if any(not one.failing for one in tried):
             break
     if not tried:
-        raise DesignError(list(dict.fromkeys(problem for error in refused for problem in error.problems)))
+        raise min(refused, key=lambda error: len(error.problems))
     fewest = min(len(one.failing) for one in tried)
     return smallest([one for one in tried if len(one.failing) == fewest], lambda one: one.mass)
 
