@@ -288,9 +288,7 @@ def _core(
     return [laid]
 
 
-def _necked(
-    middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted
-) -> list[Stretch]:
+def _necked(middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted) -> list[Stretch]:
     """Return a long stretch between two bearings as a neck between their shoulders, as thick as strength asks."""
     only = middle[0]
     ends = [side[-1] for side in sides if side]
