@@ -35,6 +35,10 @@ def _sized(name: str) -> Sizing:
     return gw.size(gw.read(gw.shipped_design(name)))
 
 
+def _arranged(name: str) -> Sizing:
+    return gw.arrange(gw.at_level(gw.read(gw.shipped_design(name)), "preliminary")).sizing
+
+
 def _study(name: str) -> Any:
     study = read_study(shipped_study(name))
     return study_figure(run(study, {each: gw.read(gw.shipped_design(each)) for each in study.designs}))
@@ -187,12 +191,13 @@ FIGURES: Mapping[str, Callable[[], Any]] = {
     "flight-energy": lambda: sankey_figure(fly(_sized("in-line-h2"), read_mission(shipped_mission("thesis")))),
 }
 """Name of the file -> what draws it."""
-SHEETS: Mapping[str, str] = {
-    "drawing-arrangement": "arrangement",
-    "drawing-shaft": "shaft-input",
-    "drawing-gear": "gear-bevel.wheel",
+SHEETS: Mapping[str, tuple[str, Callable[[], Sizing]]] = {
+    "drawing-arrangement": ("arrangement", lambda: _sized("ec120b")),
+    "drawing-shaft": ("shaft-input", lambda: _sized("ec120b")),
+    "drawing-gear": ("gear-bevel.wheel", lambda: _sized("ec120b")),
+    "drawing-arranged": ("arrangement", lambda: _arranged("in-line-h2")),
 }
-"""Name of the file -> sheet of the EC120B gearbox."""
+"""Name of the file -> sheet, and of what."""
 
 
 INPUTS: Mapping[str, Callable[[], str]] = {diagram.name: diagram.svg for diagram in DIAGRAMS}
@@ -204,7 +209,8 @@ def svg(name: str) -> str:
     if name in INPUTS:
         return INPUTS[name]()
     if name in SHEETS:
-        return sheet_svg(*sheets(_sized("ec120b"), [SHEETS[name]]))
+        sheet, sized = SHEETS[name]
+        return sheet_svg(*sheets(sized(), [sheet]))
     return to_svg(FIGURES[name]()).rstrip("\n") + "\n"
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
         rotor,
         turboshaft,
     )
-    from gearwright.closure import Wishes, close, contradictions, nearest_variant
+    from gearwright.closure import Wishes, arrange, close, contradictions, nearest_variant
     from gearwright.dynamics import (
         Model,
         Outputs,
@@ -99,6 +99,7 @@ _VERBS = {
     "StoredRun": "store",
     "Wishes": "closure",
     "architectures": "enumeration",
+    "arrange": "closure",
     "assemble": "dynamics.assembly",
     "at_level": "spec",
     "campbell": "dynamics",
@@ -202,6 +203,7 @@ __all__ = [
     "StoredRun",
     "Wishes",
     "architectures",
+    "arrange",
     "assemble",
     "at_level",
     "campbell",

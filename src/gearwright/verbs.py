@@ -30,6 +30,7 @@ _R = TypeVar("_R")
 
 MAKES: Mapping[str, str] = types.MappingProxyType(
     {
+        "Arranged": "gw.arrange(design)",
         "Campbell": "gw.campbell(system)",
         "Checked": "gw.validate()",
         "Closed": "gw.close(design)",

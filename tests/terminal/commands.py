@@ -71,6 +71,7 @@ COMMANDS = (
     Command("architectures pair.toml --stages 1 --close 0 --workers 0"),
     Command("optimise hybrid.toml --free carriers.fill=0.4..0.8 --screened 0 --evaluations 24 --workers 0"),
     Command("close pair.toml --life-h 1000 --as-sized"),
+    Command("arrange pair.toml --out arranged.toml"),
     Command("study"),
     Command("study small.toml --workers 0"),
     Command("status journal"),

@@ -94,6 +94,7 @@ CASES = {
             "--json": "--json",
         },
     ),
+    "arrange": ("pair.toml", {"--level": "--level concept", "--out": "--out arranged.toml", "--json": "--json"}),
     "review": (
         "pair.toml",
         {"--report": "--report r.html", "--date": "--report r.html | --date 2020-01-01", "--json": "--json"},

@@ -29,6 +29,7 @@ from gearwright.cli.answers import (
 )
 from gearwright.cli.commands.designs import (
     app as app_,
+    arrange,
     check,
     close,
     modes,
@@ -56,7 +57,7 @@ YOUNG = 250_000
 """Objects after which Python looks for cycles among them: modules that load make few, and a look takes a while:
 `run` ends without one."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
-    "Designs": (new, app_, run, check, size, close, review, report, draw, export, import_, schema),
+    "Designs": (new, app_, run, check, size, close, arrange, review, report, draw, export, import_, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window, mix, duty, propeller, rotor, turboshaft),
     "Studies": (compare, architectures, optimise, study, status, resume, merge, cluster),

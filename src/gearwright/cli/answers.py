@@ -39,6 +39,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "run": (f"{_ROOM}motion:RunAnswer", ""),
     "check": (f"{_ROOM}design:CheckAnswer", ""),
     "size": (f"{_ROOM}design:SizeAnswer", ""),
+    "arrange": (f"{_ROOM}review:ArrangeAnswer", ""),
     "close": (f"{_ROOM}review:CloseAnswer", ""),
     "review": (f"{_ROOM}review:ReviewAnswer", ""),
     "modes": (f"{_ROOM}motion:ModesAnswer", ""),

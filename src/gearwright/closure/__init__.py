@@ -3,6 +3,7 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
+from gearwright.closure.arrange import Arranged, arrange
 from gearwright.closure.close import (
     Contradiction,
     OnMission,
@@ -37,6 +38,7 @@ from gearwright.closure.requirements import (
 __all__ = [
     "FREEDOMS",
     "REQUIREMENTS",
+    "Arranged",
     "Closed",
     "Contradiction",
     "Course",
@@ -54,6 +56,7 @@ __all__ = [
     "Variant",
     "Variants",
     "Wishes",
+    "arrange",
     "as_sized",
     "best_so_far",
     "close",

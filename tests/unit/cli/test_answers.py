@@ -46,6 +46,7 @@ LINES = {
     "check": "check hybrid.toml",
     "size": "size hybrid.toml",
     "close": "close pair.toml --crossings",
+    "arrange": "arrange pair.toml",
     "architectures": "architectures pair.toml --stages 1 --close 0 --workers 0",
     "optimise": "optimise hybrid.toml --free carriers.fill=0.4..0.8 --screened 0 --evaluations 24 --workers 0",
     "review": "review hybrid.toml",

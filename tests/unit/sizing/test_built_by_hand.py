@@ -60,13 +60,19 @@ A, B = Item("a", "bearing", 0.03, 0.016), Item("b", "bearing", 0.17, 0.016)
 RINGS = {"a": ring(0.040, 0.080), "b": ring(0.045, 0.085)}
 
 
-def test_a_plain_shaft_has_its_thickest_stretch_between_its_bearings():
-    """Shoulders stand 0.175 (D − d) above the bore, in whole millimetres: 47 and 52; an end that carries nothing is as
-    thick as the bearing beside it."""
+def test_a_plain_shaft_is_a_neck_between_the_shoulders_of_its_bearings():
+    """Shoulders stand 0.175 (D − d) above the bore, in whole millimetres: 47 and 52, and are a tenth of that wide; an
+    end that carries nothing is as thick as the bearing beside it."""
     found, asked, stretches = laid([A, B], {"after a": 0.0441}, rings=RINGS)
-    assert found == [("after", 40.0), ("a", 40.0), ("after a", 52.0), ("b", 45.0), ("after b", 45.0)]
+    assert found == [
+        ("after", 40.0), ("a", 40.0), ("collar of a", 47.0), ("after a", 45.0), ("collar of b", 52.0), ("b", 45.0),
+        ("after b", 45.0),
+    ]  # fmt: skip
+    assert [1e3 * stretches[k].length for k in (2, 4)] == pytest.approx([4.7, 5.2])
     assert asked == {"a": (0.0, math.inf), "b": (0.0, math.inf)}
-    assert [stretch.fillet for stretch in stretches] == [0.0, pytest.approx(1e-3), 0.0, pytest.approx(1e-3), 0.0]
+    assert [stretch.fillet for stretch in stretches if stretch.fillet] == [pytest.approx(1e-3), pytest.approx(1e-3)]
+    one_sided, _, _ = laid([A, B], {"after a": 0.0475}, rings=RINGS)
+    assert one_sided[2:4] == [("after a", 48.0), ("collar of b", 52.0)]
     thick, _, _ = laid([A, B], {"after a": 0.0603}, rings=RINGS)
     assert thick[2] == ("after a", 61.0)
     given, _, _ = laid([A, B], {"after a": 0.0603}, rings=RINGS, core=0.05)

@@ -1,4 +1,4 @@
-"""Commands for one design: files, check, size, run, review, closure, modes, report and workbench."""
+"""Commands for one design: files, check, size, run, review, closure, arrangement, modes, report and workbench."""
 
 from __future__ import annotations
 
@@ -836,6 +836,44 @@ def show_equal_life(
     for path, content in files.items():
         write_text(path, content)
         tell(f"wrote {path}")
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The command ``arrange``: bearings for every shaft that needs them.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def arrange(
+    design: DesignArgument,
+    level: Annotated[
+        Literal["concept", "preliminary"],
+        typer.Option(help="Level at which it is taken without bearings: preliminary rates against fatigue"),
+    ] = "preliminary",
+    out: Annotated[Path | None, typer.Option(help="Write the design with its bearings to this file")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Put every shaft that needs them into bearings, and make it as long as these ask; what fails ends with code 1."""
+    from gearwright.closure import arrange as arranged_by
+    from gearwright.render.answers.review import arrange_answer
+    from gearwright.render.words.review import arranged_text
+    from gearwright.spec import at_level
+    from gearwright.spec.design import BUILT, PRELIMINARY
+    from gearwright.spec.edit import design_text_like
+
+    refuse_files(None, None, out, None)
+    own = design_of(design)
+    moves = own.level != level and (own.level, level) != (BUILT, PRELIMINARY)  # bearings that stand stay
+    with placed_in(design):
+        arranged = arranged_by(at_level(own, level) if moves else own)
+    if json:
+        show_answer("arrange", arrange_answer(arranged), design=arranged.design.name)
+    else:
+        show(arranged_text(arranged, stated=own.level if moves else ""))
+    if out is not None:
+        write_text(out, design_text_like(arranged.design, _source_of(design).text, own))
+        (_quiet if json else tell)(f"wrote {out}")
+    if any(check.fails for check in arranged.sizing.checks):
+        raise typer.Exit(1)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

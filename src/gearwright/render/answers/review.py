@@ -1,12 +1,34 @@
-"""Answers of a review and of a closure: every check with its value and limit, what is met, lives, masses."""
+"""Answers of a review, a closure and an arrangement: checks with value and limit, what is met, lives, masses."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.base import Check, Kind, Life, Mass, Quantity, Status, shown, unit
-from gearwright.closure import Closed, Contradiction, Eased, Effort, Outcome, Round, StageLife, Tried, Unmet, Variants
+from gearwright.closure import (
+    Arranged,
+    Closed,
+    Contradiction,
+    Eased,
+    Effort,
+    Outcome,
+    Round,
+    StageLife,
+    Tried,
+    Unmet,
+    Variants,
+)
 from gearwright.render.answers.schema import named
+from gearwright.render.tables.arranged import (
+    ArrangedBearing,
+    ArrangedShaft,
+    MassChange,
+    Unborne,
+    arranged_bearings,
+    arranged_shafts,
+    mass_changes,
+    unborne,
+)
 from gearwright.reviews import Review, Verdict
 from gearwright.sizing.mass import CompleteMass, Statistics
 from gearwright.spec.edit import design_text
@@ -246,3 +268,47 @@ class EqualLifeAnswer:
     life_asked: Life
     rows: tuple[EqualLife, ...]
     """The lightest that meet everything first."""
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The answer of an arrangement: what fails, bearings, shafts, masses before and after, and the design as a text.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ArrangeAnswer:
+    """A design whose shafts stand in bearings."""
+
+    level: str
+    """At which it was taken before."""
+    worse: tuple[ReviewedCheck, ...]
+    """What fails and did not before."""
+    failing: tuple[ReviewedCheck, ...]
+    """All that fails."""
+    bearings: tuple[ArrangedBearing, ...]
+    """Shaft by shaft."""
+    shafts: tuple[ArrangedShaft, ...]
+    unborne: tuple[Unborne, ...]
+    """Shafts that were put into no bearings."""
+    complete_mass: tuple[MassChange, ...]
+    """By groups, their sum last."""
+    design_file: str
+    """The design as TOML."""
+
+
+def arrange_answer(arranged: Arranged) -> ArrangeAnswer:
+    """Return what `gearwright arrange --json` answers.
+
+    Args:
+        arranged: From `arrange`.
+    """
+    return ArrangeAnswer(
+        level=arranged.before.design.level,
+        worse=tuple(map(reviewed_check, arranged.worse)),
+        failing=tuple(reviewed_check(check) for check in arranged.sizing.checks if check.fails),
+        bearings=arranged_bearings(arranged),
+        shafts=arranged_shafts(arranged),
+        unborne=unborne(arranged),
+        complete_mass=mass_changes(arranged),
+        design_file=arranged.text,
+    )

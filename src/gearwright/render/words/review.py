@@ -7,11 +7,12 @@ from rich.table import Table
 from rich.text import Text
 
 from gearwright.base import largest, shown, smallest, text, written
-from gearwright.closure import Closed, Contradiction, Eased, Effort, Round, Variants
+from gearwright.closure import Arranged, Closed, Contradiction, Eased, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.particulars import Particulars
+from gearwright.render.tables.arranged import arranged_tables, unborne, unforced
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.tables.sizing import mass_sentence
 from gearwright.render.tables.weights import complete_words, train_mass
@@ -56,6 +57,31 @@ def closure_text(closed: Closed, nearest: Eased | None = None, *, all_rounds: bo
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
     same = [Text("Nothing to change: the file gives the design as it is closed.")] if closed.changes_nothing else []
     return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), *same, Text(), grid)
+
+
+def arranged_text(arranged: Arranged, *, stated: str = "") -> RenderableType:
+    """Return a design in bearings on one screen: the verdict, its bearings, shafts, and masses before and after.
+
+    Args:
+        arranged: From `arrange`.
+        stated: Level of the design where it was taken at another one; else empty.
+    """
+    worse, failing = arranged.worse, [check for check in arranged.sizing.checks if check.fails]
+    said = [f"{sizing_headline(arranged.sizing)}."]
+    said += [
+        f"Fails, and did not before: {check_sentence(check)}{f'; {check.why}' * bool(check.why)}." for check in worse
+    ]
+    if failing and not worse:
+        said.append("What fails failed before, too.")
+    if stated:
+        said.append(f'Taken at level "{arranged.before.design.level}"; that of the design is "{stated}".')
+    said += [f"{row.shaft} {row.why}." for row in unborne(arranged)]
+    said += [
+        f"{name} states no thrust_kn, in_plane_force_kn or hub_moment_nm, so {shaft} bears none of its forces."
+        for name, shaft in unforced(arranged)
+    ]
+    head = [Text(arranged.design.name, style="bold"), *map(Text, said), Text()]
+    return Group(*head, *(table_text(table) for table in arranged_tables(arranged) if table.rows))
 
 
 def against_text(found: Sequence[Contradiction]) -> RenderableType:

@@ -43,6 +43,8 @@ SHOULDER = 0.175
 """Shoulder over bore of a bearing, on the diameter, over D − d [-]."""
 BEARING_FILLET = 0.025
 """Fillet at the seat of a bearing over D − d [-]."""
+SHOULDER_WIDTH = 0.1
+"""Width of a bearing's shoulder, over its diameter, where the shaft is thinner beyond it, an estimate [-]."""
 COLLAR = 1.15
 """Collar beside a hub over the hub's seat [-]."""
 LARGEST_BODY = 1.5
@@ -165,9 +167,9 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     # A hub at the thickest place leans on a collar on its longer side, and is slid on from the other one.
     beyond = right if bare[low - 1].length > bare[high + 1].length else left
     past = beyond[-1].diameter if beyond and bare[low].kind == "hub" else 0.0
-    middle = _core(shaft, bare[low : high + 1], (left, right), wanted, past=past)
+    middle = _necked(_core(shaft, bare[low : high + 1], (left, right), wanted, past=past), (left, right), wanted)
     laid = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
-    return tuple(_ends(_collared(laid, low, high), wanted)), chosen
+    return tuple(_ends(_collared(laid, low, low + len(middle) - 1), wanted)), chosen
 
 
 def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
@@ -282,6 +284,25 @@ def _core(
     laid = only.of(_passing(only.name, wanted, needed, past) if diameter is None else diameter)
     _refuse_past(shaft, laid, wanted, past)
     return [laid]
+
+
+def _necked(middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted) -> list[Stretch]:
+    """Return a long stretch between two bearings as a neck between their shoulders, as thick as strength asks."""
+    only = middle[0]
+    ends = [side[-1] for side in sides if side]
+    if only.kind != "between" or wanted.core is not None or len(ends) < 2:
+        return middle
+    neck = _whole(max(wanted.needed.get(only.name, 0.0), min(end.diameter for end in ends)))
+    shoulders = [_whole(max(end.shoulder, end.diameter)) for end in ends]
+    wide = [SHOULDER_WIDTH * shoulder if shoulder > neck + SAME else 0.0 for shoulder in shoulders]
+    if not 0.0 < sum(wide) < only.length / 2.0:
+        return middle
+    first, last = only.start + wide[0], only.end - wide[1]
+    return [
+        *([only._replace(name=f"collar of {ends[0].name}", end=first, diameter=shoulders[0])] if wide[0] else []),
+        only._replace(start=first, end=last, diameter=neck),
+        *([only._replace(name=f"collar of {ends[1].name}", start=last, diameter=shoulders[1])] if wide[1] else []),
+    ]
 
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:

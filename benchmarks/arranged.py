@@ -1,0 +1,138 @@
+"""Shipped designs put into bearings, and a gearbox that was drawn by hand beside the same one arranged anew.
+
+``python benchmarks/arranged.py`` prints both tables of docs/how-to/arrange.md; names of designs behind it print the
+first one for these alone.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import gearwright as gw
+from gearwright.closure import Arranged
+from gearwright.errors import DesignError
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import CompleteMass
+from gearwright.spec import Design
+from gearwright.spec.design import BUILT, CONCEPT, PRELIMINARY
+from gearwright.spec.edit import Value
+
+SHOWN = ("shafts", "carriers", "bearings", "housing")
+"""Groups of the complete mass that the table shows."""
+BY_HAND = "ec120b"
+"""Shipped design whose bearings were placed by hand."""
+MM = 1e3
+LONGEST = 160
+"""Characters of what fails that a row of the table shows."""
+
+
+def main() -> None:
+    names = sys.argv[1:] or [name for name in gw.shipped_designs() if gw.read(name).level != BUILT]
+    print("\n".join(table(names)))
+    if not sys.argv[1:]:
+        print()
+        print("\n".join(beside(gw.read(BY_HAND))))
+
+
+def table(names: Sequence[str]) -> Iterator[str]:
+    """Yield a table of designs before and after, row by row."""
+    heads = " | ".join(f"{group}, kg" for group in SHOWN)
+    yield f"| design | bearings | complete mass, kg | {heads} | s | fails, and did not before |"
+    yield f"| --- |{' --- |' * (len(SHOWN) + 4)}"
+    for name in names:
+        yield row(name)
+
+
+def row(name: str) -> str:
+    """Return what becomes of a shipped design."""
+    design, started = gw.read(name), time.process_time()
+    try:
+        arranged = gw.arrange(gw.at_level(design, PRELIMINARY) if design.level == CONCEPT else design)
+    except DesignError as error:
+        return (
+            f"| `{name}` | – | – |{' – |' * len(SHOWN)} {time.process_time() - started:.1f} | refused: {told(error)} |"
+        )
+    seconds, (before, after) = time.process_time() - started, arranged.masses
+    groups = " | ".join(change(before.of(group), after.of(group)) for group in SHOWN)
+    fails = "; ".join(check.name for check in arranged.worse) or "–"
+    count = len(arranged.sizing.bearings)
+    return f"| `{name}` | {count} | {change(before.total, after.total)} | {groups} | {seconds:.1f} | {cut(fails)} |"
+
+
+def change(before: float, after: float) -> str:
+    return f"{before:.1f} → {after:.1f}" if before or after else "–"
+
+
+def told(error: DesignError) -> str:
+    """Return the first of what is wrong, and how much more is."""
+    first, *others = error.problems
+    return cut(f"{first.path}: {first.message}") + (f" (and {len(others)} more)" if others else "")
+
+
+def cut(words: str) -> str:
+    return words if len(words) <= LONGEST else f"{words[: LONGEST - 2].rstrip()} …"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The gearbox that was drawn by hand, and the same one without bearings, joints, lengths and places, arranged anew.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def stripped(design: Design) -> Design:
+    """Return a design without bearings, joints, lengths of shafts and places on them; angles of axes stay."""
+    gone: dict[str, Value] = {"bearings": {}, "joints": {}}
+    for shaft, layout in design.layout.items():
+        if layout.length is not None:
+            gone[f"layout.{shaft}.length_mm"] = None
+        if layout.places:
+            gone[f"layout.{shaft}.places"] = {}
+    return gw.edited(design, gone)
+
+
+class Beside(NamedTuple):
+    """A quantity of both gearboxes, in words."""
+
+    what: str
+    by_hand: str
+    arranged: str
+
+
+def beside(design: Design) -> Iterator[str]:
+    """Yield a table of a gearbox drawn by hand and arranged anew, row by row."""
+    by_hand, arranged = gw.size(design), gw.arrange(stripped(design))
+    yield f"| `{BY_HAND}` | drawn by hand | arranged |"
+    yield "| --- | --- | --- |"
+    for one in (*masses(gw.complete_mass(by_hand), arranged.masses[1]), *shafts(by_hand, arranged)):
+        yield f"| {one.what} | {one.by_hand} | {one.arranged} |"
+
+
+def masses(by_hand: CompleteMass, arranged: CompleteMass) -> Iterator[Beside]:
+    for group in by_hand.groups:
+        yield Beside(f"{group.group}, kg", f"{group.total:.1f}", f"{arranged.of(group.group):.1f}")
+    yield Beside("complete mass, kg", f"{by_hand.total:.1f}", f"{arranged.total:.1f}")
+
+
+def shafts(by_hand: Sizing, arranged: Arranged) -> Iterator[Beside]:
+    lengths = {shaft.name: shaft.length * MM for shaft in arranged.sizing.shafts}
+    weights = [
+        {item.part: item.total for item in mass.parts if item.group == "shafts"}
+        for mass in (gw.complete_mass(by_hand), arranged.masses[1])
+    ]
+    for shaft in by_hand.shafts:
+        yield Beside(f"{shaft.name}: length, mm", f"{shaft.length * MM:.0f}", f"{lengths[shaft.name]:.0f}")
+        yield Beside(f"{shaft.name}: mass, kg", *(f"{weight.get(shaft.name, 0.0):.2f}" for weight in weights))
+        words = (bearings(sizing, shaft.name) for sizing in (by_hand, arranged.sizing))
+        yield Beside(f"{shaft.name}: bearings, place in mm", *words)
+
+
+def bearings(sizing: Sizing, shaft: str) -> str:
+    """Return the bearings of a shaft in order along it, each with its place, or its distance from the first."""
+    own = sorted((one for one in sizing.bearings if one.shaft == shaft), key=lambda one: one.position)
+    return ", ".join(f"{one.designation} at {one.position * MM:.0f}" for one in own)
+
+
+if __name__ == "__main__":
+    main()
