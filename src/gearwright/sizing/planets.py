@@ -70,7 +70,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shaft_results import PlanetBearingSizing
 from gearwright.spec import Design
-from gearwright.spec.design import PRELIMINARY, PlanetBearing
+from gearwright.spec.design import CONCEPT, PlanetBearing
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What a bearing between a planet and its pin is chosen for: the room, the loads, the strength of the pin.
@@ -204,7 +204,7 @@ def crown_of(context: Context, planet: GearSizing) -> float:
         context: What sizing reads.
         planet: As sized.
     """
-    return crown_volume(context.design, planet) if context.design.level == PRELIMINARY else 0.0
+    return crown_volume(context.design, planet) if context.design.level != CONCEPT else 0.0
 
 
 def bored(context: Context, planet: GearSizing, runs_on: PlanetBearingSizing, *, crown: float) -> GearSizing:
@@ -496,18 +496,7 @@ def _of_catalogue(task: Task) -> PlanetBearingSizing:
     tried = list(_until_one_serves(Tried(size, margin(task, size)) for size in may))
     if len(tried) == len(fitting) or (tried and tried[-1].margin >= 1.0):
         return _first(tried)
-    return _nearest(task, fitting, most)
-
-
-def _nearest(task: Task, fitting: list[PlanetBearingSizing], most: Floats) -> PlanetBearingSizing:
-    """Return the one that comes nearest to serving, where none does."""
-    known, best = dict[int, Tried](), 0.0
-    for place in np.argsort(-most, kind="stable").tolist():
-        if most[place] < SURELY * best:
-            break
-        known[place] = Tried(fitting[place], margin(task, fitting[place]))
-        best = max(best, known[place].margin)
-    return _first([known[place] for place in sorted(known)])
+    return _nearest(task, [Tried(size, best) for size, best in zip(fitting, most.tolist(), strict=True)])
 
 
 @cache
@@ -608,11 +597,12 @@ def _ceiling(task: Task, size: PlanetBearingSizing, load: PlanetLoad) -> float:
 
 def _nearest(task: Task, tried: Sequence[Tried]) -> PlanetBearingSizing:
     """Return of bearings of which none serves, with the most that each may have, the one that comes nearest to it."""
-    found = dict[int, Tried]()
+    found, best = dict[int, Tried](), 0.0
     for place in sorted(range(len(tried)), key=lambda place: -tried[place].margin):
-        if tried[place].margin < max((one.margin for one in found.values()), default=0.0):
+        if tried[place].margin < SURELY * best:
             break
         found[place] = Tried(tried[place].runs_on, margin(task, tried[place].runs_on))
+        best = max(best, found[place].margin)
     return _first([found[place] for place in sorted(found)])
 
 
