@@ -151,7 +151,7 @@ COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 at most, where none passes so far [-]."""
 TOGETHER = 8
 """Stages of all gears that are completed, where they are few: one after the other costs a few milliseconds [-]."""
-UNFIT, NARROW = 4, 8
+UNFIT, NARROW = 4, 20
 """Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a
 transmission [-]."""
 FINEST = 1e-3
