@@ -55,6 +55,7 @@ from gearwright.dynamics.model import (
     entry_matrix,
     finite_numbers,
     line_matrix,
+    plan_of,
     refuse_not_finite,
 )
 from gearwright.dynamics.motion import Outputs, Trace, simulate
@@ -172,9 +173,10 @@ def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Cam
 
 def _tracked(system: System, speeds: Floats) -> list[DampedModes]:
     """Return the modes at each speed, each in its own place."""
-    rows = [damped_modes(system.arrays, float(speeds[0]))]
+    arrays = plan_of(system.arrays)  # whose natural modes are found once for all speeds
+    rows = [damped_modes(arrays, float(speeds[0]))]
     for factor in speeds[1:].tolist():
-        later = damped_modes(system.arrays, factor)
+        later = damped_modes(arrays, factor)
         order = _pairing(system.arrays.mass, rows[-1], later)
         rows.append(DampedModes(later.rate[order], later.shape[:, order]))
     return rows
@@ -682,7 +684,7 @@ class Shaker:
     def _modes(self, factor: float) -> DampedModes:
         key = factor if self.changes else 1.0
         if key not in self.modes:
-            self.modes[key] = damped_modes(self.system.arrays, key)
+            self.modes[key] = damped_modes(plan_of(self.system.arrays), key)
         return self.modes[key]
 
 
