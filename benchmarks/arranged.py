@@ -1,14 +1,16 @@
 """Shipped designs put into bearings, and a gearbox that was drawn by hand beside the same one arranged anew.
 
-``python benchmarks/arranged.py`` prints both tables of docs/how-to/arrange.md; names of designs behind it print the
-first one for these alone.
+``python benchmarks/arranged.py`` prints both tables of docs/how-to/arrange.md, and with ``--write`` writes them there;
+names of designs behind it print the first one for these alone.
 """
 
 from __future__ import annotations
 
+import re
 import sys
 import time
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import gearwright as gw
@@ -25,16 +27,23 @@ SHOWN = ("shafts", "carriers", "bearings", "housing")
 BY_HAND = "ec120b"
 """Shipped design whose bearings were placed by hand."""
 MM = 1e3
+WRITE = "--write"
+PAGE = Path(__file__).parents[1] / "docs" / "how-to" / "arrange.md"
 LONGEST = 160
 """Characters of what fails that a row of the table shows."""
 
 
 def main() -> None:
-    names = sys.argv[1:] or [name for name in gw.shipped_designs() if gw.read(name).level != BUILT]
-    print("\n".join(table(names)))
-    if not sys.argv[1:]:
-        print()
-        print("\n".join(beside(gw.read(BY_HAND))))
+    names = [word for word in sys.argv[1:] if word != WRITE]
+    made = ["\n".join(table(names or [name for name in gw.shipped_designs() if gw.read(name).level != BUILT]))]
+    made += [] if names else ["\n".join(beside(gw.read(BY_HAND)))]
+    print("\n\n".join(made))
+    if WRITE in sys.argv:
+        text = PAGE.read_text(encoding="utf-8")
+        for new in made:
+            head = re.escape(new.partition("\n")[0])
+            text = re.sub(rf"^{head}\n(?:\|.*\n)*", lambda _, new=new: f"{new}\n", text, flags=re.MULTILINE)
+        PAGE.write_text(text, encoding="utf-8")
 
 
 def table(names: Sequence[str]) -> Iterator[str]:
@@ -116,20 +125,20 @@ def masses(by_hand: CompleteMass, arranged: CompleteMass) -> Iterator[Beside]:
 
 
 def shafts(by_hand: Sizing, arranged: Arranged) -> Iterator[Beside]:
-    lengths = {shaft.name: shaft.length * MM for shaft in arranged.sizing.shafts}
     weights = [
         {item.part: item.total for item in mass.parts if item.group == "shafts"}
         for mass in (gw.complete_mass(by_hand), arranged.masses[1])
     ]
-    for shaft in by_hand.shafts:
-        yield Beside(f"{shaft.name}: length, mm", f"{shaft.length * MM:.0f}", f"{lengths[shaft.name]:.0f}")
-        yield Beside(f"{shaft.name}: mass, kg", *(f"{weight.get(shaft.name, 0.0):.2f}" for weight in weights))
-        words = (bearings(sizing, shaft.name) for sizing in (by_hand, arranged.sizing))
-        yield Beside(f"{shaft.name}: bearings, place in mm", *words)
+    for own, other in zip(by_hand.shafts, arranged.sizing.shafts, strict=True):
+        sizes = (f"{one.length * MM:.0f}, {one.diameter * MM:.0f}, {one.bore * MM:.0f}" for one in (own, other))
+        yield Beside(f"{own.name}: length, largest diameter, bore, mm", *sizes)
+        yield Beside(f"{own.name}: mass, kg", *(f"{weight.get(own.name, 0.0):.2f}" for weight in weights))
+        words = (bearings(sizing, own.name) for sizing in (by_hand, arranged.sizing))
+        yield Beside(f"{own.name}: bearings, place in mm", *words)
 
 
 def bearings(sizing: Sizing, shaft: str) -> str:
-    """Return the bearings of a shaft in order along it, each with its place, or its distance from the first."""
+    """Return the bearings of a shaft in order along it, each with its place."""
     own = sorted((one for one in sizing.bearings if one.shaft == shaft), key=lambda one: one.position)
     return ", ".join(f"{one.designation} at {one.position * MM:.0f}" for one in own)
 
