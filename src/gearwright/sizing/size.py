@@ -162,6 +162,8 @@ NO_MARGIN = 0.05
 """Margin of a bearing below which none is believed [-]."""
 HOPE = 0.7
 """Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
+LITTLE = 0.3
+"""The same below which a wider face cannot help, so that teeth are not chosen anew by what it should be [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4
@@ -485,7 +487,9 @@ class _Comparison:
     def asks_for_faces(self) -> bool:
         """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
         looked = self.looked
-        return not self.faces and not looked.passing and len(looked.unfit) + looked.narrow >= UNFIT
+        if self.faces or looked.passing or looked.hope < LITTLE:
+            return False
+        return len(looked.unfit) + looked.narrow >= UNFIT
 
     def begin_anew(self) -> None:
         """Choose teeth with faces as wide as bearings of planets about ask for, by what came nearest to them."""
