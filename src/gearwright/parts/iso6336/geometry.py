@@ -249,6 +249,8 @@ def of_form(
 
     Args:
         function: Of a mesh and of what can be looked up.
+
+    Source: none; it keeps what formulas gave.
     """
 
     @wraps(function)
@@ -267,6 +269,8 @@ def of_contact(
 
     Args:
         function: Of a mesh and of what can be looked up.
+
+    Source: none; it keeps what formulas gave.
     """
 
     @wraps(function)
