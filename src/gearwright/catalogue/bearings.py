@@ -7,8 +7,9 @@ rollers), steel over room where that of its kind does not hold. The shares were 
 catalogue: a maker's own rating differs by 4 % (balls) to 8 % (rollers) as a rule, and by 22 % at most; reinforced
 makes of NU 10 carry 41 to 57 % more. Take the maker's number where the maker is known, with `with_ratings`.
 
-Dimensions: SKF, General Catalogue (of 1129 pages); those of bores from 160 mm on and of series 618, 619, NU 10 also as
-NSK (Rolling Bearings) and JTEKT (Koyo, Ball & Roller Bearings) print them: all that they list alike, without exception.
+Dimensions: SKF, General Catalogue (of 1129 pages); those of bores from 160 mm on and of series 618, 619 and NU 10 also
+as NSK (Rolling Bearings) and JTEKT (Koyo, Ball & Roller Bearings) print them: all that they list alike, without
+exception.
 """
 
 from __future__ import annotations
