@@ -6,8 +6,8 @@ from typing import Annotated
 
 from gearwright.base import Endless, Force, Length, Life, Mass, Quantity
 from gearwright.closure import Arranged
-from gearwright.closure.arrange import items_on
 from gearwright.render.grid import Table, table
+from gearwright.sizing.bearing_arrangement import items_on
 from gearwright.sizing.mass import GROUPS
 from gearwright.spec import Airscrew
 
