@@ -23,7 +23,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from oracle_designs import KINDS, OF_FILES, all_designs, design_of
-from oracle_search import MOST, Changes, Outcome, Trials, accepted, blocks_of, no_worse_than, outcome_of, passes, searched
+from oracle_search import (
+    MOST,
+    Changes,
+    Outcome,
+    Trials,
+    accepted,
+    blocks_of,
+    no_worse_than,
+    outcome_of,
+    passes,
+    searched,
+)
 
 from gearwright import DesignError, edited, size
 from gearwright.sizing.result import Sizing
