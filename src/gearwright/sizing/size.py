@@ -149,7 +149,7 @@ def _inertia(machine: Machine, mass: float | None) -> float:
 COMPLETED = {CONCEPT: (3, 10), PRELIMINARY: (3, 12), BUILT: (1, 1)}
 """Level -> gears, of one or several choices of teeth, that are completed before the lightest that passes is taken; and
 at most, where none passes so far [-]."""
-TOGETHER = 8
+TOGETHER = 7
 """Stages of all gears that are completed, where they are few: one after the other costs a few milliseconds [-]."""
 UNFIT, NARROW = 4, 20
 """Gears that have no bearing of planets which serves, and gears passed over as no larger than such, that count as a

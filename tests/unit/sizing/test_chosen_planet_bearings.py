@@ -77,6 +77,20 @@ def test_a_film_under_a_thinner_pin_would_be_pressed_too_hard():
     assert judged(sized("plain", **keys, diameter_mm=980.0 * pin))["film pressure"].fails
 
 
+@pytest.mark.parametrize(("module", "film"), [(3.5, 10), (6, 8)])
+def test_an_open_face_is_as_wide_as_the_film_of_the_planets_asks_to_the_millimetre(module, film):
+    open_face = {"planetaries.set.face_width_mm": None, "planetaries.set.module_mm": module}
+    design = edited(
+        BARE, {**open_face, "gears.rating": "iso6336", f"{PATH}.kind": "plain", f"{PATH}.least_film_um": film}
+    )
+    taken = size(design)
+    assert all(check.status is not Status.FAILS for check in taken.checks)
+    width = round(1e3 * taken.gears[0].face_width)
+    narrower = size(edited(design, {"planetaries.set.face_width_mm": width - 1}))
+    failing = {check.name for check in narrower.checks if check.status is Status.FAILS}
+    assert failing == {"set.planet film thickness"}
+
+
 def test_the_first_bearing_of_the_catalogue_that_serves_is_the_smallest():
     """Every smaller outside that has room is named by hand, and none of them lives or holds its pin."""
     sizing = sized("cylindrical")
