@@ -77,7 +77,7 @@ def arranged_text(arranged: Arranged, *, stated: str = "") -> RenderableType:
         said.append(f'Taken at level "{arranged.before.design.level}"; that of the design is "{stated}".')
     said += [f"{row.shaft} {row.why}." for row in unborne(arranged)]
     said += [
-        f"{name} states no thrust_kn, in_plane_force_kn or hub_moment_nm, so {shaft} bears none of its forces."
+        f"{name} states no thrust_kn, in_plane_force_kn or hub_moment_nm: what {shaft} bears of it is assumed."
         for name, shaft in unforced(arranged)
     ]
     head = [Text(arranged.design.name, style="bold"), *map(Text, said), Text()]
