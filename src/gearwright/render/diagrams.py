@@ -375,6 +375,20 @@ def machines() -> list[Entity]:
     return [*entities, *(note(complex(place, -50.0), text) for place, text in captions)]
 
 
+def propeller_loads() -> list[Entity]:
+    """A propeller beyond the end of its shaft, and the stream that it meets."""
+    entities: list[Entity] = [*solid(0.0, 60.0, 6.0), axis(complex(-6.0), complex(128.0))]
+    entities += [line(complex(60.0, 0.0), complex(60.0, -34.0), layer=Layer.CENTRE)]
+    entities += box(complex(60.0, -5.0), complex(84.0, 5.0))
+    for side in (1.0, -1.0):
+        entities += box(complex(80.0, 5.0 * side), complex(84.0, 40.0 * side))
+    entities += [across(complex(60.0, -34.0), complex(82.0, -40.0), -48.0, "overhang_mm")]
+    stream = 18.0 * DEGREE
+    entities += [line(complex(84.0), 84.0 + cmath.rect(46.0, -stream), layer=Layer.CENTRE)]
+    entities += swept(complex(84.0), (-stream, 0.0), 36.0, complex(134.0, 10.0), "incidence_deg")
+    return [*entities, note(complex(136.0, -20.0), "stream")]
+
+
 # ----------------------------------------------------------------------------------------------------------------------
 # What planetary sets, compound sets and what their planets turn on are measured by.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -768,6 +782,10 @@ DIAGRAMS: tuple[Diagram, ...] = (
     Diagram(
         "input-machines", "Diameters of machines",
         ("turbines.NAME", "propellers.NAME", "rotors.NAME"), machines,
+    ),
+    Diagram(
+        "input-propeller-loads", "What a propeller loads its shaft by",
+        ("propellers.NAME.loads", "propellers.NAME.loads.cases.NAME"), propeller_loads,
     ),
     Diagram("input-pair", "A cylindrical pair", ("pairs.NAME", "gears"), pair),
     Diagram("input-bevel", "A bevel pair", ("pairs.NAME", "gears"), bevel),
