@@ -109,18 +109,18 @@ def test_the_path_of_a_seat_is_where_the_design_says_what_sits_there():
 @pytest.mark.parametrize("place", [0.45, 0.2, 0.8, -0.3])
 def test_a_rotor_loads_both_bearings_as_its_mirror_image_does(place):
     """Bearings at 0 and 1 m, force F at x, moment M: |F (1 − x) ± M| and |F x ∓ M|; mirrored, both change places."""
-    rotor = SimpleNamespace(shaft="mast", in_plane_force=1000.0, hub_moment=70.0)
-    design = SimpleNamespace(airscrews={"rotor": rotor})
+    rotor = SimpleNamespace(shaft="mast", thrust=0.0, in_plane_force=1000.0, hub_moment=70.0)
+    design = SimpleNamespace(airscrews={"rotor": rotor}, service=SimpleNamespace(shares={}), cases={})
     plans = [
-        SimpleNamespace(places={"rotor": at, "gear": 0.5}, bearings=(0.0, 1.0)) for at in (place, 1.0 - place)
+        SimpleNamespace(places={"rotor": at, "gear": 0.5}, bearings=(0.0, 1.0), seats={}) for at in (place, 1.0 - place)
     ]  # fmt: skip
-    (here, side), (there, other) = (_rotor(design, "mast", plan) for plan in plans)
+    (here, side), (there, other) = (_rotor(design, {}, "mast", plan) for plan in plans)
     assert here == near(there[::-1]) and side == -other
     sense = 1.0 if place >= 0.5 else -1.0
     assert sorted(here) in (
         near(sorted(np.abs([1000.0 * (1.0 - place) + s * 70.0, 1000.0 * place - s * 70.0]))) for s in (sense, -sense)
     )
-    assert _rotor(design, "tail", plans[0])[1] == 0.0
+    assert _rotor(design, {}, "tail", plans[0])[1] == 0.0
 
 
 def test_a_planet_bearing_weighs_what_its_load_asks_as_wide_as_the_planet():
