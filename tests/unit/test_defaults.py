@@ -39,7 +39,8 @@ FACTORS_OF_ONE = """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
-    Chosen.gear_mass Geared.ranked _Looked.sized Around.bell Around.per_heat oil_mass.planets
+    Chosen.gear_mass Item.inside Line.slack Line.thicker Rating.least_face _Looked.sized Around.bell Around.per_heat
+    oil_mass.planets
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
     CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
@@ -94,7 +95,7 @@ PAIRS_OF_NOTHING = """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque
     MachineDrive.highest_power Member.support Item.limit room_between.enough solid_room.enough Unloaded.bending_margin
-    Unloaded.contact_margin TeethSearch.next_sized_mass
+    Unloaded.contact_margin TeethSearch.next_sized_mass with_face.most
 """
 """What is straight, rigid or without a limit."""
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from gearwright.base import SIDES, Check, DesignError, verb
+from gearwright.base import SIDES, Check, DesignError, Shown, verb
 from gearwright.closure.proportion import teeth_of
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.arrangement import shared_axes
@@ -73,8 +73,8 @@ class Room:
         return replace(self, beside={**self.beside, bearing: self.beside.get(bearing, 0.0) + lacking})
 
 
-@dataclass(frozen=True)
-class Arranged:
+@dataclass(frozen=True, repr=False)
+class Arranged(Shown):
     """A design whose shafts stand in bearings."""
 
     before: Sizing
