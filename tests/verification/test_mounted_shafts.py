@@ -112,7 +112,9 @@ def test_a_turned_design_has_the_same_loads():
 
 def test_each_bearing_of_a_mast_bears_its_rotor_where_that_loads_it_most():
     """Mesh reaction plus (M + F l)/L and (M + F (l + L))/L: a rotor may point anywhere; equilibrium by hand, floats."""
-    bare = changed(HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "")
+    bare = changed(
+        HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "in_plane_force_kn = 0\nhub_moment_nm = 0\n"
+    )
     mesh, loaded = sized(bare), sized(HELICOPTER)
     lower, upper, rotor = 0.040, 0.340, 0.620
     for name, place in (("3a", upper), ("3b", lower)):
@@ -122,7 +124,9 @@ def test_each_bearing_of_a_mast_bears_its_rotor_where_that_loads_it_most():
 
 def test_each_section_of_a_mast_is_bent_by_its_rotor_as_much_as_can_be():
     """Outside the bearings the rotor bends alone, inside its moment adds to that of the mesh; floats."""
-    bare = changed(HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "")
+    bare = changed(
+        HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "in_plane_force_kn = 0\nhub_moment_nm = 0\n"
+    )
     places = np.array([0.200, 0.300, 0.500])
     mesh, loaded = (_forces(text, "mast").moments(places)[0][0] for text in (bare, HELICOPTER))
     reaction = (1400.0 + 500.0 * (0.620 - 0.340)) / 0.300
