@@ -231,7 +231,10 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
         "other tooth numbers, profile shift, fewer planets, gears.iso6336.widest_diameters",
         MappingProxyType({"gears.iso6336.widest_modules": 60.0, "gears.iso6336.widest_diameters": 3.0}),
     ),
-    "rims": Requirement(("rim",), (), "nothing yet", "a thicker rim (rim_ratio, rim_thickness_ratio)"),
+    "rims": Requirement(
+        ("rim", "bending of the web", "resonance of the web", "standing wave of the web"), (), "nothing yet",
+        "a thicker rim (rim_ratio, rim_thickness_ratio); a thicker or dished web (web_thickness_ratio, web_dish)",
+    ),
     "sharing": Requirement(
         ("load sharing",), (), "K_γ of the stage, and with it module and face width",
         "smaller errors, a floating member ([supports]), gears clocked on their shafts, fewer planets",
@@ -251,8 +254,8 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
         "larger planets, smaller or fewer bearings side by side",
     ),
     "shafts": Requirement(
-        ("Tresca", "fatigue", "yield", "slope", "first critical speed", "face load"), (Kind.SHAFT, Kind.MESH),
-        "diameters, by the sizing", "a stronger shaft material, shorter spans",
+        ("Tresca", "fatigue", "yield", "limit load", "slope", "first critical speed", "face load"),
+        (Kind.SHAFT, Kind.MESH), "diameters, by the sizing", "a stronger shaft material, shorter spans",
         MappingProxyType({"shafting.safety": 1.0}),
     ),
     "carriers": Requirement(
