@@ -146,11 +146,7 @@ def unforced(arranged: Arranged) -> tuple[tuple[str, str], ...]:
     """
     borne = {seat.shaft for seat in arranged.design.bearings.values()}
     screws = ((name, one) for name, one in arranged.design.machines.items() if isinstance(one, Airscrew))
-    return tuple(
-        (name, one.shaft)
-        for name, one in screws
-        if one.shaft in borne and not (one.thrust or one.in_plane_force or one.hub_moment)
-    )
+    return tuple((name, one.shaft) for name, one in screws if one.shaft in borne and not one.stated_loads)
 
 
 def unborne(arranged: Arranged) -> tuple[Unborne, ...]:
