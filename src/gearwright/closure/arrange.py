@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from gearwright.base import SIDES, Check, DesignError, Shown, verb
-from gearwright.closure.proportion import teeth_of
+from gearwright.closure.proportion import sized_as, teeth_of
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.arrangement import shared_axes
 from gearwright.sizing.bearing_arrangement import (
@@ -23,15 +23,15 @@ from gearwright.sizing.bearing_arrangement import (
     Stood,
     core_of,
     items_on,
-    rounded_up,
     splined,
     splines_of,
     stand,
 )
 from gearwright.sizing.mass import CompleteMass, bevel_cones, complete_mass
 from gearwright.sizing.result import GearSizing, ShaftPlan
+from gearwright.sizing.shafts.stretches import whole_millimetres
 from gearwright.spec import Design, design_text, edited
-from gearwright.spec.design import BUILT, NOTHING_GIVEN, Pair, module_owners
+from gearwright.spec.design import BUILT, NOTHING_GIVEN, module_owners
 from gearwright.spec.design.stages import Place
 from gearwright.spec.edit import Value, implied
 
@@ -114,7 +114,8 @@ def arrange(design: Design) -> Arranged:
         DesignError: If it cannot be sized, or a shaft finds no bearings.
     """
     before = size(design)
-    own = edited(design, {**dict(teeth_of(design, before)), **dict(_sizes(design, before))})
+    chosen = [*teeth_of(design, before), *sized_as(design, before), *_bevel_sizes(design, before)]
+    own = edited(design, dict(chosen))
     sized = size(own)
     room, best = Room(), None
     for _ in range(PLACINGS):
@@ -139,7 +140,8 @@ def _placed(own: Design, sized: Sizing, room: Room) -> tuple[Design, Sizing, tup
             turned = size(edited(own, dict(_changes(own, sized, shafts, as_given=True))))
         except DesignError:  # it tells where axes stand; without it they are taken as they stood
             turned = sized
-        shafts = stand(sized, lines, turned.arrangement.axes)
+        if turned.arrangement.axes != sized.arrangement.axes:
+            shafts = stand(sized, lines, turned.arrangement.axes)
         arranged = edited(own, dict(_changes(own, sized, shafts)))
         try:
             return arranged, size(arranged), shafts
@@ -168,9 +170,8 @@ def _lines(sizing: Sizing, room: Room) -> Iterator[Line]:
             first = core.first + ((name, FIRST) in room.overhung)
             core = Core(first, max(core.last - ((name, SECOND) in room.overhung), first))
             wheel = max((gears[item.name].pitch_diameter for item in items if item.kind == "gear"), default=0.0)
-            apart = {seat: far for seat, far in room.beside.items() if seat.rpartition("-")[0] == name}
             full = frozenset(end for end in ENDS if (name, end) in room.no_axial)
-            yield Line(name, items, core, shaft.diameter, wheel, splined(own), apart=apart, no_axial=full)
+            yield Line(name, items, core, shaft.diameter, wheel, splined(own), apart=room.beside, no_axial=full)
 
 
 def _widened(item: Item, room: Room) -> Item:
@@ -196,10 +197,10 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
     for bearing in arranged.sizing.bearings:
         wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
         if wider > _MM / 2.0:
-            room = room.with_beside(bearing.name, rounded_up(wider / 2.0))
+            room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
     for check in arranged.worse:
         if check.mode.startswith("room") and check.value is not None and check.limit is not None:
-            room = _with_room(arranged, room, check, rounded_up(check.limit - check.value) + _MM)
+            room = _with_room(arranged, room, check, whole_millimetres(check.limit - check.value) + _MM)
     return room
 
 
@@ -240,19 +241,16 @@ def _end_of(one: Stood, why: str) -> str:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def _sizes(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
-    """Yield modules and widths that the design leaves open; those of compound sets follow as they did."""
-    owners = module_owners(design)
-    gears = {gear.stage: gear for gear in sizing.gears}
-    for name, stage in design.simple_stages.items():
-        table = design.table(name)
-        if isinstance(stage, Pair) and stage.kind == "bevel":
-            if f"{name}.outer_module" not in sizing.given and owners[name] == name:
-                yield f"{table}.outer_module_mm", bevel_cones(sizing, name).outer_module / _MM
-        elif f"{name}.module" not in sizing.given and owners[name] == name:
-            yield f"{table}.module_mm", gears[name].module / _MM
+def _bevel_sizes(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield outer modules and widths of bevels that the design leaves open."""
+    owners, gears = module_owners(design), {gear.stage: gear for gear in sizing.gears}
+    for name, pair in design.pairs.items():
+        if pair.kind != "bevel":
+            continue
+        if f"{name}.outer_module" not in sizing.given and owners[name] == name:
+            yield f"{design.table(name)}.outer_module_mm", bevel_cones(sizing, name).outer_module / _MM
         if f"{name}.face_width" not in sizing.given:
-            yield f"{table}.face_width_mm", gears[name].face_width / _MM
+            yield f"{design.table(name)}.face_width_mm", gears[name].face_width / _MM
 
 
 def _changes(

@@ -49,7 +49,7 @@ from gearwright.closure.moves import (
     separated,
     thicknesses,
 )
-from gearwright.closure.proportion import Proportioned, searched, teeth_of, written_out
+from gearwright.closure.proportion import Proportioned, searched, sized_as, teeth_of, written_out
 from gearwright.closure.requirements import (
     FREEDOMS,
     HOUR,
@@ -105,7 +105,7 @@ def as_sized(design: Design) -> Design:
     sizing = size(design)
     refuse(list(_open(design, sizing)))
     own = edited(design, dict(teeth_of(design, sizing)))
-    whole = edited(own, dict(_sizes(own, sizing)))
+    whole = edited(own, dict(sized_as(own, sizing)))
     return written_out(Proportioned(whole, size(whole), {})).design
 
 
@@ -121,19 +121,6 @@ def _open(design: Design, sizing: Sizing) -> Iterator[Problem]:
             if f"{stage}.{key}" not in sizing.given:
                 message = f"its module follows from the loads; give {key}_mm and face_width_mm to keep its size"
                 yield Problem(f"{design.table(stage)}.{key}_mm", message)
-
-
-def _sizes(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
-    """Yield modules and widths that the design leaves open."""
-    owners = module_owners(design)
-    gears = {gear.stage: gear for gear in sizing.gears}
-    for name, stage in design.simple_stages.items():
-        if isinstance(stage, Pair) and stage.kind == "bevel":
-            continue
-        if f"{name}.module" not in sizing.given and owners[name] == name:
-            yield f"{design.table(name)}.module_mm", gears[name].module / _MM
-        if f"{name}.face_width" not in sizing.given:
-            yield f"{design.table(name)}.face_width_mm", gears[name].face_width / _MM
 
 
 # ----------------------------------------------------------------------------------------------------------------------

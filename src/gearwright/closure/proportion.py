@@ -508,6 +508,23 @@ def sizes_of(design: Design, sizes: Mapping[str, StageSize]) -> Iterator[tuple[s
         yield f"{design.table(name)}.face_width_mm", found.face_width / _MM
 
 
+def sized_as(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield modules and widths of a sizing that the design leaves open, but for those of bevels and compound sets.
+
+    Args:
+        design: With its freedoms.
+        sizing: Of it.
+    """
+    owners, gears = module_owners(design), {gear.stage: gear for gear in sizing.gears}
+    for name, stage in design.simple_stages.items():
+        if isinstance(stage, Pair) and stage.kind == "bevel":
+            continue
+        if f"{name}.module" not in sizing.given and owners[name] == name:
+            yield f"{design.table(name)}.module_mm", gears[name].module / _MM
+        if f"{name}.face_width" not in sizing.given:
+            yield f"{design.table(name)}.face_width_mm", gears[name].face_width / _MM
+
+
 def _diameters(sizing: Sizing) -> Iterator[tuple[str, float]]:
     """Yield diameters of plain shafts and pins and thicknesses of plates, where the design leaves them open."""
     design = sizing.design

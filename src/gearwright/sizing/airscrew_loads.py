@@ -424,18 +424,18 @@ def shaft_rows(
     screws = {name: screw for name, screw in design.airscrews.items() if screw.shaft == shaft}
     assumed = {name: cases for name in screws if in_bearings and (cases := airscrew_cases(design, flows, name))}
     if len(assumed) != 1:
-        ones = np.ones(len(flows))
-        return (), {
-            name: AirscrewRows(screw.thrust * ones, screw.in_plane_force * ones, screw.hub_moment * ones)
-            for name, screw in screws.items()
-        }
+        return (), _stated(screws, len(flows))
     ((own, cases),) = assumed.items()
     order = list(flows)
     rows = tuple(LoadRow(case.name, order.index(case.case), case.use, case.share, case.torque_factor) for case in cases)
-    ones = np.ones(len(rows))
-    loads = {
-        name: AirscrewRows(screw.thrust * ones, screw.in_plane_force * ones, screw.hub_moment * ones)
-        for name, screw in screws.items()
-    }
+    loads = _stated(screws, len(rows))
     loads[own] = AirscrewRows(*(np.array([getattr(case, key) for case in cases]) for key in AirscrewRows._fields))
     return rows, loads
+
+
+def _stated(screws: Mapping[str, Airscrew], count: int) -> dict[str, AirscrewRows]:
+    """Return what a design states of airscrews, the same in every row."""
+    return {
+        name: AirscrewRows(*(np.full(count, load) for load in (screw.thrust, screw.in_plane_force, screw.hub_moment)))
+        for name, screw in screws.items()
+    }

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Check, DesignError, Kind, Problem, Role, carrier_part, largest, refuse, smallest
+from gearwright.parts.shafts import shaft_mass
 from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.places import plates_of
 from gearwright.sizing.rating import Context, context_of
@@ -18,6 +19,7 @@ from gearwright.sizing.result import Body, GearSizing, ShaftPlan, Sizing
 from gearwright.sizing.shafts import built_checks
 from gearwright.sizing.shafts.building import Built, build_shaft
 from gearwright.sizing.shafts.shafts import shaft_material
+from gearwright.sizing.shafts.stretches import whole_millimetres
 from gearwright.spec import Airscrew, Design
 from gearwright.spec.design import NOTHING_GIVEN, BearingSeat
 from gearwright.spec.design.stages import Joint
@@ -297,12 +299,12 @@ def _step(line: Line, one: Item, other: Item) -> float:
         return other.place - one.place
     kinds, far = {one.kind, other.kind}, one.after + other.before
     if kinds == {"bearing"}:
-        return rounded_up(far + BESIDE)
+        return whole_millimetres(far + BESIDE)
     if "airscrew" in kinds:
-        return rounded_up(max(far + SEAL + HUB * line.thick, OVERHANG * line.thick))
+        return whole_millimetres(max(far + SEAL + HUB * line.thick, OVERHANG * line.thick))
     if not kinds.isdisjoint(COUPLED):
-        return rounded_up(far + SEAL + HUB * line.thick / 2.0)
-    return rounded_up(far + max(GAP, SHOULDER * line.thick))
+        return whole_millimetres(far + SEAL + HUB * line.thick / 2.0)
+    return whole_millimetres(far + max(GAP, SHOULDER * line.thick))
 
 
 def _spread(line: Line, row: Sequence[Item], steps: list[float], radial: Sequence[str]) -> None:
@@ -314,11 +316,11 @@ def _spread(line: Line, row: Sequence[Item], steps: list[float], radial: Sequenc
             asked.append(SPANS[item.kind] * (sum(steps[k:first]) if k < first else sum(steps[second:k])))
     lacking = max(asked) - sum(steps[first:second])
     if lacking > 0.0 and second == first + 1:
-        steps[first] = rounded_up(steps[first] + lacking)
+        steps[first] = whole_millimetres(steps[first] + lacking)
     elif lacking > 0.0:
         steps[first], steps[second - 1] = (
-            rounded_up(steps[first] + lacking / 2.0),
-            rounded_up(steps[second - 1] + lacking / 2.0),
+            whole_millimetres(steps[first] + lacking / 2.0),
+            whole_millimetres(steps[second - 1] + lacking / 2.0),
         )
 
 
@@ -327,17 +329,8 @@ def _beyond(line: Line, item: Item, half: float) -> float:
     if item.kind in ("set", "link"):
         return item.inside
     if item.kind in ("machine", "airscrew"):
-        return rounded_up(HUB * line.thick / 2.0)
-    return rounded_up(half + (END if item.kind == "bearing" else 0.0))
-
-
-def rounded_up(length: float) -> float:
-    """Return a length in whole millimetres, rounded up [m].
-
-    Args:
-        length: [m].
-    """
-    return math.ceil(length / _MM - 1e-6) * _MM
+        return whole_millimetres(HUB * line.thick / 2.0)
+    return whole_millimetres(half + (END if item.kind == "bearing" else 0.0))
 
 
 def _written(length: float) -> float:
@@ -464,8 +457,8 @@ def splines_of(line: Line) -> dict[str, Joint]:
 
 def _mass(context: Context, built: Built) -> float:
     density, shaft = shaft_material(context).density, built.shaft
-    sections = [(step.diameter**2 - shaft.bore**2) * (step.end - step.start) for step in shaft.steps]
-    return math.pi / 4.0 * density * sum(sections) + sum(bearing.bearing.mass for bearing in built.bearings)
+    steps = sum(shaft_mass(step.diameter, step.end - step.start, density, bore=shaft.bore) for step in shaft.steps)
+    return steps + sum(bearing.bearing.mass for bearing in built.bearings)
 
 
 def stand(sizing: Sizing, lines: Sequence[Line], axes: Mapping[str, complex]) -> tuple[Stood, ...]:

@@ -91,7 +91,7 @@ def duty_of(
         rows: What each row of the forces is; left out: each is a load case.
     """
     service = context.design.service
-    every = _rows_of(context, rows) if rows else spectrum_rows(context)
+    every = spectrum_rows(context, rows)
     return BearingSpectrum(
         radial=tuple(level * float(radial[k]) for k, level, _ in every),
         axial=tuple(level * float(axial[k]) for k, level, _ in every),
@@ -104,33 +104,25 @@ def duty_of(
     )
 
 
-def spectrum_rows(context: Context) -> list[tuple[int, float, float]]:
-    """Return place of a case, part of its loads and share of the life [-] of every row of what a bearing bears.
+def spectrum_rows(context: Context, rows: Sequence[LoadRow] = ()) -> list[tuple[int, float, float]]:
+    """Return place of its forces, part of them and share of the life [-] of every row of what a bearing bears.
 
     Args:
         context: What sizing reads.
+        rows: What the forces of each place are, some of use, fatigue or limit alone; left out: each is a load case.
     """
-    shares = shares_of(context.design) or {context.reference.case: 1.0}
-    levels = [
-        (k, level, part * shares.get(case, 0.0))
-        for k, case in enumerate(context.flows)
-        for level, part in levels_of(context.design, case)
-    ]
-    return [*((k, 1.0, 0.0) for k in range(len(context.flows))), *levels]
-
-
-def _rows_of(context: Context, rows: Sequence[LoadRow]) -> list[tuple[int, float, float]]:
-    """Return the same of forces of which some are of flight, fatigue or limit alone."""
     design, cases = context.design, list(context.flows)
     shares = shares_of(design) or {context.reference.case: 1.0}
+    parts = [(cases[row.case], row.share) for row in rows] or [(case, 1.0) for case in cases]
     levels = [
-        (k, level, part * row.share * shares.get(cases[row.case], 0.0))
-        for k, row in enumerate(rows)
-        if row.share
-        for level, part in levels_of(design, cases[row.case])
+        (place, level, part * of_case * shares.get(case, 0.0))
+        for place, (case, of_case) in enumerate(parts)
+        if of_case
+        for level, part in levels_of(design, case)
     ]
-    limit = 1.0 / design.service.application_factor
-    return [*((k, limit if row.use == "limit" else 1.0, 0.0) for k, row in enumerate(rows)), *levels]
+    limits = {place for place, row in enumerate(rows) if row.use == "limit"}
+    without = 1.0 / design.service.application_factor
+    return [*((place, without if place in limits else 1.0, 0.0) for place in range(len(parts))), *levels]
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from gearwright.base import Check, Kind, PartId, Role, not_assessed, smallest, text
 from gearwright.parts import Material
 from gearwright.parts.shaft_fatigue import endurance_limit
 from gearwright.parts.webs import MOST_DIAMETERS, Web, tilting_stress, web_frequency
-from gearwright.sizing.mass.bodies import Seats, gear_blank, gear_volume, kind_of, seats_of
+from gearwright.sizing.mass.bodies import Seats, gear_blank, gear_volume, kind_of, shaft_diameters
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec.design import CONCEPT
 
@@ -24,6 +24,8 @@ from gearwright.spec.design import CONCEPT
 
 STANDING = range(1, 7)
 """Nodal diameters of waves that may stand in space [-]."""
+MESHING = range(MOST_DIAMETERS + 1)
+"""Nodal diameters of modes that the mesh may meet [-]."""
 ABOVE = 1.3
 """Frequency of a mode over that at which its wave stands in space, at least [-]."""
 HARMONICS = (1, 2)
@@ -57,7 +59,7 @@ def webbed_wheels(sizing: Sizing) -> Iterator[Wheel]:
     Args:
         sizing: With shafts.
     """
-    seats = seats_of(sizing)
+    seats = Seats({}, shaft_diameters(sizing))
     for gear in sizing.gears:
         external = gear.role in (Role.PINION, Role.WHEEL) and not gear.rim
         if external and gear.stage in sizing.design.pairs and kind_of(sizing, gear) == "cylindrical":
@@ -92,11 +94,12 @@ def web_checks(sizing: Sizing) -> Iterator[Check]:
     if sizing.design.level == CONCEPT:
         return
     for wheel in webbed_wheels(sizing):
-        modes = [web_frequency(wheel.web, n, wheel.material) for n in range(MOST_DIAMETERS + 1)]
         turns = _turns(sizing, wheel.gear)
         if turns:
+            modes = {n: web_frequency(wheel.web, n, wheel.material) for n in STANDING}
             yield _standing(wheel, modes, max(turns))
             if wheel.web.thickness <= THIN * (wheel.web.outer_radius - wheel.web.hub_radius):
+                modes |= {n: web_frequency(wheel.web, n, wheel.material) for n in MESHING if n not in modes}
                 yield _as_drawn(sizing, wheel, _meshing(wheel, modes, (min(turns), max(turns))))
         for check in _bending(sizing, wheel):
             yield _as_drawn(sizing, wheel, check)
@@ -127,7 +130,7 @@ def _turns(sizing: Sizing, gear: GearSizing) -> list[float]:
     return [speed for speed in speeds if speed > 0.0]
 
 
-def _standing(wheel: Wheel, modes: Sequence[float], turns: float) -> Check:
+def _standing(wheel: Wheel, modes: Mapping[int, float], turns: float) -> Check:
     """Return the check of the mode that comes nearest to standing in space."""
     worst = smallest(STANDING, lambda n: modes[n] / n)
     limit = ABOVE * worst * turns
@@ -137,11 +140,11 @@ def _standing(wheel: Wheel, modes: Sequence[float], turns: float) -> Check:
     )  # fmt: skip
 
 
-def _meshing(wheel: Wheel, modes: Sequence[float], turns: tuple[float, float]) -> Check:
+def _meshing(wheel: Wheel, modes: Mapping[int, float], turns: tuple[float, float]) -> Check:
     """Return the check of the mode that comes nearest to a harmonic of the mesh, over the range of speeds."""
     apart = {
         (n, k): _distance(modes[n], tuple(k * wheel.gear.teeth * turn for turn in turns))
-        for n in range(MOST_DIAMETERS + 1)
+        for n in MESHING
         for k in HARMONICS
     }
     n, k = smallest(apart, lambda key: apart[key])

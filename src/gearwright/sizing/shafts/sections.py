@@ -64,7 +64,7 @@ from gearwright.sizing.airscrew_loads import LoadRow
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shaft_results import BuiltShaft, JointSizing, SectionStrength
-from gearwright.sizing.shafts.stretches import Stretch
+from gearwright.sizing.shafts.stretches import Stretch, whole_millimetres
 from gearwright.spec import Design
 from gearwright.spec.design import Joint, ShaftRules
 
@@ -225,7 +225,7 @@ def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSiz
     key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
     ends = key.section.width if joint.form == "A" else 0.0
     shortest = max(key_length(seat.torque, diameter, key.section, allowable=allowed) + ends, key.shortest)
-    length = joint.length or next((size for size in LENGTHS if size >= shortest - 1e-9), _whole(shortest))
+    length = joint.length or next((size for size in LENGTHS if size >= shortest - 1e-9), whole_millimetres(shortest))
     flank = length - ends
     pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=flank) if flank > 0.0 else math.inf
     name = _key_name(key, joint.form, length)
@@ -266,12 +266,7 @@ def _teeth(joint: Joint, diameter: float) -> Spline:
 def _spline_length(teeth: Spline, seat: Seat, allowed: float) -> float:
     """Return the length that the torque asks for, and as much of 0.6 d_B, which keeps a hub from rocking, as fits."""
     steady = min(SHORTEST_RATIO * teeth.reference_diameter, seat.hub_length)
-    return max(_whole(spline_length(seat.torque, teeth, allowable=allowed)), steady)
-
-
-def _whole(length: float) -> float:
-    """Return a length rounded up to millimetres."""
-    return math.ceil(1e3 * length - 1e-6) / 1e3
+    return max(whole_millimetres(spline_length(seat.torque, teeth, allowable=allowed)), steady)
 
 
 def _spline_name(teeth: Spline) -> str:

@@ -208,7 +208,7 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
         elif stretch.kind == "hub":
             laid = stretch.of(wanted.fixed.get(stretch.name, _passing(stretch.name, wanted, needed, reached)))
         else:
-            laid = stretch.of(_whole(needed) if needed > reached else reached)
+            laid = stretch.of(whole_millimetres(needed) if needed > reached else reached)
         _refuse_past(shaft, laid, wanted, reached)
         climbed = [*_shouldered(climbed, laid), laid] if laid.kind != "between" else [*climbed, laid]
         reached = laid.diameter
@@ -217,7 +217,7 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
 
 def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
     """Return the thinnest seat that a hub needs and that lets it slide over what is further out [m]."""
-    diameter = _whole(needed)
+    diameter = whole_millimetres(needed)
     while wanted.over(hub, diameter) < past - SAME:
         diameter += 1e-3
     return diameter
@@ -247,14 +247,18 @@ def _seated(stretch: Stretch, bearing: Bearing) -> Stretch:
     height = bearing.outer_diameter - bearing.bore
     return stretch._replace(
         diameter=bearing.bore,
-        shoulder=_whole(bearing.bore + SHOULDER * height),
+        shoulder=whole_millimetres(bearing.bore + SHOULDER * height),
         fillet=BEARING_FILLET * height,
     )
 
 
-def _whole(diameter: float) -> float:
-    """Return a diameter rounded up to millimetres."""
-    return math.ceil(1e3 * diameter - 1e-6) / 1e3
+def whole_millimetres(length: float) -> float:
+    """Return a length or a diameter rounded up to whole millimetres [m].
+
+    Args:
+        length: [m].
+    """
+    return math.ceil(1e3 * length - 1e-6) / 1e3
 
 
 def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
@@ -292,8 +296,8 @@ def _necked(middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], w
     ends = [side[-1] for side in sides if side]
     if only.kind != "between" or wanted.core is not None or len(ends) < 2:
         return middle
-    neck = _whole(max(wanted.needed.get(only.name, 0.0), min(end.diameter for end in ends)))
-    shoulders = [_whole(max(end.shoulder, end.diameter)) for end in ends]
+    neck = whole_millimetres(max(wanted.needed.get(only.name, 0.0), min(end.diameter for end in ends)))
+    shoulders = [whole_millimetres(max(end.shoulder, end.diameter)) for end in ends]
     wide = [SHOULDER_WIDTH * shoulder if shoulder > neck + SAME else 0.0 for shoulder in shoulders]
     if not 0.0 < sum(wide) < only.length / 2.0:
         return middle
@@ -315,7 +319,7 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
             raise DesignError([Problem(_path(stretch), message)])
         needed = max(beside, wanted.needed.get(stretch.name, 0.0))
         body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
-        laid.append(stretch.of(_whole(needed) if stretch.kind == "between" else body))
+        laid.append(stretch.of(whole_millimetres(needed) if stretch.kind == "between" else body))
         if stretch.kind == "integral" and needed > limits[stretch.name] + SAME:
             asked, root = apart(needed, limits[stretch.name], "length")
             message = (
@@ -335,7 +339,7 @@ def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
         return stretches
     at = largest(sides, lambda k: stretches[k].length)
     beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
-    collar = _whole(max(COLLAR * stretches[low].diameter, *beyond))
+    collar = whole_millimetres(max(COLLAR * stretches[low].diameter, *beyond))
     return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
