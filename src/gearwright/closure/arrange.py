@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from gearwright.base import SIDES, Check, DesignError, Shown, verb
+from gearwright.base import Check, DesignError, Shown, verb
 from gearwright.closure.proportion import sized_as, teeth_of
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.arrangement import shared_axes
@@ -21,14 +21,16 @@ from gearwright.sizing.bearing_arrangement import (
     Item,
     Line,
     Stood,
+    bare_shafts,
     core_of,
     items_on,
     splined,
     splines_of,
     stand,
 )
+from gearwright.sizing.making import boss_room, built_checks
 from gearwright.sizing.mass import CompleteMass, bevel_cones, complete_mass
-from gearwright.sizing.result import GearSizing, ShaftPlan
+from gearwright.sizing.result import ShaftPlan
 from gearwright.sizing.shafts.stretches import whole_millimetres
 from gearwright.spec import Design, design_text, edited
 from gearwright.spec.design import BUILT, NOTHING_GIVEN, module_owners
@@ -45,6 +47,8 @@ _MM = 1e-3
 SLACK = ((0.0, 0.0), (2e-3, 5e-3), (6e-3, 10e-3))
 """More room for a bearing than its width, and a thicker seat where the end of a shaft carries little, for axes that
 turn with longer shafts and load others [m]."""
+CROWDED = ("room", "running clearance")
+"""How checks begin of parts that stand too near to each other."""
 PLACINGS = 5
 """How often room is made for what stands into something else, at most [-]."""
 
@@ -93,9 +97,15 @@ class Arranged(Shown):
 
     @cached_property
     def worse(self) -> tuple[Check, ...]:
-        """Checks that fail and did not before."""
+        """Checks that fail and did not before, of what holds parts and puts them together, too."""
         known = {check.name for check in self.before.checks if check.fails}
-        return tuple(check for check in self.sizing.checks if check.fails and check.name not in known)
+        checks = (*self.sizing.checks, *built_checks(self.sizing))
+        return tuple(check for check in checks if check.fails and check.name not in known)
+
+    @property
+    def lacking(self) -> float:
+        """What these checks lack of their limits together [-]."""
+        return sum(1.0 - min(check.margin or 0.0, 1.0) for check in self.worse)
 
     @property
     def text(self) -> str:
@@ -120,7 +130,7 @@ def arrange(design: Design) -> Arranged:
     room, best = Room(), None
     for _ in range(PLACINGS):
         arranged = Arranged(before, *_placed(own, sized, room))
-        if best is None or len(arranged.worse) < len(best.worse):
+        if best is None or arranged.lacking < best.lacking:
             best = arranged
         more = _more_room(arranged, room)
         if more == room:
@@ -153,14 +163,10 @@ def _placed(own: Design, sized: Sizing, room: Room) -> tuple[Design, Sizing, tup
 
 def _lines(sizing: Sizing, room: Room) -> Iterator[Line]:
     """Yield the shafts that need bearings and have none."""
-    gears = {gear.name: gear for gear in sizing.gears}
-    seated = {seat.shaft for seat in sizing.design.bearings.values()}
-    for shaft in sizing.shafts:
-        name = shaft.name
+    gears, thick = {gear.name: gear for gear in sizing.gears}, {shaft.name: shaft.diameter for shaft in sizing.shafts}
+    for name in bare_shafts(sizing):
         items = tuple(_widened(item, room) for item in items_on(sizing, name))
         own = [gears[item.name] for item in items if item.name in gears]
-        if name in seated or _floats(sizing.design, own):
-            continue
         if name in room.mirrored:
             items = tuple(
                 item._replace(place=-item.place, before=item.after, after=item.before) for item in items[::-1]
@@ -171,20 +177,12 @@ def _lines(sizing: Sizing, room: Room) -> Iterator[Line]:
             core = Core(first, max(core.last - ((name, SECOND) in room.overhung), first))
             wheel = max((gears[item.name].pitch_diameter for item in items if item.kind == "gear"), default=0.0)
             full = frozenset(end for end in ENDS if (name, end) in room.no_axial)
-            yield Line(name, items, core, shaft.diameter, wheel, splined(own), apart=room.beside, no_axial=full)
+            yield Line(name, items, core, thick[name], wheel, splined(own), apart=room.beside, no_axial=full)
 
 
 def _widened(item: Item, room: Room) -> Item:
     more = room.around.get(item.name.split(".")[0], 0.0) if item.kind == "set" else 0.0
     return item._replace(before=item.before + more, after=item.after + more)
-
-
-def _floats(design: Design, gears: Sequence[GearSizing]) -> bool:
-    """Tell whether all gears on a shaft drive face gears, between which it floats."""
-    return bool(gears) and all(
-        gear.stage in design.pairs and design.pairs[gear.stage].kind == "face" and gear.role is SIDES[0]
-        for gear in gears
-    )
 
 
 def _more_room(arranged: Arranged, room: Room) -> Room:
@@ -199,8 +197,11 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
         if wider > _MM / 2.0:
             room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
     for check in arranged.worse:
-        if check.mode.startswith("room") and check.value is not None and check.limit is not None:
-            room = _with_room(arranged, room, check, whole_millimetres(check.limit - check.value) + _MM)
+        if check.mode.startswith(CROWDED) and check.value is not None and check.limit is not None:
+            lacking, bosses = check.limit - check.value, boss_room(arranged.sizing)
+            if bosses is not None and check.place == bosses[2]:
+                lacking = bosses[1] - bosses[0]
+            room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM)
     return room
 
 

@@ -17,7 +17,6 @@ from gearwright.base import (
     DesignError,
     GearwrightError,
     Problem,
-    Ratio,
     Role,
     Shown,
     gear_part,
@@ -41,9 +40,10 @@ from gearwright.processes import computed
 from gearwright.sizing import Sizing, size, size_unturned
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
-from gearwright.spec import Design, at_level, edited, parse
+from gearwright.spec import Design, at_level, edited
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
+from gearwright.study.architectures import Difference, difference, in_bearings
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -74,7 +74,7 @@ class Candidate:
     design: Design | None = None
     """At level preliminary; None where it is refused, or far from the lightest as a first sizing."""
     complete_mass: float | None = None
-    """Of the whole gearbox against fatigue [kg]."""
+    """Of the whole gearbox against fatigue; with bearings of its shafts where `bare` is empty [kg]."""
     motor_mass: float | None = None
     """[kg]"""
     lacks: tuple[tuple[str, float], ...] = ()
@@ -83,6 +83,8 @@ class Candidate:
     """Complete, with its motor, before its numbers were chosen anew [kg]."""
     proportioned: bool = False
     """Whether its numbers were chosen anew, by what it weighs and lacks against fatigue."""
+    bare: str | None = None
+    """Shafts that need bearings and find none, and why; empty where all stand in bearings; None: not looked for."""
     refused: str = ""
     """Why it cannot be sized."""
 
@@ -116,9 +118,11 @@ class Candidate:
         return float("inf") if mass is None else mass / max(self.worst, 0.01) ** 0.5
 
     @property
-    def order(self) -> tuple[float, float, str]:
-        """By what it promises; those that are known as first sizings alone follow, by their mass, then refused ones."""
-        return self.promise, self.first_complete or float("inf"), self.architecture.slug
+    def order(self) -> tuple[int, float, float, str]:
+        """By what it promises, those with all their bearings weighed first; those that are known as first sizings alone
+        follow, by their mass, then refused ones."""
+        weighed = 2 if self.bare is None else int(bool(self.bare))
+        return weighed, self.promise, self.first_complete or float("inf"), self.architecture.slug
 
 
 def sketched(requirement: Requirement, architecture: Architecture, *, most: float = math.inf) -> Candidate:
@@ -201,6 +205,19 @@ def proportioned(requirement: Requirement, row: Candidate, *, life: float) -> Ca
                 continue
             best = smallest([best, tried], lambda one: one.promise)
     return best
+
+
+@MESHES.sharing()
+def weighed(row: Candidate) -> Candidate:
+    """Return an architecture with bearings on every shaft that needs them in its mass and among what it lacks.
+
+    Args:
+        row: As rated.
+    """
+    if row.design is None:
+        return row
+    _, sizing, bare = in_bearings(row.design)
+    return replace(row, complete_mass=complete_mass(sizing).total, lacks=tuple(_lacks(sizing.checks)), bare=bare)
 
 
 def _rated(requirement: Requirement, row: Candidate, places: Sequence[float], life: float) -> Candidate:
@@ -309,8 +326,9 @@ class Ranking(Shown):
 
     @property
     def passing(self) -> tuple[EqualLife, ...]:
-        """Those that pass the review of their written design, the lightest first."""
-        return tuple(row for row in self.closed if not row.fails and row.with_machines is not None)
+        """Those that pass the review of their written design with all their bearings weighed, the lightest first."""
+        known = (row for row in self.closed if not row.fails and not row.without_bearings)
+        return tuple(row for row in known if row.with_machines is not None)
 
     @property
     def beside(self) -> tuple[EqualLife, ...]:
@@ -334,9 +352,9 @@ class Ranking(Shown):
         return sum(row.unborne for row in self.candidates)
 
     @property
-    def confidence(self) -> Ratio | None:
-        """Probability that the lightest is lighter than the next [-]; None where fewer than two pass."""
-        return None if len(self.passing) < 2 else lighter(*self.passing[:2])
+    def lead(self) -> Difference | None:
+        """By how much the lightest is lighter than the next; None where fewer than two pass and are comparable."""
+        return None if len(self.passing) < 2 else difference(*self.passing[:2])
 
 
 @dataclass(frozen=True)
@@ -365,9 +383,10 @@ def architectures(
     """Return every train of a few stages that can take the place of a design's own, ranked at equal life.
 
     Each architecture gets the ratios and the motor's speed with which it weighs least as a first sizing. Those that are
-    not far from the lightest are sized against fatigue, with everything in their mass, by which the lightest of them
-    get other numbers. The most promising are closed: every free size is chosen so that an
-    independent review of the written design passes. The answer does not depend on how many workers there are.
+    not far from the lightest are sized against fatigue, with everything but bearings of shafts in their mass, by which
+    the lightest of them get other numbers, and then those bearings. The most promising are closed: every free size is
+    chosen, and every shaft put into bearings, so that an independent review of the written design passes.
+    The answer does not depend on how many workers there are.
 
     Args:
         design: Whose turbine, motor, propeller, cases and rules count; its stages do not.
@@ -457,6 +476,8 @@ def _ranked(task: _Task, every: Sequence[Architecture], anew: int) -> list[Candi
     task.run(partial(rated, task.asked, life=task.life), near, "against fatigue")
     light = [row for row in _light([known[one.slug] for one in every], anew) if not row.proportioned]
     task.run(partial(proportioned, task.asked, life=task.life), light, "anew by what they weigh and lack there")
+    bare = [row for row in _light([known[one.slug] for one in every], anew) if row.bare is None]
+    task.run(weighed, bare, "with bearings on their shafts")
     return sorted((known[one.slug] for one in every), key=lambda row: row.order)
 
 
@@ -487,30 +508,6 @@ def _said(rows: Sequence[EqualLife]) -> str:
     best = rows[0]
     mass = "no gearbox" if best.with_machines is None else f"{best.with_machines:.0f} kg with machines"
     return f"{mass}, {best.verdict}{f' ({best.variant})' if best.variant else ''}"
-
-
-def lighter(first: EqualLife, second: EqualLife, *, apart: bool = False) -> float:
-    """Return the probability that one closed gearbox is lighter than another [-].
-
-    What rules of mass do not know they do not know of both alike: a group of parts (gears, carriers, housing …) errs by
-    one factor, groups apart, so that only the difference of two groups is uncertain. Machines weigh as their law says.
-
-    Args:
-        first: Expected to be the lighter.
-        second: The other.
-        apart: Whether the rules err of both independently instead, the least that can be said.
-    """
-    masses = [complete_mass(size(parse(row.file))) for row in (first, second)]
-    errors = [{group.group: group.deviation for group in mass.groups} for mass in masses]
-    if apart:
-        deviations = [deviation for error in errors for deviation in error.values()]
-    else:
-        deviations = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
-    variance = sum(deviation * deviation for deviation in deviations)
-    ahead = (second.with_machines or math.inf) - (first.with_machines or math.inf)
-    if variance == 0.0:
-        return 0.5 if ahead == 0.0 else float(ahead > 0.0)
-    return 0.5 * (1.0 + math.erf(ahead / math.sqrt(2.0 * variance)))
 
 
 def _digest(asked: Requirement, life: float, beside: Mapping[str, Design]) -> str:

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.base import Check, DesignError, Kind, Problem, Role, carrier_part, largest, refuse, smallest
+from gearwright.base import SIDES, Check, DesignError, Kind, Problem, Role, carrier_part, largest, refuse, smallest
 from gearwright.parts.shafts import shaft_mass
+from gearwright.sizing.bearings import pressure_centre_checks
 from gearwright.sizing.loads import shaft_forces
 from gearwright.sizing.places import plates_of
 from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import Body, GearSizing, ShaftPlan, Sizing
 from gearwright.sizing.shafts import built_checks
 from gearwright.sizing.shafts.building import Built, build_shaft
+from gearwright.sizing.shafts.ends import groove_checks
+from gearwright.sizing.shafts.retention import ends, holding_room, retention_checks
 from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.sizing.shafts.stretches import whole_millimetres
 from gearwright.spec import Airscrew, Design
@@ -152,6 +155,26 @@ def core_of(items: Sequence[Item]) -> Core | None:
     return Core(beside, beside)
 
 
+def bare_shafts(sizing: Sizing) -> tuple[str, ...]:
+    """Return the shafts that need bearings and have none, in the order of the design.
+
+    Args:
+        sizing: Of any level.
+    """
+    seated = {seat.shaft for seat in sizing.design.bearings.values()}
+    bare = (shaft.name for shaft in sizing.shafts if shaft.name not in seated)
+    return tuple(name for name in bare if not _floats(sizing, name) and core_of(items_on(sizing, name)) is not None)
+
+
+def _floats(sizing: Sizing, shaft: str) -> bool:
+    """Tell whether all gears on a shaft drive face gears, between which it floats."""
+    pairs, places = sizing.design.pairs, sizing.arrangement.plans[shaft].places
+    gears = [gear for gear in sizing.gears if gear.name in places]
+    return bool(gears) and all(
+        gear.stage in pairs and pairs[gear.stage].kind == "face" and gear.role is SIDES[0] for gear in gears
+    )
+
+
 # ----------------------------------------------------------------------------------------------------------------------
 # Kinds of bearings for a shaft, and where all stands on it with them.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -191,7 +214,7 @@ SHOULDER = 0.1
 COVER = 7e-3
 """By how much more a bearing stands from what is beyond it: a cover with its screws, and room for what turns [m]."""
 END = 5e-3
-"""Of the shaft beyond its last bearing, for what holds the ring [m]."""
+"""Of the shaft beyond its last bearing before what holds the ring is known [m]."""
 SEAL = 12e-3
 """Between a bearing and a hub beyond it: a seal and its cover [m]."""
 HUB = 1.0
@@ -249,7 +272,9 @@ class Line:
         return FIRST if kinds[0] == "machine" else SECOND if kinds[-1] == "machine" else ""
 
 
-def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Mapping[str, float]) -> ShaftPlan:
+def plan_with(
+    line: Line, option: Option, widths: Mapping[str, float], bores: Mapping[str, float], held: Mapping[str, float]
+) -> ShaftPlan:
     """Return a shaft with bearings: its length, and where everything on it stands, in whole millimetres.
 
     Args:
@@ -257,6 +282,7 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
         option: Kinds of its bearings.
         widths: Bearing -> its width, of those that are chosen [m].
         bores: Bearing -> its bore, of those that would be thinner than a shaft is made [m].
+        held: Bearing -> room beside it for the ring or nut that holds it, of those that are chosen [m].
     """
     radial = [f"{line.name}-{end}" for end in ENDS]
     before, after = [radial[0]], [radial[1]]
@@ -272,15 +298,15 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
         *(Item(name, 0.0, halves[name], halves[name], "bearing") for name in after),
         *line.items[line.core.last :],
     ]
-    steps = [_step(line, one, other) for one, other in pairwise(row)]
+    steps = [_step(line, one, other, held) for one, other in pairwise(row)]
     for k, (one, other) in enumerate(pairwise(row)):
         if (one.name in after and other.kind in STANDING) or (other.name in before and one.kind in STANDING):
             steps[k] += COVER
     _spread(line, row, steps, radial)
-    places, reached = dict[str, float](), _beyond(line, row[0], row[0].before)
+    places, reached = dict[str, float](), _beyond(line, row[0], row[0].before, held)
     for k, item in enumerate(row):
         places[item.name] = _written(reached)
-        reached += steps[k] if k < len(steps) else _beyond(line, item, item.after)
+        reached += steps[k] if k < len(steps) else _beyond(line, item, item.after, held)
     kinds = dict(zip(radial, (option.first, option.second), strict=True))
     seats = dict[str, BearingSeat]()
     for name in (*before, *after):
@@ -293,11 +319,13 @@ def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Ma
     return ShaftPlan(_written(reached), (places[radial[0]], places[radial[1]]), own, seats)
 
 
-def _step(line: Line, one: Item, other: Item) -> float:
+def _step(line: Line, one: Item, other: Item, held: Mapping[str, float]) -> float:
     """Return how far two neighbours stand from each other [m]."""
     if one.kind == other.kind == "gear":
         return other.place - one.place
     kinds, far = {one.kind, other.kind}, one.after + other.before
+    if not kinds.isdisjoint((*COUPLED, "airscrew")):
+        far += held.get(one.name, 0.0) + held.get(other.name, 0.0)
     if kinds == {"bearing"}:
         return whole_millimetres(far + BESIDE)
     if "airscrew" in kinds:
@@ -324,13 +352,13 @@ def _spread(line: Line, row: Sequence[Item], steps: list[float], radial: Sequenc
         )
 
 
-def _beyond(line: Line, item: Item, half: float) -> float:
+def _beyond(line: Line, item: Item, half: float, held: Mapping[str, float]) -> float:
     """Return how far a shaft goes on beyond the middle of what stands at its end [m]."""
     if item.kind in ("set", "link"):
         return item.inside
     if item.kind in ("machine", "airscrew"):
         return whole_millimetres(HUB * line.thick / 2.0)
-    return whole_millimetres(half + (END if item.kind == "bearing" else 0.0))
+    return whole_millimetres(half + (held.get(item.name, END) if item.kind == "bearing" else 0.0))
 
 
 def _written(length: float) -> float:
@@ -345,6 +373,8 @@ def _written(length: float) -> float:
 
 ROUNDS = 6
 """How often places follow from the widths of the bearings that are chosen, at most [-]."""
+ALIKE = 1e-6
+"""Of what two shafts lack of their limits, what counts as none [-]."""
 WIDER = 1.3
 """Room for a bearing over the width of one that was refused there [-]."""
 
@@ -359,6 +389,18 @@ class Stood(NamedTuple):
     failing: tuple[Check, ...]
     mass: float
     """Of shaft and bearings [kg]."""
+    weak: tuple[str, ...] = ()
+    """Bearings that lack life or metal beside them, which a larger bore gives."""
+
+    @property
+    def lacking(self) -> float:
+        """What its checks lack of their limits together [-]; more than nothing where any fails."""
+        return sum(1.0 + ALIKE - min(check.margin or 0.0, 1.0) for check in self.failing)
+
+    @property
+    def thin(self) -> dict[str, float]:
+        """Bearing that is to have a larger bore -> the bore that it has [m]."""
+        return {bearing.name: bearing.bearing.bore for bearing in self.built.bearings if bearing.name in self.weak}
 
     @property
     def ends(self) -> dict[str, str]:
@@ -370,7 +412,7 @@ class Stood(NamedTuple):
 
 
 def stood(sizing: Sizing, context: Context, line: Line, axes: Mapping[str, complex]) -> Stood:
-    """Return a shaft in the lightest of the bearings with which the fewest of its checks fail.
+    """Return a shaft in the lightest of the bearings with which its checks lack least.
 
     Args:
         sizing: Without these bearings.
@@ -394,8 +436,7 @@ def stood(sizing: Sizing, context: Context, line: Line, axes: Mapping[str, compl
             break
     if not tried:
         raise min(refused, key=lambda error: len(error.problems))
-    fewest = min(len(one.failing) for one in tried)
-    return smallest([one for one in tried if len(one.failing) == fewest], lambda one: one.mass)
+    return _best(tried)
 
 
 def _bores(design: Design, shaft: str) -> tuple[float | None, ...]:
@@ -406,25 +447,39 @@ def _bores(design: Design, shaft: str) -> tuple[float | None, ...]:
 
 
 def _with(sizing: Sizing, context: Context, line: Line, option: Option, axes: Mapping[str, complex]) -> Stood:
-    """Return a shaft in bearings of some kinds, which stand as their widths ask for."""
-    widths, bores, found = dict[str, float](), dict[str, float](), None
+    """Return a shaft in bearings of some kinds, which stand as their widths ask for: the best that is found."""
+    widths, bores, held = dict[str, float](), dict[str, float](), dict[str, float]()
+    fitting, last = list[Stood](), None
+    factor = context.design.service.application_factor
     for _ in range(ROUNDS):
         try:
-            found = _built(sizing, context, line, option, plan_with(line, option, widths, bores), axes)
+            last = _built(sizing, context, line, option, plan_with(line, option, widths, bores, held), axes)
         except DesignError:
-            if found is None and not bores:
+            if last is None and not bores:
                 raise
             bores = {name: bore + BORE_STEP for name, bore in bores.items()}
             widths = {name: WIDER * width for name, width in widths.items()}
             continue
-        bearings = found.built.bearings
+        bearings = last.built.bearings
         now = {bearing.name: bearing.bearing.width + line.slack for bearing in bearings}
         thin = {bearing.name: line.thinnest for bearing in bearings if bearing.bearing.bore < line.thinnest}
-        if widths and not thin and all(abs(now[name] - widths[name]) < _MM / 2.0 for name in now):
-            break
+        if widths and not thin and all(now[name] < widths[name] + _MM / 2.0 for name in now):
+            fitting.append(last)
+            thin = {name: bore + BORE_STEP for name, bore in last.thin.items()}
+            stays = all(now[name] > widths[name] - _MM / 2.0 for name in now)
+            if stays and all(bores.get(name, 0.0) > bore - _MM for name, bore in thin.items()):
+                break
         widths, bores = now, {**bores, **thin}
-    assert found is not None
-    return found
+        pull = factor * max(abs(bearing.axial) for bearing in bearings)
+        held = {bearing.name: holding_room(bearing.bearing.bore, pull) for bearing in bearings}
+    assert last is not None
+    return _best(fitting or [last])
+
+
+def _best(tried: Sequence[Stood]) -> Stood:
+    """Return the lightest of those that lack least."""
+    least = smallest(tried, lambda one: one.lacking).lacking
+    return smallest([one for one in tried if one.lacking <= least + ALIKE], lambda one: one.mass)
 
 
 def _built(
@@ -442,8 +497,31 @@ def _built(
     own = replace(context, design=design.model_copy(update=changed))
     forces = shaft_forces(own, line.name, plan, axes=axes, gears=gears)
     built = build_shaft(own, line.name, forces, shaft_material(own), gears=gears, core=None)
-    failing = tuple(check for check in built_checks(built, own.design) if check.fails)
-    return Stood(line, option, plan, built, failing, _mass(own, built))
+    arrangement = replace(sizing.arrangement, plans={**sizing.arrangement.plans, line.name: plan}, axes=axes)
+    alone = replace(
+        sizing, design=own.design, arrangement=arrangement, built_shafts=(built.shaft,), bearings=built.bearings,
+        joints=built.joints,
+    )  # fmt: skip
+    weak = dict(_weak_seats(alone))
+    failing = [check for check in (*built_checks(built, own.design), *retention_checks(alone)) if check.fails]
+    return Stood(line, option, plan, built, (*failing, *weak.values()), _mass(own, built), tuple(weak))
+
+
+def _weak_seats(alone: Sizing) -> Iterator[tuple[str, Check]]:
+    """Yield the bearings of one shaft that lack what a larger bore gives, life or metal beside them, and the check.
+
+    A taper bearing whose load acts at its pressure centre lives shorter; a ring's groove beside a bearing weakens its
+    shaft.
+    """
+    for check in pressure_centre_checks(alone):
+        if check.fails:
+            yield check.part.name, check
+    weak = [check for check in groove_checks(alone) if check.fails]
+    for held in ends(alone):
+        if held.has_ring and held.ring is not None:
+            for check in weak:
+                if check.mode.endswith(held.ring.designation):
+                    yield held.outermost, check
 
 
 def splines_of(line: Line) -> dict[str, Joint]:

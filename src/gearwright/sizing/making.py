@@ -32,7 +32,7 @@ from gearwright.sizing.shafts import (
     seal_checks,
 )
 from gearwright.sizing.shafts.shafts import THROUGH
-from gearwright.spec import GROUND
+from gearwright.spec import GROUND, Design
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Whether bodies that turn against each other stay clear while shafts bend: the nearest two of a gearbox.
@@ -400,8 +400,16 @@ def grinding_checks(sizing: Sizing) -> Iterator[Check]:
         own = [gears[joint.part] for joint in sizing.joints
                if joint.shaft == shaft.name and joint.kind == "integral" and joint.part in gears]  # fmt: skip
         for gear in own:
-            if sizing.design.pairs[gear.stage].kind == "cylindrical":
+            if _is_ground_by_wheels(sizing.design, gear):
                 yield from _ground(sizing, shaft, gear, own)
+
+
+def _is_ground_by_wheels(design: Design, gear: GearSizing) -> bool:
+    """Tell whether a gear has teeth on the outside of a cylinder."""
+    pair = design.pairs.get(gear.stage)
+    if pair is None:
+        return gear.role is not Role.RING
+    return pair.kind == "cylindrical" and not (pair.internal and gear.role is Role.WHEEL)
 
 
 def _ground(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list[GearSizing]) -> Iterator[Check]:
@@ -525,16 +533,24 @@ def boss_checks(sizing: Sizing) -> Iterator[Check]:
     Args:
         sizing: As sized.
     """
-    if not sizing.bearings or not sizing.design.housing.own:
-        return
-    least = min(_beside_bosses(sizing), key=lambda pair: (round(pair[0] - pair[1], 9), pair[2]), default=None)
-    if least is not None:
+    if (least := boss_room(sizing)) is not None:
         gap, needed, names = least
         why = "" if gap >= needed else f"{1e3 * gap:.3g} mm between {names}: {_APART}"
         yield Check(
             GEARBOX, "running clearance of bosses", _ROOM, max(gap, 0.0), needed, "length", exponent=None,
             place=names, why=why,
         )  # fmt: skip
+
+
+def boss_room(sizing: Sizing) -> tuple[float, float, str] | None:
+    """Return the least room beside bosses and covers, negative where bodies overlap, what is needed [m], and whose.
+
+    Args:
+        sizing: As sized.
+    """
+    if not sizing.bearings or not sizing.design.housing.own:
+        return None
+    return min(_beside_bosses(sizing), key=lambda pair: (round(pair[0] - pair[1], 9), pair[2]), default=None)
 
 
 def _beside_bosses(sizing: Sizing) -> Iterator[tuple[float, float, str]]:

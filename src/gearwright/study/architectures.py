@@ -1,4 +1,5 @@
-"""Architectures at equal life: each closed, and judged by an independent review of the design that was written."""
+"""Architectures at equal life: each closed, its shafts put into bearings, and judged by an independent review of the
+design that was written; and by how much one is lighter than another."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -6,12 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gearwright.base import Check, DesignError, Life, Mass, Problem, Ratio, Shown, margin_text, verb
-from gearwright.closure import Closed, Outcome, Wishes, close, nearest_variant
+from gearwright.closure import Closed, Outcome, Wishes, arrange, close, nearest_variant
 from gearwright.closure.requirements import LONGEST
 from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, Verdict, review
-from gearwright.sizing import size
-from gearwright.sizing.mass import Statistics, statistics_beside
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.bearing_arrangement import bare_shafts
+from gearwright.sizing.mass import MassGroup, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, parse, read
 from gearwright.study.running import comparison_of
@@ -19,7 +21,7 @@ from gearwright.study.running import comparison_of
 
 @dataclass(frozen=True, repr=False)
 class EqualLife(Shown):
-    """A design closed for a life."""
+    """A design closed for a life, with bearings on every shaft that needs them."""
 
     design: str
     """As it was named."""
@@ -49,6 +51,10 @@ class EqualLife(Shown):
     """The closed design as TOML."""
     variant: str = ""
     """What was changed of what the design gives, as it does not close itself; empty where it is as it was named."""
+    without_bearings: str = ""
+    """Shafts that need bearings and find none, and why, so that these are not in the mass; empty: there are none."""
+    groups: tuple[MassGroup, ...] = ()
+    """Of parts, of which the complete mass is the sum."""
 
     @property
     def title(self) -> str:
@@ -106,30 +112,51 @@ def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
     return lambda words: tell(f"{name}: {words}")
 
 
-def _order(row: EqualLife) -> tuple[bool, float]:
-    return row.verdict not in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR)), row.with_machines or float("inf")
+def _order(row: EqualLife) -> tuple[bool, bool, float]:
+    """What passes comes first, then what is weighed with all its bearings, then what is lighter."""
+    passes = row.verdict in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR))
+    return not passes, bool(row.without_bearings), row.with_machines or math.inf
 
 
 def _row(name: str, closed: Closed) -> EqualLife:
-    """Return the row of a closed design, judged by a review of its text alone."""
-    judged = review(parse(design_text(closed.design)))
-    whole, (life, limits) = closed.whole, _shortest(closed, judged)
-    low, high = whole.band
+    """Return the row of a closed design with its shafts in bearings, judged by a review of its text alone."""
+    file, sizing, bare = in_bearings(closed.design)
+    judged, whole = review(parse(file)), complete_mass(sizing)
+    (life, limits), (low, high) = _shortest(closed, judged), whole.band
     return EqualLife(
         design=name,
         verdict=str(judged.verdict),
         complete_mass=whole.total,
         lightest=low,
         heaviest=high,
-        machines=closed.sizing.motor_mass,
-        with_machines=whole.total + closed.sizing.motor_mass,
+        machines=sizing.motor_mass,
+        with_machines=whole.total + sizing.motor_mass,
         shortest_life=life,
         limits=limits,
         fails="; ".join(map(_words, judged.failing)),
         worst=None if judged.worst is None else judged.worst.margin,
-        statistics=statistics_beside(closed.sizing, whole),
-        file=design_text(closed.design),
+        statistics=statistics_beside(sizing, whole),
+        file=file,
+        without_bearings=bare,
+        groups=whole.groups,
     )
+
+
+def in_bearings(design: Design) -> tuple[str, Sizing, str]:
+    """Return a design with bearings on all shafts that need them as a file, its sizing, and what is without and why.
+
+    Args:
+        design: That can be sized.
+    """
+    sizing = size(design)
+    if not (bare := bare_shafts(sizing)):
+        return design_text(design), sizing, ""
+    try:
+        arranged = arrange(design)
+    except DesignError as error:
+        why = "; ".join(f"{problem.path}: {problem.message}" for problem in error.problems)
+        return design_text(design), sizing, f"{', '.join(bare)} ({why})"
+    return arranged.text, arranged.sizing, ""
 
 
 def _shortest(closed: Closed, judged: Review) -> tuple[float | None, str]:
@@ -148,3 +175,62 @@ def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:
     """Return the row of a design that cannot be sized, with the reason."""
     nothing = EqualLife(name, "refused", None, None, None, None, None, None, "", "", None)
     return replace(nothing, fails="; ".join(f"{problem.path}: {problem.message}" for problem in problems))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# By how much one is lighter than another, and how well that is known.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+OWN = 0.06
+"""Error of a gearbox's complete mass that no rule shares with another, one standard deviation over it [-], an estimate:
+what differs between two gearboxes that rules weigh alike."""
+MACHINES = 0.29
+"""Error of the law of electric machines, one standard deviation over their mass [-]."""
+SEPARABLE = 0.9
+"""Probability of one sign from which two masses count as separable [-]."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """By how much one gearbox is lighter than another, with its machines: errors that both share cancel."""
+
+    first: str
+    """Title of the one."""
+    second: str
+    """Of the other."""
+    mass: Mass
+    """By which the first is lighter; negative where it is heavier [kg]."""
+    deviation: Mass
+    """One standard deviation; what the search left is not in it [kg]."""
+    rules: Mass
+    """Of it what rules for groups of parts leave, which err of both alike [kg]."""
+    own: Mass
+    """Of it what each gearbox has for itself [kg]."""
+    probability: Ratio
+    """That the first is the lighter, by these errors alone [-]."""
+    separable: bool
+    """Whether that, or the opposite, is at least `SEPARABLE`."""
+
+
+def difference(first: EqualLife, second: EqualLife) -> Difference | None:
+    """Return by how much one gearbox is lighter than another; None where their masses are not sums of the same.
+
+    A rule errs by one factor for a group of parts in both, groups apart: √Σ (s_g m_g1 − s_g m_g2)². Each has an error
+    of its own besides.
+
+    Args:
+        first: Closed, of one requirement with the other.
+        second: The other.
+    """
+    if first.without_bearings or second.without_bearings or first.complete_mass is None or second.complete_mass is None:
+        return None
+    errors = [{group.group: group.deviation for group in row.groups} for row in (first, second)]
+    shared = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
+    rules = math.hypot(*shared, MACHINES * ((first.machines or 0.0) - (second.machines or 0.0)))
+    own = OWN * math.hypot(first.complete_mass, second.complete_mass)
+    mass, deviation = (second.with_machines or 0.0) - (first.with_machines or 0.0), math.hypot(rules, own)
+    ahead = 0.5 * (1.0 + math.erf(mass / math.sqrt(2.0) / deviation))
+    return Difference(
+        first.title, second.title, mass, deviation, rules, own, ahead, max(ahead, 1.0 - ahead) >= SEPARABLE
+    )

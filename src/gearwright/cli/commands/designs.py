@@ -818,6 +818,7 @@ def show_equal_life(
     from gearwright.render.pages.studies import equal_life_page
     from gearwright.render.tables.study import equal_life_csv, equal_life_table
     from gearwright.render.words.sizing import table_text
+    from gearwright.render.words.study import equal_life_sentences
     from gearwright.study import equal_life
     from gearwright.study.architectures import closed_designs
 
@@ -830,6 +831,8 @@ def show_equal_life(
         show_answer("compare closed", EqualLifeAnswer(life, rows))
     else:
         show(table_text(equal_life_table(rows, title)))
+        for sentence in equal_life_sentences(rows):
+            show(sentence)
     files = {out / f"{row.title}.toml": row.file for row in rows if row.file} if out is not None else {}
     files |= {} if csv is None else {csv: equal_life_csv(rows)}
     files |= {} if report is None else {report: equal_life_page(rows, closed_designs(rows), title)}

@@ -13,6 +13,7 @@ from gearwright.spec import Study
 from gearwright.spec.studies import RELIABILITY
 from gearwright.study import EqualLife, Row, Table
 from gearwright.study.answers import ACCURACY, Reduced
+from gearwright.study.architectures import Difference
 from gearwright.study.journal import Status
 from gearwright.study.reliability import Reliability, reliability
 
@@ -327,8 +328,8 @@ class ArchitecturesAnswer:
     """Architectures that can give the ratio [-]."""
     refused: int
     """Of them cannot be sized [-]."""
-    confidence: Ratio | None
-    """Probability that the lightest that passes is lighter than the next [-]."""
+    lead: Difference | None
+    """By how much the lightest that passes is lighter than the next; None where fewer than two are comparable."""
     closed: tuple[EqualLife, ...]
     """Closed designs: those that pass first, the lightest first."""
     rows: tuple[ArchitectureRow, ...]
@@ -342,6 +343,6 @@ def architectures_answer(ranking: Ranking) -> ArchitecturesAnswer:
         ranking: From `architectures`.
     """
     return ArchitecturesAnswer(
-        ranking.requirement, ranking.life, len(ranking.candidates), ranking.refused, ranking.confidence, ranking.closed,
+        ranking.requirement, ranking.life, len(ranking.candidates), ranking.refused, ranking.lead, ranking.closed,
         tuple(rows_of(ranking.candidates)),
     )  # fmt: skip

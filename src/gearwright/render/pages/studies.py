@@ -69,6 +69,7 @@ from gearwright.render.words.study import (
     SAMPLED,
     answer,
     chosen,
+    equal_life_sentences,
     key_numbers,
     lightest_sentence,
     optimum_sentences,
@@ -480,7 +481,11 @@ def equal_life_page(
     """
     masses = {name: facts.complete for name, facts in closed.items()}
     sections = [
-        Section("Masses, lives and verdicts", tables=(equal_life_table(rows, title),), notes=_told(rows)),
+        Section(
+            "Masses, lives and verdicts",
+            tables=(equal_life_table(rows, title),),
+            notes=tuple(equal_life_sentences(rows)),
+        ),
         Section("Where the mass is", tables=(group_table(masses),)),
         Section("The sum of parts beside real gearboxes", notes=_beside(rows)),
     ]
@@ -494,7 +499,7 @@ def equal_life_page(
 
 def _verdict_at_equal_life(rows: Sequence[EqualLife]) -> Verdict:
     """Return how many designs meet everything; one that does not keeps the page from saying that all is well."""
-    failing, told = sum(bool(row.fails) for row in rows), _told(rows)
+    failing, told = sum(bool(row.fails) for row in rows), tuple(equal_life_sentences(rows))
     said = told[0] if told else "No design is compared."
     if failing:
         return Verdict(Tone.BAD, f"{failing} of {len(rows)} designs do not meet everything", said)
@@ -505,19 +510,6 @@ def _numbers_at_equal_life(rows: Sequence[EqualLife]) -> Iterator[Number]:
     """Yield the lightest that pass."""
     for row in [row for row in rows if not row.fails and row.with_machines is not None][:_SHOWN_AT_EQUAL_LIFE]:
         yield quantity(f"{row.title}, with machines", row.with_machines or 0.0, "mass", digits=3)
-
-
-def _told(rows: Sequence[EqualLife]) -> tuple[str, ...]:
-    """Return who is lightest, and who meets not everything and by what."""
-    passing = [row for row in rows if not row.fails and row.with_machines is not None]
-    first = () if not passing else (_lightest(passing[0]),)
-    return first + tuple(f"{row.title} does not meet everything: {row.fails}." for row in rows if row.fails)
-
-
-def _lightest(row: EqualLife) -> str:
-    machines = f" with machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
-    weighs = text(row.with_machines or 0.0, "mass", 3)
-    return f"The lightest that passes as far as assessed: {row.title}, {weighs}{machines}."
 
 
 def _beside(rows: Sequence[EqualLife]) -> tuple[str, ...]:

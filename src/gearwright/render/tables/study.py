@@ -502,12 +502,13 @@ SHOWN_ARCHITECTURES = 24
 _ARCHITECTURE_NOTE = (
     "Each with the ratios, and the speed of its motor, with which it weighs least as a first sizing, of as many planets"
     " as stand beside each other, five at most; those not far from the lightest then against fatigue for the life, with"
-    " everything in their mass, and the lightest of these with numbers chosen anew by that mass and what they lack. In"
-    " the order in which they are looked at further: by mass, and by the load that what fails lacks, which closing may"
-    " bring or not."
+    " everything in their mass but bearings of shafts, and the lightest of these with numbers chosen anew by that mass"
+    " and what they lack, and then with those bearings. In the order in which they are looked at further: by mass, and"
+    " by the load that what fails lacks, which closing may bring or not; those with all their bearings first."
 )
 _ARCHITECTURE_COLUMNS = (
-    "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "with_machines", "lacks",
+    "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "with_machines", "bearings",
+    "lacks",
 )  # fmt: skip
 
 
@@ -529,6 +530,8 @@ class ArchitectureRow:
     """[kg]"""
     with_machines: Mass | None
     """[kg]"""
+    bearings: str
+    """Whether bearings of shafts are in the complete mass, and why not; empty where it is not known."""
     lacks: str
     """What fails worst, with its margin, or why it is refused."""
 
@@ -548,6 +551,7 @@ def rows_of(candidates: Iterable[Candidate]) -> Iterator[ArchitectureRow]:
             row.complete_mass,
             row.motor_mass,
             row.with_machines,
+            "" if row.complete_mass is None else "no" if row.bare is None else row.bare or "yes",
             row.refused or _lacked(row),
         )
 
@@ -589,17 +593,17 @@ def architectures_csv(candidates: Iterable[Candidate]) -> str:
 _EQUAL_LIFE_COLUMNS = (
     "design", "variant", "verdict", "complete_mass", "lightest", "heaviest", "machines", "with_machines",
     "shortest_life",
-    "limits", "fails",
+    "limits", "without_bearings", "fails",
 )  # fmt: skip
 ALIKE = 1.1
 """Largest over smallest of the statistics' limits up to which designs are of one requirement [-]: teeth give speeds
 only nearly."""
 _NOTE = (
-    "Complete mass with its band of 68 %, machines beside it; those that pass come first, the lightest with its"
-    " machines at the top. Verdict: that of an independent review of the written design; what fails stands with its"
-    " best margin, and the nearest variant that closes has a row of its own. Shortest life: of the gear (at the asked"
-    " safeties) or bearing that ends first; a dash where none"
-    " ends before 1e6 h, and then what is nearest to its limit."
+    "Complete mass, bearings of all shafts included, with its band of 68 %, machines beside it; those that pass come"
+    " first, the lightest with its machines at the top. Verdict: that of an independent review of the written design;"
+    " what fails stands with its best margin, and the nearest variant that closes has a row of its own. Shortest life:"
+    " of the gear (at the asked safeties) or bearing that ends first; a dash where none ends before 1e6 h, and then"
+    " what is nearest to its limit."
 )
 _GROUPS = make_dataclass("_Groups", [("design", str), *((name, Mass) for name in GROUPS), ("total", Mass)], frozen=True)
 

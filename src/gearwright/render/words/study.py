@@ -1,11 +1,11 @@
 """What a study, a search and an enumeration of architectures say in sentences."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
 from gearwright.base import SolveError, largest_first, smallest_first, text, written
-from gearwright.enumeration import Ranking, lighter
+from gearwright.enumeration import Ranking
 from gearwright.optimum import Optimum, hypervolume
 from gearwright.render.tables.study import chance, letter, likeliest_words, teeth_text
 from gearwright.render.tables.variants import FLAT, heading, numeric_axis, percent, reasons
@@ -13,6 +13,7 @@ from gearwright.spec import Study
 from gearwright.spec.studies import RELIABILITY
 from gearwright.study import EqualLife, Row, Table
 from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict
+from gearwright.study.architectures import difference
 from gearwright.study.reliability import reliability
 from gearwright.study.tables import front_table, quantiles, violations
 
@@ -347,6 +348,64 @@ def _written(value: object) -> str:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
+# What designs at equal life come to, in sentences: which is lightest, by how much, and whether that can be told.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def equal_life_sentences(rows: Sequence[EqualLife]) -> Iterator[str]:
+    """Yield who is lightest and by how much, who cannot be compared, and who meets not everything and by what.
+
+    Args:
+        rows: In their order.
+    """
+    known = (row for row in rows if not row.fails and not row.without_bearings)
+    passing = [row for row in known if row.with_machines is not None]
+    if passing:
+        yield _lightest(passing[0])
+    if len(passing) > 1:
+        yield f"The next, {passing[1].title}, {behind(*passing[:2])}"
+    yield from not_comparable(rows, lambda row: row.title)
+    yield from (f"{row.title} does not meet everything: {row.fails}." for row in rows if row.fails)
+
+
+def _lightest(row: EqualLife) -> str:
+    machines = f" with machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
+    weighs = text(row.with_machines or 0.0, "mass", 3)
+    return f"The lightest that passes as far as assessed: {row.title}, {weighs}{machines}."
+
+
+def behind(best: EqualLife, other: EqualLife) -> str:
+    """Return by how much another gearbox is heavier, and whether that separates both with what is known of masses.
+
+    Args:
+        best: With all its bearings.
+        other: Likewise.
+    """
+    found = difference(best, other)
+    if found is None:
+        return "is not comparable."
+    kilograms = (f"{part:.0f}" for part in (found.mass, found.deviation, found.rules, found.own))
+    mass, deviation, rules, own = kilograms
+    word = "separable" if found.separable else "not separable with what is known"
+    return (
+        f"is {text(found.mass, 'mass', 3)} heavier: {mass} ± {deviation} kg (of the ±: rules of mass {rules}, own of"
+        f" each gearbox {own}; what the search left is not in it): {word}."
+    )
+
+
+def not_comparable(rows: Iterable[EqualLife], called: Callable[[EqualLife], str]) -> Iterator[str]:
+    """Yield whose masses leave bearings of shafts out, so that they are compared with no others.
+
+    Args:
+        rows: Of designs closed for one life.
+        called: What a row is called.
+    """
+    for row in rows:
+        if row.without_bearings:
+            yield f"Not comparable: {called(row)} has no bearings on {row.without_bearings}."
+
+
+# ----------------------------------------------------------------------------------------------------------------------
 # What an enumeration of architectures comes to, in sentences.
 # ----------------------------------------------------------------------------------------------------------------------
 
@@ -366,6 +425,7 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
             " as long, ratios chosen anew or not."
         )
     passing = ranking.passing
+    yield from not_comparable(ranking.closed, ranking.called)
     if not passing:
         looked = f"of {len(ranking.closed)} that were closed" if ranking.closed else "as none was closed"
         yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}, {looked}."
@@ -373,10 +433,10 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     best = passing[0]
     yield lightest_sentence(ranking)
     if len(passing) > 1:
-        yield f"The next, {ranking.called(passing[1])}, {_behind(best, passing[1])}"
+        yield f"The next, {ranking.called(passing[1])}, {behind(best, passing[1])}"
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
-        yield f"The lightest of those compared with it, {ranking.called(others[0])}, {_behind(best, others[0])}"
+        yield f"The lightest of those compared with it, {ranking.called(others[0])}, {behind(best, others[0])}"
 
 
 def lightest_sentence(ranking: Ranking) -> str:
@@ -388,19 +448,6 @@ def lightest_sentence(ranking: Ranking) -> str:
     best = ranking.passing[0]
     life = text(ranking.life, "life", 3)
     return f"The lightest that passes its review for {life}: {ranking.called(best)}, {_weighs(best)}."
-
-
-def _behind(best: EqualLife, other: EqualLife) -> str:
-    """Say by how much another gearbox is heavier, and how sure that is."""
-    ahead = (other.with_machines or 0.0) - (best.with_machines or 0.0)
-    most = (best.heaviest or 0.0) + (best.machines or 0.0)
-    within = "within" if (other.with_machines or 0.0) <= most else "beyond"
-    alike, apart = (f"{min(100.0 * lighter(best, other, apart=one), 99.9):.3g} %" for one in (False, True))
-    return (
-        f"is {text(ahead, 'mass', 3)} heavier, {within} the band of the first; the first is lighter with"
-        f" a probability of {alike} if the rules of mass err of both alike, part by part, and of {apart} if they err of"
-        " each by itself."
-    )
 
 
 def _weighs(row: EqualLife) -> str:

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Annotated, NamedTuple
 
 from gearwright.base import DesignError, Mass, Origin, Quantity, Ratio, Shown, largest, largest_first, text
+from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.result import Sizing
 from gearwright.weights import Requirement, bands, estimate, methods
 
@@ -221,15 +222,15 @@ def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
         sizing: As sized.
         mass: Its complete mass.
     """
-    need, cramped = requirement_of(sizing), _cramped(mass)
+    need, beside = requirement_of(sizing), _cramped(mass) + _without(sizing)
     if need is None:
         said = "No statistics: they are of gearboxes that reduce an engine's speed."
-        return Statistics(None, None, None, said + cramped)
+        return Statistics(None, None, None, said + beside)
     found = band_of(need)
     if found is None:
-        return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights." + cramped)
+        return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights." + beside)
     median, low, high = found
-    return Statistics(median, low, high, _sentence(mass, median, (low, high)) + cramped)
+    return Statistics(median, low, high, _sentence(mass, median, (low, high)) + beside)
 
 
 def _cramped(mass: CompleteMass) -> str:
@@ -240,6 +241,12 @@ def _cramped(mass: CompleteMass) -> str:
         f" The bearings of {' and '.join(mass.crowded)} are weighed as large as there is room, and their load asks for"
         " larger ones: gearwright close finds what lives."
     )
+
+
+def _without(sizing: Sizing) -> str:
+    """Say whose bearings are not in the sum."""
+    bare = bare_shafts(sizing)
+    return f" Bearings of {' and '.join(bare)} are not in it: gearwright arrange puts them in." if bare else ""
 
 
 def _sentence(mass: CompleteMass, median: float, band: tuple[float, float]) -> str:

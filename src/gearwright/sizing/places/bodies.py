@@ -246,14 +246,21 @@ def _shaft(parts: Parts, shaft: ShaftSizing, seated: Sequence[Body], carriers: S
 def _caged(
     parts: Parts, shaft: str, frame: Frame, seated: Sequence[Body], carriers: Sequence[Body]
 ) -> Iterator[tuple[float, float]]:
-    """Yield where a shaft is the cage of a carrier or the bell of a ring, along it [m]."""
+    """Yield where a shaft is the cage of a carrier or the bell of a ring, along it [m].
+
+    Between its plate and the planets a carrier has pins and no shaft.
+    """
     for stage, planetary in parts.context.design.sets.items():
+        gears = [_span(frame, body) for body in seated if body.part.name == stage]
+        plates = [_span(frame, body) for body in carriers if body.part.name == stage]
         ring = any(gear.rim and shaft in gear.shafts for gear in parts.gears.values() if gear.stage == stage)
         if ring or planetary.carrier == shaft:
-            yield from (_span(frame, body) for body in seated if body.part.name == stage)
+            yield from gears
         if ring:
-            for start, end in (_span(frame, body) for body in carriers if body.part.name == stage):
-                yield start - PLATE_GAP, end + PLATE_GAP
+            yield from ((start - PLATE_GAP, end + PLATE_GAP) for start, end in plates)
+        elif planetary.carrier == shaft and gears:
+            low, high = min(start for start, _ in gears), max(end for _, end in gears)
+            yield from ((high, start) if start > high else (end, low) for start, end in plates)
 
 
 def _span(frame: Frame, body: Body) -> tuple[float, float]:

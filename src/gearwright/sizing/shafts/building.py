@@ -9,7 +9,9 @@ from functools import cached_property, partial
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.base import Check, DesignError, Kind, PartId, Problem, apart, refuse, smallest_first, text
+import numpy as np
+
+from gearwright.base import Check, DesignError, Kind, PartId, Problem, apart, largest, refuse, smallest_first, text
 from gearwright.catalogue import Bearing, key_for_shaft, next_seal_shaft, seals_for
 from gearwright.parts import Material
 from gearwright.parts.shafts import shaft_mass
@@ -19,6 +21,7 @@ from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.rating import TOOTH_HEIGHT, Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, JointSizing, ShaftStep
+from gearwright.sizing.shafts.retention import holding_room
 from gearwright.sizing.shafts.sections import (
     NO_LIMIT,
     Borne,
@@ -39,7 +42,7 @@ from gearwright.sizing.shafts.sections import (
 )
 from gearwright.sizing.shafts.stretches import LARGEST_BODY, SAME, Bent, Item, Stretch, Wanted, bend, lay, slope_excess
 from gearwright.spec.checks import MOST_HOLLOW
-from gearwright.spec.design import NOTHING_GIVEN, Joint
+from gearwright.spec.design import LOCATES, NOTHING_GIVEN, Joint
 
 # ----------------------------------------------------------------------------------------------------------------------
 # A shaft that is taken as the design gives it: a cylinder on which nothing grows; what does not fit is a check.
@@ -221,50 +224,98 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
     return _judged(task, stretches, chosen)
 
 
-def sealed(task: Task, attempt: Attempt) -> Attempt:
-    """Return a shaft that has grown with the diameters of radial seals where it leaves the housing.
+def ended(task: Task, seated: Seating, attempt: Attempt) -> Attempt:
+    """Return a shaft that has grown with room for what holds its bearings at both ends, and diameters for its seals.
 
-    They are thicker than what has grown and no thicker than bearings further in, so that the shaft gets no weaker.
+    Seats go on where a thinner end would leave no room for a ring or nut that axial force asks for. Diameters of seals
+    are thicker than what has grown and no thicker than bearings further in. So the shaft gets no weaker.
 
     Args:
         task: What it is built from.
+        seated: What its bearings bear.
         attempt: As it has grown.
     """
-    stretches = _with_seals(attempt.stretches, _leaves(task)) if task.as_given is None else attempt.stretches
+    if task.as_given is not None:
+        return attempt
+    stretches = _at_ends(attempt.stretches, _pulls(task, seated, attempt.stretches), _leaves(task))
     return attempt if stretches == attempt.stretches else _judged(task, stretches, attempt.chosen)
 
 
-def _with_seals(stretches: tuple[Stretch, ...], ends: tuple[bool, bool]) -> tuple[Stretch, ...]:
-    """Return a shaft as thick beside its outermost bearings as the next larger radial seals want, where one runs.
+def _at_ends(
+    stretches: tuple[Stretch, ...], pulls: tuple[float, float], leaves: tuple[bool, bool]
+) -> tuple[Stretch, ...]:
+    """Return a shaft with longer seats at its outermost bearings where force pulls, and seals beyond them."""
+    for way in (0, 1):
+        side = _sealed(_held(list(stretches[:: 1 - 2 * way]), pulls[way], leaves=leaves[way]), leaves=leaves[way])
+        stretches = tuple(side[:: 1 - 2 * way])
+    return stretches
+
+
+def _pulls(task: Task, seated: Seating, stretches: Sequence[Stretch]) -> tuple[float, float]:
+    """Return what pulls the shaft out of bearings, or hubs off it, on each side of its thickest part [N]."""
+    thick = largest(stretches, lambda stretch: stretch.diameter)
+    middle, factor = (thick.start + thick.end) / 2.0, task.context.design.service.application_factor
+    found = [0.0, 0.0]
+    for name, seat in seated.seats.items():
+        way = int(seat.position > middle)
+        if (-1 if way else 1) in LOCATES[seat.locates]:
+            found[way] = max(found[way], factor * float(np.abs(seated.axial[name]).max()))
+    for name in task.gears:
+        way = int(task.forces.plan.places[name] > middle)
+        found[way] = max(found[way], _thrust(task, name))
+    return found[0], found[1]
+
+
+def _thrust(task: Task, name: str) -> float:
+    """Return what pushes a gear along its shaft, at most: of a bevel or face gear the force around it [N]."""
+    gear, joint = task.gears[name], task.joints[name]
+    pair = task.context.design.pairs.get(gear.stage)
+    if joint.kind == "integral" or pair is None:
+        return 0.0
+    slope = math.tan(task.context.ratings[gear.stage].helix_angle) if pair.kind == "cylindrical" else 1.0
+    return task.seats[name].torque / (gear.pitch_diameter / 2.0) * slope if pair.halves == 1 else 0.0
+
+
+def _held(side: list[Stretch], force: float, *, leaves: bool) -> list[Stretch]:
+    """Return stretches from an end inwards whose outermost bearing has room beside it for what holds it.
+
+    Where the shaft leaves the housing there, its seal runs on that, too.
+    """
+    at = next((k for k, stretch in enumerate(side) if stretch.kind == "bearing"), 0)
+    if not at or force <= 0.0 or side[at - 1].kind != "between" or side[at - 1].diameter > side[at].diameter - SAME:
+        return side
+    seat, seals = side[at].diameter, seals_for(side[at].diameter) if leaves else ()
+    length = holding_room(seat, force)
+    return _cut(side, at, seat, length + (seals[0].width + SEAL_PLATE if seals else 0.0), "beside") if length else side
+
+
+def _sealed(side: list[Stretch], *, leaves: bool) -> list[Stretch]:
+    """Return stretches from an end inwards with the one under its seal, as thick as the next larger seal wants.
 
     Where that is thicker than the bearing's seat, or nothing lies between the bearing and what sits further out, it
     stays as it is.
     """
-    if ends[0]:
-        stretches = tuple(_sealed(list(stretches)))
-    if ends[1]:
-        stretches = tuple(_sealed(list(stretches[::-1]))[::-1])
-    return stretches
-
-
-def _sealed(side: list[Stretch]) -> list[Stretch]:
-    """Return stretches from an end inwards with the one under its seal."""
     at = next((k for k, stretch in enumerate(side) if stretch.kind == "bearing"), 0)
-    if not at or not side[at - 1].length > SAME:
+    if not leaves or not at or not side[at - 1].length > SAME:
         return side
+    wanted = next_seal_shaft(side[at - 1].diameter)
+    if wanted is None or not side[at - 1].diameter + SAME < wanted <= side[at].diameter + SAME:
+        return side
+    length = max(side[at].length, seals_for(wanted)[0].width + SEAL_PLATE)
+    return _cut(side, at, wanted, length, "seal beside")
+
+
+def _cut(side: list[Stretch], at: int, diameter: float, length: float, what: str) -> list[Stretch]:
+    """Return stretches with the part of one that lies beside a bearing as thick as is wanted there."""
     free, bearing = side[at - 1], side[at]
-    wanted = next_seal_shaft(free.diameter)
-    if wanted is None or not free.diameter + SAME < wanted <= bearing.diameter + SAME:
-        return side
-    length = max(bearing.length, seals_for(wanted)[0].width + SEAL_PLATE)
-    name = f"seal beside {bearing.name}"
     if length >= free.length - SAME:
-        return [*side[: at - 1], free.of(wanted), *side[at:]]
+        return [*side[: at - 1], free.of(diameter), *side[at:]]
     if free.end <= bearing.start + SAME:
-        parts = free._replace(end=free.end - length), free._replace(name=name, start=free.end - length)
+        parts = free._replace(end=free.end - length), free._replace(start=free.end - length)
     else:
-        parts = free._replace(start=free.start + length), free._replace(name=name, end=free.start + length)
-    return [*side[: at - 1], parts[0], parts[1].of(wanted), *side[at:]]
+        parts = free._replace(start=free.start + length), free._replace(end=free.start + length)
+    inner = parts[1]._replace(name=f"{what} {bearing.name}", diameter=diameter)
+    return [*side[: at - 1], parts[0], inner, *side[at:]]
 
 
 def _judged(task: Task, stretches: tuple[Stretch, ...], chosen: Mapping[str, Bearing]) -> Attempt:
@@ -542,7 +593,7 @@ def build_shaft(
             refused[slim] = error
     for slim, seated, attempt in smallest_first(settled, lambda tried: _weight(tried[1], tried[2], material)):
         try:
-            return _finished(task, seated, sealed(task, attempt))
+            return _finished(task, seated, ended(task, seated, attempt))
         except DesignError as error:
             refused[slim] = error
     raise refused[True]

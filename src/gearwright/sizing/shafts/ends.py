@@ -819,7 +819,8 @@ def groove_strengths(sizing: Sizing) -> Iterator[SectionStrength]:
             continue
         plan = sizing.arrangement.plans[shaft.name]
         forces = shaft_forces(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
-        judge = Strength(shaft.name, sizing.design, sizing.design.shaft_material, tuple(context.flows))
+        names = forces.names(context.flows)
+        judge = Strength(shaft.name, sizing.design, sizing.design.shaft_material, names, forces.rows)
         blank = max(step.diameter for step in shaft.steps)
         sections = [_section(groove, at, blank) for groove in own for at in (groove.start, groove.end)]
         yield from strengths(sections, forces, judge, bore=shaft.bore)

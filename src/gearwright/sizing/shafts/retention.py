@@ -236,8 +236,13 @@ def _seated(sizing: Sizing, shaft: BuiltShaft) -> Iterator[Seated]:
 
 
 def _thrust(sizing: Sizing, gear: GearSizing, mesh: MeshSizing) -> float:
-    """Return what pushes a gear along its shaft, either way: of a bevel wheel what is radial at its pinion [N]."""
+    """Return what pushes a gear along its shaft, either way: of a bevel wheel what is radial at its pinion [N].
+
+    Halves of a double-helical gear push each other alone.
+    """
     pair = sizing.design.pairs.get(gear.stage)
+    if pair is not None and pair.halves > 1:
+        return 0.0
     crossed = pair is not None and pair.kind == "bevel" and gear.role is Role.WHEEL
     return abs(mesh.radial_force if crossed else mesh.axial_force)
 
@@ -258,6 +263,25 @@ def _retention(shaft: BuiltShaft, way: int, part: Seated, stack: list[Seated], *
     )
     ring, nut = retaining_ring(seat), nut if passes else None
     return Retention(shaft.name, way, part.name, force, seat, room, ring, edge, last, nut=nut)
+
+
+HALF = 0.5e-3
+"""Step of lengths of seats [m]."""
+
+
+def holding_room(seat: float, force: float) -> float:
+    """Return how far a seat must go on beyond what is held there: for a retaining ring, a nut where no ring bears [m].
+
+    In steps of half a millimetre, with something to spare.
+
+    Args:
+        seat: Its diameter [m].
+        force: That pulls there [N].
+    """
+    ring, nut = retaining_ring(seat), lock_nut(seat)
+    found = next((one.room for one in (ring, nut) if one is not None and one.capacity >= force), None)
+    room = found or (0.0 if ring is None else ring.room)
+    return math.ceil(room / HALF + 1e-6) * HALF
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -164,11 +164,14 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
 
     left = _climb(shaft, bare[:low], wanted, bounded, limit=limit)
     right = _climb(shaft, bare[high + 1 :][::-1], wanted, bounded, limit=limit)
-    # A hub at the thickest place leans on a collar on its longer side, and is slid on from the other one.
-    beyond = right if bare[low - 1].length > bare[high + 1].length else left
+    # A hub at the thickest place leans on a collar, and is slid on from the other side.
+    beyond = right if _collar(bare, low) == low - 1 else left
     past = beyond[-1].diameter if beyond and bare[low].kind == "hub" else 0.0
     middle = _necked(_core(shaft, bare[low : high + 1], (left, right), wanted, past=past), (left, right), wanted)
-    laid = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
+    first, last = middle[0], middle[-1]
+    most_left = _past(wanted, first) if beyond is left else first.diameter
+    most_right = _past(wanted, last) if beyond is right else last.diameter
+    laid = [*_shouldered(left, most_left), *middle, *_shouldered(right, most_right)[::-1]]
     return tuple(_ends(_collared(laid, low, low + len(middle) - 1), wanted)), chosen
 
 
@@ -210,7 +213,7 @@ def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, l
         else:
             laid = stretch.of(whole_millimetres(needed) if needed > reached else reached)
         _refuse_past(shaft, laid, wanted, reached)
-        climbed = [*_shouldered(climbed, laid), laid] if laid.kind != "between" else [*climbed, laid]
+        climbed = [*_shouldered(climbed, _past(wanted, laid)), laid] if laid.kind != "between" else [*climbed, laid]
         reached = laid.diameter
     return climbed
 
@@ -225,7 +228,7 @@ def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
 
 def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None:
     """Raise where a part does not slide over what is further out."""
-    over = wanted.over(laid.name, laid.diameter) if laid.kind == "hub" else laid.diameter
+    over = _past(wanted, laid)
     if over < past - SAME:
         least = _passing(laid.name, wanted, past, past) if laid.kind == "hub" else past
         leaves, further = apart(over, past, "length")
@@ -261,12 +264,17 @@ def whole_millimetres(length: float) -> float:
     return math.ceil(1e3 * length - 1e-6) / 1e3
 
 
-def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
-    """Return stretches whose last one, beside a bearing, is its shoulder where the next seat lets that be."""
+def _past(wanted: Wanted, inner: Stretch) -> float:
+    """Return how thick a shaft may be that what sits on a stretch is slid over [m]."""
+    return wanted.over(inner.name, inner.diameter) if inner.kind == "hub" else inner.diameter
+
+
+def _shouldered(side: list[Stretch], most: float) -> list[Stretch]:
+    """Return stretches whose last one, beside a bearing, is its shoulder where what sits further in goes over that."""
     if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > SAME:
         return side
     wanted = side[-2].shoulder
-    return [*side[:-1], side[-1].of(wanted)] if side[-1].diameter < wanted <= inner.diameter + SAME else side
+    return [*side[:-1], side[-1].of(wanted)] if side[-1].diameter < wanted <= most + SAME else side
 
 
 def _core(
@@ -332,15 +340,17 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
 
 def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     """Return stretches with a collar on the longer side of a hub at the thickest place."""
-    if stretches[low].kind != "hub" or low != high:
+    if stretches[low].kind != "hub" or low != high or (at := _collar(stretches, low)) is None:
         return stretches
-    sides = [k for k in (low - 1, low + 1) if stretches[k].length > SAME]
-    if not sides:
-        return stretches
-    at = largest(sides, lambda k: stretches[k].length)
     beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
     collar = whole_millimetres(max(COLLAR * stretches[low].diameter, *beyond))
     return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]
+
+
+def _collar(stretches: Sequence[Stretch], hub: int) -> int | None:
+    """Return which of the stretches beside a hub has its collar: the longer one; None where neither has a length."""
+    sides = [k for k in (hub - 1, hub + 1) if stretches[k].length > SAME]
+    return largest(sides, lambda k: stretches[k].length) if sides else None
 
 
 def _ends(stretches: list[Stretch], wanted: Wanted) -> list[Stretch]:
