@@ -49,7 +49,9 @@ SLACK = ((0.0, 0.0), (2e-3, 5e-3), (6e-3, 10e-3))
 turn with longer shafts and load others [m]."""
 CROWDED = ("room", "running clearance")
 """How checks begin of parts that stand too near to each other."""
-PLACINGS = 5
+NEAR = 10e-3
+"""Room that a bearing lacks up to which it is moved away; beyond, something else is done [m]."""
+PLACINGS = 8
 """How often room is made for what stands into something else, at most [-]."""
 
 
@@ -196,17 +198,18 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
         wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
         if wider > _MM / 2.0:
             room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
+    done = set[tuple[str, str]]()
     for check in arranged.worse:
         if check.mode.startswith(CROWDED) and check.value is not None and check.limit is not None:
             lacking, bosses = check.limit - check.value, boss_room(arranged.sizing)
             if bosses is not None and check.place == bosses[2]:
                 lacking = bosses[1] - bosses[0]
-            room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM)
+            room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM, done)
     return room
 
 
-def _with_room(arranged: Arranged, room: Room, check: Check, lacking: float) -> Room:
-    """Return what is done for one check."""
+def _with_room(arranged: Arranged, room: Room, check: Check, lacking: float, done: set[tuple[str, str]]) -> Room:
+    """Return what is done for one check, where nothing was done yet for that end of that shaft."""
     names = set(check.place.replace(",", " ").split())
     words = {str(check.part), *check.mode.split(), *names}
     stages = [stage for stage in arranged.design.sets if any(word.split(".")[0] == stage for word in words)]
@@ -217,12 +220,14 @@ def _with_room(arranged: Arranged, room: Room, check: Check, lacking: float) -> 
     for one in arranged.shafts:
         name, seat = one.line.name, next((seat for seat in one.ends if seat in names), "")
         end = _end_of(one, check.why) if name in names else one.ends.get(seat, "")
-        if not end:
+        if not end or (name, end) in done:
             continue
-        if seat and seat not in room.beside:
+        done.add((name, end))
+        if seat and seat not in room.beside and lacking <= NEAR:
             return room.with_beside(seat, lacking)
         if seat == f"{name}-axial":
-            return replace(room, no_axial=room.no_axial | {(name, end)})
+            beside = {bearing: more for bearing, more in room.beside.items() if bearing != seat}
+            return replace(room, no_axial=room.no_axial | {(name, end)}, beside=beside)
         if end == one.line.machine_end:
             return replace(room, mirrored=room.mirrored ^ {name})
         return replace(room, overhung=room.overhung | {(name, end)})

@@ -1,12 +1,10 @@
 """Ranking of architectures: the numbers of each, what is kept, what is refused."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.enumeration import Architecture, Place, Seat, lighter, ranking as module, requirement_of
+from gearwright.enumeration import Architecture, Place, Seat, ranking as module, requirement_of
 from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
 from gearwright.enumeration.trains import built
 from gearwright.errors import DesignError
@@ -103,8 +101,11 @@ def test_a_differential_that_turns_the_propeller_too_slowly_is_refused_and_one_t
     assert "of its speed" not in sketched(requirement_of(steady), one).refused
 
 
-def test_a_gearbox_is_as_likely_lighter_than_its_equal_as_heavier():
-    row = gw.equal_life({"in-line-star": gw.read("in-line-star")}, wishes=gw.Wishes(LIFE))[0]
-    assert lighter(row, row) == 0.5
-    heavier = replace(row, with_machines=row.with_machines + 1.0)
-    assert lighter(row, heavier) == 1.0
+def test_candidates_with_all_their_bearings_weighed_come_first_and_weigh_more():
+    found = gw.architectures(small(), life=LIFE, stages=(1,), closed=0)
+    assert [row.bare for row in found.candidates] == [None] * len(found.candidates)  # nothing is closed
+    asked = requirement_of(small())
+    light = rated(asked, sketched(asked, Architecture(("planetary set",), Place(Seat.NONE))), life=LIFE)
+    whole = module.weighed(light)
+    assert whole.bare == "" and whole.complete_mass > 1.05 * light.complete_mass
+    assert sorted((light, whole), key=lambda row: row.order) == [whole, light]

@@ -1,18 +1,24 @@
 """Designs at equal life: closed, judged by a review of what was written, those that meet everything first."""
 
+import math
+from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
 
+import pytest
+
+import gearwright as gw
 from designs import PAIR
 from gearwright.checks import Check
 from gearwright.closure import Wishes
 from gearwright.identity import Kind, PartId, Role
 from gearwright.render.pages.studies import equal_life_page
 from gearwright.render.tables.study import equal_life_csv, equal_life_table
+from gearwright.render.words.study import equal_life_sentences
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
-from gearwright.study.architectures import _shortest, closed_designs
+from gearwright.study.architectures import MACHINES, OWN, SEPARABLE, _shortest, closed_designs, difference, in_bearings
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -83,3 +89,47 @@ def test_the_table_as_csv_has_the_masses_that_it_shows():
 def test_the_table_has_a_row_for_each():
     shown = equal_life_table(rows(), "Closed")
     assert [row[0].text for row in shown.rows] == ["good", "narrow", "impossible"]
+
+
+def test_every_shaft_of_a_row_stands_in_bearings_which_are_in_its_mass():
+    good = rows()[0]
+    written = parse(good.file)
+    assert {seat.shaft for seat in written.bearings.values()} == set(written.shafts)
+    assert good.without_bearings == ""
+    assert gw.complete_mass(gw.size(written)).total == pytest.approx(good.complete_mass, rel=1e-12)
+    assert sum(group.total for group in good.groups) == pytest.approx(good.complete_mass, rel=1e-12)
+
+
+def test_what_finds_no_bearings_is_said_and_is_not_compared():
+    """The pinion of the split's branches has a root of 61 mm, and nothing of that bore lives as long."""
+    _, _, why = in_bearings(gw.at_level(gw.read("face-gear-split-torque"), "preliminary"))
+    assert why.startswith("left, right, output (bearings.")
+    good = rows()[0]
+    bare = replace(good, design="bare", without_bearings=why, with_machines=1.0)
+    assert difference(good, bare) is None and difference(bare, good) is None
+    said = list(equal_life_sentences((good, bare)))
+    assert said[0].startswith("The lightest that passes as far as assessed: good")
+    assert said[1].startswith("Not comparable: bare has no bearings on left, right, output")
+
+
+def test_errors_that_two_gearboxes_share_cancel_in_their_difference():
+    good = rows()[0]
+    same = difference(good, good)
+    assert (same.mass, same.rules, same.probability, same.separable) == (0.0, 0.0, 0.5, False)
+    assert same.deviation == same.own == pytest.approx(OWN * math.sqrt(2.0) * good.complete_mass)
+    gears, other = next(group for group in good.groups if group.group == "gears"), 7.0
+    heavier = tuple(replace(group, deviation=group.deviation + 2.0 * (group is gears)) for group in good.groups)
+    more = replace(good, groups=heavier, machines=other, with_machines=good.with_machines + other)
+    found = difference(good, more)
+    assert found.rules == pytest.approx(math.hypot(2.0, MACHINES * other))
+    assert found.mass == pytest.approx(other)
+
+
+@pytest.mark.parametrize(("times", "separable"), [(1.2, False), (1.35, True), (-1.35, True)])
+def test_nine_tenths_on_one_side_of_nought_are_separable(times, separable):
+    good = rows()[0]
+    own = OWN * math.sqrt(2.0) * good.complete_mass
+    other = replace(good, with_machines=good.with_machines + times * own)
+    found = difference(good, other)
+    assert found.probability == pytest.approx(0.5 * (1.0 + math.erf(times / math.sqrt(2.0))))
+    assert found.separable is separable is (max(found.probability, 1.0 - found.probability) >= SEPARABLE)
