@@ -1,5 +1,6 @@
 """What many tests look at, made once for each process when a test first asks: shipped designs sized and flown."""
 
+from dataclasses import replace
 from functools import cache
 
 from gearwright.mission import durability, fly
@@ -63,3 +64,14 @@ def flown_review():
 def ground_review():
     """Return the review of the same design without a mission."""
     return review_of(sized())
+
+
+def with_turned_down_tail(sizing):
+    """Return the EC120B gearbox with the first end of its tail shaft as thin as its torque needs, from the bearing on.
+
+    Args:
+        sizing: With ball bearings there.
+    """
+    (tail,) = (shaft for shaft in sizing.built_shafts if shaft.name == "tail")
+    thin = replace(tail, steps=(replace(tail.steps[1], diameter=0.010), *tail.steps[2:]))
+    return replace(sizing, built_shafts=tuple(thin if shaft is tail else shaft for shaft in sizing.built_shafts))

@@ -131,7 +131,12 @@ def arrange(design: Design) -> Arranged:
     sized = size(own)
     room, best = Room(), None
     for _ in range(PLACINGS):
-        arranged = Arranged(before, *_placed(own, sized, room))
+        try:
+            arranged = Arranged(before, *_placed(own, sized, room))
+        except DesignError:
+            if best is None:
+                raise
+            break
         if best is None or arranged.lacking < best.lacking:
             best = arranged
         more = _more_room(arranged, room)

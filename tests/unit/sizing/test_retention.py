@@ -13,9 +13,10 @@ from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design
 from gearwright.sizing.shaft_results import ShaftStep
 from gearwright.sizing.shafts import holding_checks, retention_checks, retentions
-from gearwright.sizing.shafts.retention import Seated, _retention, _seated, ends
+from gearwright.sizing.shafts.ends import seal_checks
+from gearwright.sizing.shafts.retention import Seated, _retention, _seated, _thrust, ends
 from gearwright.spec.design import LOCATES
-from shipped_work import ball_bearings_of_the_tail, sized
+from shipped_work import ball_bearings_of_the_tail, sized, with_turned_down_tail
 
 TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
 
@@ -55,7 +56,26 @@ UNHELD = ball_bearings_of_the_tail('locates = "both"\n', "")
 
 @pytest.fixture(scope="module")
 def unheld():
-    return gw.size(gw.parse(UNHELD))
+    return with_turned_down_tail(gw.size(gw.parse(UNHELD)))
+
+
+def test_a_seat_goes_on_for_a_ring_where_the_end_of_its_shaft_is_thinner():
+    """DIN 471 - 17 x 1 takes m + n = 1.1 + 1.2 mm; a seal of 17 mm runs on the same seat beside it."""
+    sizing = gw.size(gw.parse(UNHELD))
+    tail = next(shaft for shaft in sizing.built_shafts if shaft.name == "tail")
+    end, beside, seat = tail.steps[:3]
+    assert (end.diameter, beside.diameter, seat.diameter, seat.seat) == (0.010, 0.017, 0.017, "tail-front")
+    held = checks_of(sizing)["tail"]
+    assert held.status is Status.PASSES and held.place == "DIN 471 - 17 x 1 beside tail-front"
+    assert not [check for check in (*holding_checks(sizing), *seal_checks(sizing)) if check.fails]
+
+
+def test_halves_of_a_double_helical_gear_push_nothing_along_their_shaft():
+    pairs = {"stage": SimpleNamespace(kind="cylindrical", halves=2)}
+    gear, mesh = SimpleNamespace(stage="stage", role=Role.WHEEL), SimpleNamespace(axial_force=500.0, radial_force=100.0)
+    assert _thrust(SimpleNamespace(design=SimpleNamespace(pairs=pairs)), gear, mesh) == 0.0
+    pairs["stage"].halves = 1
+    assert _thrust(SimpleNamespace(design=SimpleNamespace(pairs=pairs)), gear, mesh) == 500.0
 
 
 def test_where_nothing_holds_what_pulls_the_check_fails_and_says_what_would_help(unheld):
@@ -172,7 +192,8 @@ def test_what_pulls_at_bearings_and_gears_by_hand():
     joints += [SimpleNamespace(shaft="shaft", kind="integral", part="stage.wheel", length=0.04, position=0.1)]
     sizing = SimpleNamespace(
         design=SimpleNamespace(
-            service=SimpleNamespace(application_factor=1.5), pairs={"stage": SimpleNamespace(kind="cylindrical")},
+            service=SimpleNamespace(application_factor=1.5),
+            pairs={"stage": SimpleNamespace(kind="cylindrical", halves=1)},
             bearings={name: SimpleNamespace(locates=way) for name, way in located.items()},
         ),
         bearings=bearings, gears=[gear], joints=joints,
