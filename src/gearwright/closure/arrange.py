@@ -70,9 +70,9 @@ class Room:
     mirrored: frozenset[str] = frozenset()
     """Shafts whose machine stands at the other end."""
 
-    def with_around(self, stage: str, lacking: float) -> Room:
-        """Return it with more room around a set."""
-        return replace(self, around={**self.around, stage: self.around.get(stage, 0.0) + lacking})
+    def with_around(self, stage: str, more: float) -> Room:
+        """Return it with so much room around a set, where it has less."""
+        return replace(self, around={**self.around, stage: max(self.around.get(stage, 0.0), more)})
 
     def with_beside(self, bearing: str, lacking: float) -> Room:
         """Return it with more room beside a bearing."""
@@ -203,24 +203,40 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
         wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
         if wider > _MM / 2.0:
             room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
-    done = set[tuple[str, str]]()
+    done, before = set[tuple[str, str]](), room.around
     for check in arranged.worse:
         if check.mode.startswith(CROWDED) and check.value is not None and check.limit is not None:
             lacking, bosses = check.limit - check.value, boss_room(arranged.sizing)
             if bosses is not None and check.place == bosses[2]:
                 lacking = bosses[1] - bosses[0]
-            room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM, done)
+            room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM, done, before)
     return room
 
 
-def _with_room(arranged: Arranged, room: Room, check: Check, lacking: float, done: set[tuple[str, str]]) -> Room:
-    """Return what is done for one check, where nothing was done yet for that end of that shaft."""
+def _with_room(
+    arranged: Arranged,
+    room: Room,
+    check: Check,
+    lacking: float,
+    done: set[tuple[str, str]],
+    before: Mapping[str, float],
+) -> Room:
+    """Return what is done for one check, where nothing was done yet for that end of that shaft.
+
+    Args:
+        arranged: What stands.
+        room: As far as other checks asked for it.
+        check: That fails.
+        lacking: Room that it lacks [m].
+        done: Shafts and ends for which something was done already; this one is added.
+        before: Set -> room around it as it stands [m].
+    """
     names = set(check.place.replace(",", " ").split())
     words = {str(check.part), *check.mode.split(), *names}
     stages = [stage for stage in arranged.design.sets if any(word.split(".")[0] == stage for word in words)]
     if stages:
         for stage in stages:
-            room = room.with_around(stage, lacking)
+            room = room.with_around(stage, before.get(stage, 0.0) + lacking)
         return room
     for one in arranged.shafts:
         name, seat = one.line.name, next((seat for seat in one.ends if seat in names), "")
@@ -292,7 +308,9 @@ def _changes(
         places = {label: Place(position=at) for label, at in plan.places.items()}
         layout[name] = layout.get(name, NOTHING_GIVEN).model_copy(update={"length": plan.length, "places": places})
     for one in shafts:
-        own: dict[str, Any] = {"diameter": None} | ({} if one.line.bore is None else {"bore_ratio": one.line.bore})
+        own: dict[str, Any] = {"diameter": None, "first_bearing": None, "second_bearing": None} | (
+            {} if one.line.bore is None else {"bore_ratio": one.line.bore}
+        )
         if as_given:
             own |= {"as_given": True, "diameter": max(bearing.bearing.bore for bearing in one.built.bearings)}
         layout[one.line.name] = layout[one.line.name].model_copy(update=own)

@@ -2,6 +2,7 @@
 
 import json
 from functools import cache
+from importlib import import_module
 from itertools import pairwise
 
 import pytest
@@ -16,6 +17,7 @@ from gearwright.render.tables.arranged import arranged_bearings, arranged_shafts
 from gearwright.sizing.making import built_checks
 from gearwright.spec.design import BUILT, PRELIMINARY
 
+arrange_module = import_module("gearwright.closure.arrange")
 NAMES = ("in-line", "in-line-h2", "star", "off-set", "off-set-h1", "mixed-h1", "e-axle")
 PASSING = tuple(name for name in NAMES if name != "off-set-h1")
 """All but one whose motor stands between the wheels of two branches, where its bearings lack 1 mm."""
@@ -111,6 +113,30 @@ def test_the_text_read_again_is_sized_alike_and_arranged_as_it_stands(name):
     assert again.shafts == ()
     assert [one.designation for one in again.sizing.bearings] == [one.designation for one in found.sizing.bearings]
     assert gw.complete_mass(again.sizing).total == pytest.approx(found.masses[1].total, rel=1e-9)
+
+
+def test_a_set_gets_the_room_that_its_most_crowded_neighbour_lacks_once():
+    """Two shafts reach 7.5 mm into the second set of Mixed-H1, and a cover 7.5 mm: 8 mm and 1 mm, not three times."""
+    found, plain = arranged("mixed-h1"), arrange_module.Room()
+    crowded = [check for check in found.worse if check.mode.startswith("room")]
+    assert not crowded
+    room = plain.with_around("second", 0.009).with_around("second", 0.004).with_around("second", 0.009)
+    assert room.around == {"second": 0.009}
+
+
+def test_a_round_that_is_refused_leaves_the_best_so_far(monkeypatch):
+    """Room that is made for a bearing may leave another none."""
+    placed, rounds = arrange_module._placed, []
+
+    def once(*args):
+        rounds.append(args)
+        if len(rounds) > 1:
+            raise DesignError([])
+        return placed(*args)
+
+    monkeypatch.setattr(arrange_module, "_placed", once)
+    found = gw.arrange(gw.at_level(gw.read("mixed-h1"), PRELIMINARY))
+    assert len(rounds) == 2 and found.worse
 
 
 def test_more_life_asks_for_no_lighter_bearings():

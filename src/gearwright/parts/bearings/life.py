@@ -326,6 +326,8 @@ def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 
     """
     single, slopes = np.broadcast_arrays(np.asarray(lives, dtype=float), np.asarray(slope, dtype=float))
     life = float(single.min())  # Newton from above, where the sum is at least 1
+    if math.isinf(life):
+        return life
     for _ in range(100):
         parts = (life / single) ** slopes
         step = math.log(parts.sum()) * parts.sum() / float(parts @ slopes)
