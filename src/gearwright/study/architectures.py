@@ -32,7 +32,7 @@ class EqualLife(Shown):
     heaviest: Mass | None
     """The other end [kg]."""
     machines: Mass | None
-    """Motors, generators and accessories, which are not in the complete mass [kg]."""
+    """Motors, generators and accessories with inverters and cooling, which are not in the complete mass [kg]."""
     with_machines: Mass | None
     """Complete mass and machines, by which designs are ranked [kg]."""
     shortest_life: Life | None
@@ -49,6 +49,12 @@ class EqualLife(Shown):
     """The closed design as TOML."""
     variant: str = ""
     """What was changed of what the design gives, as it does not close itself; empty where it is as it was named."""
+    motors: Mass | None = None
+    """Of the machines motors, generators and accessories by themselves [kg]."""
+    inverters: Mass | None = None
+    """Of the machines their inverters [kg]."""
+    cooling: Mass | None = None
+    """Of the machines what cools them [kg]."""
 
     @property
     def title(self) -> str:
@@ -121,8 +127,11 @@ def _row(name: str, closed: Closed) -> EqualLife:
         complete_mass=whole.total,
         lightest=low,
         heaviest=high,
-        machines=closed.sizing.motor_mass,
-        with_machines=whole.total + closed.sizing.motor_mass,
+        machines=closed.sizing.machines_mass,
+        with_machines=whole.total + closed.sizing.machines_mass,
+        motors=closed.sizing.motor_mass,
+        inverters=closed.sizing.inverter_mass,
+        cooling=closed.sizing.cooling_mass,
         shortest_life=life,
         limits=limits,
         fails="; ".join(map(_words, judged.failing)),
