@@ -32,12 +32,10 @@ def _bursting(path: str, machine: ElectricMachine) -> Iterator[Problem]:
         return
     excess = machine.power / most
     tip, fastest = machine.tip_speed * math.cbrt(excess), machine.speed / math.sqrt(excess)
-    asked = (
-        f"{machine.power / 1e3:.4g} kW at {machine.speed / RPM:.5g} rpm ask for a rotor whose surface runs at {tip:.0f}"
-    )
+    asked, here = f"{machine.power / 1e3:.4g} kW", f"{machine.speed / RPM:.5g} rpm"
     yield Problem(
         f"{path}.speed_rpm",
-        f"{asked} m/s, and tip_speed_m_s = {machine.tip_speed:.4g} is what it bears; allowed are at most"
-        f" {fastest / RPM:.0f} rpm for this power, or {most / 1e3:.4g} kW at this speed; a machine that is built may have"
-        " its mass_kg instead",
+        f"{asked} at {here} ask for a rotor whose surface runs at {tip:.0f} m/s, and it bears tip_speed_m_s ="
+        f" {machine.tip_speed:.4g}; allowed are at most {fastest / RPM:.0f} rpm for {asked}, or {most / 1e3:.4g} kW at"
+        f" {here}; a machine that is built may have its mass_kg instead",
     )
