@@ -358,7 +358,7 @@ def _in_the_model(design: Design) -> Iterator[Problem]:
 
 
 _OF_ELECTRIC = {
-    "flux": "inertia", "mass_law": "mass", "tip_speed": "mass", "inverter": "inverter_mass", "cooling": "cooling_mass",
+    "flux": "inertia", "tip_speed": "mass", "inverter": "inverter_mass", "cooling": "cooling_mass",
 }  # fmt: skip
 _DECIDED = {
     "turbines": {"diameter": "inertia"},

@@ -202,8 +202,8 @@ class ElectricMachine(Machine):
     flux: Literal["radial", "axial"] = Field("radial", description="Flux topology, for its proportions")
     mass_law: Literal["public", "ndarc", "thesis"] = Field(
         "public",
-        description="Its own mass: from torque and speed as public machines for aircraft, from torque alone by"
-        " NDARC's law, or by the thesis's k T^0.33",
+        description="Its own mass, where none is known: from torque and speed as public machines for aircraft, from"
+        " torque alone by NDARC's law, or by the thesis's k T^0.33",
     )
     mass: Mass | None = Field(None, gt=0, description="Known mass of its own, instead of the law")
     inverter: SpecificPower | None = Field(
