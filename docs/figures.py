@@ -7,7 +7,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import gearwright as gw
+from gearwright.catalogue.electric_machines import NOT_READ, PublicMachine, public_machines
 from gearwright.dynamics.vibration import critical_speeds
+from gearwright.machines import motor_mass, motor_mass_ndarc
+from gearwright.machines.electric import PUBLIC_BAND
 from gearwright.mission import fly
 from gearwright.particulars import particulars
 from gearwright.render import style as theme
@@ -27,6 +30,7 @@ from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import Design, edited, parse, read_mission, read_study
 from gearwright.study import run
+from gearwright.units import RPM
 
 FOLDER = Path(__file__).parent / "figures"
 
@@ -174,6 +178,47 @@ def choice_figure() -> Figure:
     return figure
 
 
+# ----------------------------------------------------------------------------------------------------------------------
+# What public electric machines weigh, beside the law of torque and speed and NDARC's of torque.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def motors_figure() -> Figure:
+    """Return mass over torque of public machines with two laws, and mass over the law's with its band."""
+    figure, panels = theme.tiles(2, 2, frame=14.0, row=92.0)
+    groups = (
+        ("in the fit", [one for one in public_machines() if one.torque and one.is_fitted], theme.INK, theme.INK),
+        ("read, not in it", [one for one in public_machines() if _is_aside(one)], theme.PAPER, theme.INK),
+    )
+    torques = [10.0**power for power in (0.9, 3.6)]
+    left, right = panels[0, 0], panels[0, 1]
+    for rpm, colour in ((2000, theme.GREEN), (20000, theme.ORANGE)):
+        masses = [motor_mass(torque, rpm * RPM) for torque in torques]
+        left.plot(torques, masses, "-", color=colour, lw=1.0, label=f"law, {rpm} rpm")
+    left.plot(torques, [motor_mass_ndarc(torque) for torque in torques], "--", color=theme.BLUE, lw=1.0, label="NDARC")
+    for factor in (1.0 / PUBLIC_BAND, 1.0, PUBLIC_BAND):
+        right.plot([1e3, 3e4], [factor, factor], "-" if factor == 1.0 else "--", color=theme.MUTED, lw=0.8)
+    for words, machines, face, edge in groups:
+        left.scatter(
+            [one.torque for one in machines], [one.mass for one in machines], 18.0, color=face, edgecolors=edge, lw=0.8,
+            label=words,
+        )  # fmt: skip
+        speeds = [one.speed / RPM for one in machines]
+        ratios = [one.mass / motor_mass(one.torque, one.speed) for one in machines]
+        right.scatter(speeds, ratios, 18.0, color=face, edgecolors=edge, lw=0.8)
+    for axes, words in ((left, ("torque [N m]", "mass [kg]")), (right, ("speed [rpm]", "mass over the law's [-]"))):
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel(words[0])
+        axes.set_ylabel(words[1])
+    left.legend("upper left")
+    return figure
+
+
+def _is_aside(machine: PublicMachine) -> bool:
+    return machine.speed is not None and not machine.is_fitted and machine.read != NOT_READ
+
+
 FIGURES: Mapping[str, Callable[[], Any]] = {
     "hybrid-turboprop-schematic": lambda: power_flow_figure(_sized("hybrid-turboprop"), "rated"),
     "in-line-h2-schematic": lambda: power_flow_figure(_sized("in-line-h2"), "rated"),
@@ -183,6 +228,7 @@ FIGURES: Mapping[str, Callable[[], Any]] = {
     "in-line-h2-margins": lambda: margin_figure(_sized("in-line-h2")),
     "in-line-h2-mass": lambda: mass_figure(particulars(_sized("in-line-h2"))),
     "choice": choice_figure,
+    "motor-masses": motors_figure,
     "motor-speed": lambda: _study("motor-speed"),
     "architectures": lambda: _study("architectures"),
     "in-line-h2-campbell": lambda: campbell_figure(_sized("in-line-h2"), critical_speeds(_sized("in-line-h2"))[0]),

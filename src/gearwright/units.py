@@ -59,6 +59,8 @@ SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
         "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
         "slope": {"mrad": 1e-3, "rad": 1.0},
+        "specific_mass": {"kg_kw": 1e-3, "kg_w": 1.0},
+        "specific_power": {"kw_kg": 1e3, "w_kg": 1.0},
         "speed": {"rpm": RPM, "rad_s": 1.0},
         "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
         "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
@@ -101,6 +103,7 @@ _SHOWN: Mapping[str, _Shown] = MappingProxyType({
     "life": _Shown("h", 3600.0, "s", "h"),
     "mass": _Shown("kg", 1.0, "kg", "kg"),
     "power": _Shown("kW", 1e3, "W", "kw"),
+    "specific_mass": _Shown("kg/kW", 1e-3, "kg/W", "kg_kw"),
     "specific_power": _Shown("kW/kg", 1e3, "W/kg", "kw_kg"),
     "specific_torque": _Shown("N m/kg", 1.0, "N m/kg", "nm_kg"),
     "slope": _Shown("mrad", 1e-3, "rad", "mrad"),
@@ -194,6 +197,8 @@ Number = Annotated[float, Quantity("number")]
 Power = Annotated[float, Quantity("power")]
 Ratio = Annotated[float, Quantity("ratio")]
 Slope = Annotated[float, Quantity("slope")]
+SpecificMass = Annotated[float, Quantity("specific_mass")]
+SpecificPower = Annotated[float, Quantity("specific_power")]
 Speed = Annotated[float, Quantity("speed")]
 Stiffness = Annotated[float, Quantity("stiffness")]
 Stress = Annotated[float, Quantity("stress")]
@@ -219,7 +224,8 @@ _SYMBOLS: Mapping[str, str] = MappingProxyType({
     "kn": "kN", "hz": "Hz", "khz": "kHz", "kg_m2": "kg m²", "um": "µm", "kw": "kW", "w": "W", "mw": "MW",
     "rad_s": "rad/s", "n_m": "N/m", "n_um": "N/µm", "n_mm": "N/mm", "mpa": "MPa", "pa": "Pa", "gpa": "GPa",
     "nm": "N m", "knm": "kN m", "lbf_ft": "lbf ft", "nm_rad": "N m/rad", "knm_rad": "kN m/rad", "m_s": "m/s",
-    "km_h": "km/h", "ft_min": "ft/min", "m3": "m³", "mm3": "mm³", "per_in": "1/in",
+    "km_h": "km/h", "ft_min": "ft/min", "m3": "m³", "mm3": "mm³", "per_in": "1/in", "kg_kw": "kg/kW", "kg_w": "kg/W",
+    "kw_kg": "kW/kg", "w_kg": "W/kg",
 })  # fmt: skip
 """Suffix of a key -> symbol of its unit, where they differ."""
 

@@ -76,7 +76,11 @@ class Candidate:
     complete_mass: float | None = None
     """Of the whole gearbox against fatigue; with bearings of its shafts where `bare` is empty [kg]."""
     motor_mass: float | None = None
+    """Of the motor by itself [kg]."""
+    inverter_mass: float | None = None
     """[kg]"""
+    cooling_mass: float | None = None
+    """Of motor and inverter [kg]."""
     lacks: tuple[tuple[str, float], ...] = ()
     """Checks that fail, with their margins, the worst first."""
     rated_mass: float | None = None
@@ -90,8 +94,12 @@ class Candidate:
 
     @property
     def with_machines(self) -> float | None:
-        """Complete mass and motor [kg]; None where it is refused."""
-        return None if self.complete_mass is None else self.complete_mass + (self.motor_mass or 0.0)
+        """Complete mass and motor with inverter and cooling [kg]; None where it is refused."""
+        if self.complete_mass is None:
+            return None
+        return self.complete_mass + sum(
+            part or 0.0 for part in (self.motor_mass, self.inverter_mass, self.cooling_mass)
+        )
 
     @property
     def worst(self) -> float:
@@ -141,7 +149,7 @@ def sketched(requirement: Requirement, architecture: Architecture, *, most: floa
     try:
         first, best, places = _lightest(requirement, architecture)
         sizing = size_unturned(best.design)
-        whole = complete_mass(sizing).total + sizing.motor_mass
+        whole = complete_mass(sizing).total + sizing.machines_mass
     except GearwrightError as error:
         return Candidate(architecture, refused=_words(error))
     return Candidate(architecture, best.ratios, best.motor_speed, places, first, whole)
@@ -163,7 +171,7 @@ def _middle(requirement: Requirement, architecture: Architecture) -> Candidate |
     try:
         made = built(requirement, architecture, places)
         sizing = size_unturned(made.design)
-        whole = complete_mass(sizing).total + sizing.motor_mass
+        whole = complete_mass(sizing).total + sizing.machines_mass
     except GearwrightError:
         return None
     return Candidate(architecture, made.ratios, made.motor_speed, places, _first_mass(sizing), whole)
@@ -227,7 +235,8 @@ def _rated(requirement: Requirement, row: Candidate, places: Sequence[float], li
     sizing = size(design)
     return replace(
         row, ratios=made.ratios, motor_speed=made.motor_speed, places=tuple(places), design=design,
-        complete_mass=complete_mass(sizing).total, motor_mass=sizing.motor_mass, lacks=tuple(_lacks(sizing.checks)),
+        complete_mass=complete_mass(sizing).total, motor_mass=sizing.motor_mass, inverter_mass=sizing.inverter_mass,
+        cooling_mass=sizing.cooling_mass, lacks=tuple(_lacks(sizing.checks)),
     )  # fmt: skip
 
 
@@ -271,7 +280,7 @@ def _star(places: Sequence[float], step: float) -> Iterator[tuple[float, ...]]:
 
 
 def _first_mass(sizing: Sizing) -> float:
-    return sizing.mass + sizing.motor_mass
+    return sizing.mass + sizing.machines_mass
 
 
 def _lacks(checks: Sequence[Check]) -> Iterator[tuple[str, float]]:

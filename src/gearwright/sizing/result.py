@@ -449,13 +449,29 @@ class MachineSizing:
     mass: Annotated[
         float | None,
         Quantity("mass"),
-        Origin("0.3928 Q^0.8587 lb, or k T^0.33", "NDARC (NASA/TP-2015-218751); Pulvirenti 2023"),
+        Origin(
+            "0.0299 T^0.833 n^0.234 kg; 0.3928 Q^0.8587 lb, or k T^0.33",
+            "public machines for aircraft; NDARC (NASA/TP-2015-218751); Pulvirenti 2023",
+        ),
     ]
-    """Of a motor, generator or accessory; None where the gearbox does not size it [kg]."""
+    """Of a motor, generator or accessory by itself; None where the gearbox does not size it [kg]."""
     inertia: Inertia
     """Polar inertia of what turns [kg m²]."""
     inertia_is_given: bool
     """True if the design gives it, False if it is estimated."""
+    inverter: Annotated[
+        float | None, Quantity("mass"), Origin("P/(12 kW/kg)", "7.5 to 19 kW/kg of public inverters")
+    ] = None
+    """Mass of its inverter; None where none is counted [kg]."""
+    cooling: Annotated[
+        float | None, Quantity("mass"), Origin("0.8 kg/kW · P (1/0.95 - 1)", "an estimate: 0.2 to 1.5 kg/kW")
+    ] = None
+    """Mass of what cools it and its inverter; None where none is counted [kg]."""
+
+    @property
+    def installed(self) -> float:
+        """Mass with inverter and cooling [kg]."""
+        return (self.mass or 0.0) + (self.inverter or 0.0) + (self.cooling or 0.0)
 
 
 @dataclass(frozen=True, repr=False)
@@ -541,8 +557,23 @@ class Sizing(Shown):
 
     @property
     def motor_mass(self) -> Mass:
-        """Mass of all motors, generators and accessories [kg]."""
+        """Mass of all motors, generators and accessories by themselves [kg]."""
         return sum(machine.mass or 0.0 for machine in self.machines)
+
+    @property
+    def inverter_mass(self) -> Mass:
+        """Mass of the inverters of motors and generators, as far as they are counted [kg]."""
+        return sum(machine.inverter or 0.0 for machine in self.machines)
+
+    @property
+    def cooling_mass(self) -> Mass:
+        """Mass of what cools motors, generators and their inverters, as far as it is counted [kg]."""
+        return sum(machine.cooling or 0.0 for machine in self.machines)
+
+    @property
+    def machines_mass(self) -> Mass:
+        """Mass of all motors, generators and accessories with inverters and cooling [kg]."""
+        return self.motor_mass + self.inverter_mass + self.cooling_mass
 
     @property
     def power_density(self) -> Annotated[float, Quantity("specific_power")]:
@@ -551,8 +582,8 @@ class Sizing(Shown):
 
     @property
     def total_power_density(self) -> Annotated[float, Quantity("specific_power")]:
-        """Rated power over gearbox and motors, as Pulvirenti 2023, appendix, has it [W/kg]."""
-        return self.rated_power / (self.mass + self.motor_mass)
+        """Rated power over gearbox and machines; Pulvirenti 2023, appendix, has motors alone [W/kg]."""
+        return self.rated_power / (self.mass + self.machines_mass)
 
     @property
     def rated_power(self) -> Power:

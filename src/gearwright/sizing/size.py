@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
 from operator import itemgetter
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -29,7 +30,10 @@ from gearwright.base import (
 )
 from gearwright.machines import (
     LENGTH_RATIO,
+    cooling_mass,
+    inverter_mass,
     motor_diameter,
+    motor_mass,
     motor_mass_ndarc,
     motor_mass_power_law,
     propeller_inertia,
@@ -74,7 +78,12 @@ from gearwright.train import Train, build_train
 FASTEST_TIP = 250.0
 """Tip speed of a rotor that leaves the advancing blade some forward speed [m/s]: Mach 0.73 at sea level. The UH-1H with
 14.63 m at 324 rpm has 248 m/s, faster than helicopters since; 200 to 225 m/s are usual."""
-_MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_power_law}
+_MASS_LAWS: Mapping[str, Callable[[float, float], float]] = MappingProxyType({
+    "public": motor_mass,
+    "ndarc": lambda torque, _: motor_mass_ndarc(torque),
+    "thesis": lambda torque, _: motor_mass_power_law(torque),
+})  # fmt: skip
+"""Law of the mass of an electric machine, of torque [N m] and speed [rad/s]."""
 
 
 def size_machines(context: Context) -> tuple[MachineSizing, ...]:
@@ -110,6 +119,7 @@ def _machine(context: Context, name: str, machine: Machine) -> MachineSizing:
     else:
         torque = max(abs(flow.machine_torques[name]) for flow in context.flows.values())
     mass = _mass(context, name, machine, torque)
+    inverter, cooling = _beside(context, name, machine)
     given: float | None = getattr(machine, "inertia", None)
     return MachineSizing(
         name=name,
@@ -119,13 +129,32 @@ def _machine(context: Context, name: str, machine: Machine) -> MachineSizing:
         mass=mass,
         inertia=_inertia(machine, mass) if given is None else given,
         inertia_is_given=given is not None,
+        inverter=inverter,
+        cooling=cooling,
     )
 
 
 def _mass(context: Context, name: str, machine: Machine, torque: float) -> float | None:
     if not isinstance(machine, ElectricMachine):
         return context.given.get(f"{name}.mass")
-    return context.given.get(f"{name}.mass", _MASS_LAWS[machine.mass_law](torque))
+    return context.given.get(f"{name}.mass", _MASS_LAWS[machine.mass_law](torque, machine.speed))
+
+
+def _beside(context: Context, name: str, machine: Machine) -> tuple[float | None, float | None]:
+    """Return the masses of a machine's inverter and cooling, counted beside the public law or where asked for [kg]."""
+    if not isinstance(machine, ElectricMachine):
+        return None, None
+    counted = machine.mass_law == "public" and f"{name}.mass" not in context.given
+    inverter = cooling = None
+    if machine.inverter is not None:
+        inverter = inverter_mass(machine.power, machine.inverter)
+    elif counted:
+        inverter = inverter_mass(machine.power)
+    if machine.cooling is not None:
+        cooling = cooling_mass(machine.power, machine.cooling)
+    elif counted:
+        cooling = cooling_mass(machine.power)
+    return context.given.get(f"{name}.inverter_mass", inverter), context.given.get(f"{name}.cooling_mass", cooling)
 
 
 def _inertia(machine: Machine, mass: float | None) -> float:

@@ -9,6 +9,7 @@ from pathlib import Path
 from gearwright.base import Check, DesignError, Life, Mass, Problem, Ratio, Shown, margin_text, verb
 from gearwright.closure import Closed, Outcome, Wishes, arrange, close, nearest_variant
 from gearwright.closure.requirements import LONGEST
+from gearwright.machines.electric import PUBLIC_BAND
 from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, Verdict, review
 from gearwright.sizing import Sizing, size
@@ -34,7 +35,7 @@ class EqualLife(Shown):
     heaviest: Mass | None
     """The other end [kg]."""
     machines: Mass | None
-    """Motors, generators and accessories, which are not in the complete mass [kg]."""
+    """Motors, generators and accessories with inverters and cooling, which are not in the complete mass [kg]."""
     with_machines: Mass | None
     """Complete mass and machines, by which designs are ranked [kg]."""
     shortest_life: Life | None
@@ -55,6 +56,12 @@ class EqualLife(Shown):
     """Shafts that need bearings and find none, and why, so that these are not in the mass; empty: there are none."""
     groups: tuple[MassGroup, ...] = ()
     """Of parts, of which the complete mass is the sum."""
+    motors: Mass | None = None
+    """Of the machines motors, generators and accessories by themselves [kg]."""
+    inverters: Mass | None = None
+    """Of the machines their inverters [kg]."""
+    cooling: Mass | None = None
+    """Of the machines what cools them [kg]."""
 
     @property
     def title(self) -> str:
@@ -129,8 +136,11 @@ def _row(name: str, closed: Closed) -> EqualLife:
         complete_mass=whole.total,
         lightest=low,
         heaviest=high,
-        machines=sizing.motor_mass,
-        with_machines=whole.total + sizing.motor_mass,
+        machines=sizing.machines_mass,
+        with_machines=whole.total + sizing.machines_mass,
+        motors=sizing.motor_mass,
+        inverters=sizing.inverter_mass,
+        cooling=sizing.cooling_mass,
         shortest_life=life,
         limits=limits,
         fails="; ".join(map(_words, judged.failing)),
@@ -185,7 +195,7 @@ def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:
 OWN = 0.06
 """Error of a gearbox's complete mass that no rule shares with another, one standard deviation over it [-], an estimate:
 what differs between two gearboxes that rules weigh alike."""
-MACHINES = 0.29
+MOTORS = PUBLIC_BAND - 1.0
 """Error of the law of electric machines, one standard deviation over their mass [-]."""
 SEPARABLE = 0.9
 """Probability of one sign from which two masses count as separable [-]."""
@@ -217,7 +227,7 @@ def difference(first: EqualLife, second: EqualLife) -> Difference | None:
     """Return by how much one gearbox is lighter than another; None where their masses are not sums of the same.
 
     A rule errs by one factor for a group of parts in both, groups apart: √Σ (s_g m_g1 − s_g m_g2)². Each has an error
-    of its own besides.
+    of its own besides. Inverters and cooling go by power, and are alike.
 
     Args:
         first: Closed, of one requirement with the other.
@@ -227,7 +237,7 @@ def difference(first: EqualLife, second: EqualLife) -> Difference | None:
         return None
     errors = [{group.group: group.deviation for group in row.groups} for row in (first, second)]
     shared = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
-    rules = math.hypot(*shared, MACHINES * ((first.machines or 0.0) - (second.machines or 0.0)))
+    rules = math.hypot(*shared, MOTORS * ((first.motors or 0.0) - (second.motors or 0.0)))
     own = OWN * math.hypot(first.complete_mass, second.complete_mass)
     mass, deviation = (second.with_machines or 0.0) - (first.with_machines or 0.0), math.hypot(rules, own)
     ahead = 0.5 * (1.0 + math.erf(mass / math.sqrt(2.0) / deviation))

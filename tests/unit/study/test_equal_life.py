@@ -18,7 +18,7 @@ from gearwright.render.words.study import equal_life_sentences
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
-from gearwright.study.architectures import MACHINES, OWN, SEPARABLE, _shortest, closed_designs, difference, in_bearings
+from gearwright.study.architectures import MOTORS, OWN, SEPARABLE, _shortest, closed_designs, difference, in_bearings
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -119,9 +119,9 @@ def test_errors_that_two_gearboxes_share_cancel_in_their_difference():
     assert same.deviation == same.own == pytest.approx(OWN * math.sqrt(2.0) * good.complete_mass)
     gears, other = next(group for group in good.groups if group.group == "gears"), 7.0
     heavier = tuple(replace(group, deviation=group.deviation + 2.0 * (group is gears)) for group in good.groups)
-    more = replace(good, groups=heavier, machines=other, with_machines=good.with_machines + other)
+    more = replace(good, groups=heavier, machines=other, motors=other, with_machines=good.with_machines + other)
     found = difference(good, more)
-    assert found.rules == pytest.approx(math.hypot(2.0, MACHINES * other))
+    assert found.rules == pytest.approx(math.hypot(2.0, MOTORS * other))
     assert found.mass == pytest.approx(other)
 
 

@@ -233,6 +233,11 @@ class SizeAnswer:
     bearing_mass: Mass
     """Of the chosen bearings of built shafts and of planets; in the mass are those of planets at level preliminary."""
     motor_mass: Mass
+    """Of motors, generators and accessories by themselves."""
+    inverter_mass: Mass
+    """Of their inverters, as far as they are counted."""
+    cooling_mass: Mass
+    """Of what cools them, as far as it is counted."""
     rated_power: Power
     power_density: Annotated[float, Quantity("specific_power")]
     """Rated power over the mass."""
@@ -323,6 +328,8 @@ def size_answer(facts: Particulars, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         carrier_mass=sizing.carrier_mass,
         bearing_mass=sizing.bearing_mass + sizing.planet_bearing_mass,
         motor_mass=sizing.motor_mass,
+        inverter_mass=sizing.inverter_mass,
+        cooling_mass=sizing.cooling_mass,
         rated_power=sizing.rated_power,
         power_density=sizing.power_density,
         worst_margin=sizing.worst_margin,

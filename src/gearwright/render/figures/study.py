@@ -16,7 +16,7 @@ from gearwright.optimum import Optimum
 from gearwright.render import style as theme
 from gearwright.render.style import DUSK, colour_bar, shade, shades
 from gearwright.render.tables.study import letter
-from gearwright.render.tables.variants import FLAT, heading, numeric_axis, percent
+from gearwright.render.tables.variants import BESIDE_MOTORS, FLAT, heading, is_counted, numeric_axis, percent
 from gearwright.render.vector.figure import Axes, Figure, Parallel
 from gearwright.spec import Study
 from gearwright.study import Row, Table
@@ -30,9 +30,11 @@ from gearwright.study.tables import pareto_front
 
 FEW_CURVES = 3
 """Curves up to which every optimum is written beside its ring."""
-_STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
-_COMPLETE = ("complete_mass", "motor_mass")
-_STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
+_MACHINES = ("motor_mass", *BESIDE_MOTORS)
+_STACK = ("gear_mass", "shaft_mass", "carrier_mass", *_MACHINES)
+_COMPLETE = ("complete_mass", *_MACHINES)
+_COLOURS = (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE, theme.PURPLE, theme.SKY)
+_STACK_COLOURS = dict(zip(_STACK, _COLOURS, strict=True))
 _STACK_COLOURS["complete_mass"] = theme.BLUE
 _HEAVIER_IS_BETTER = ("power_density", "total_power_density", "worst_margin", "review.margin")
 
@@ -136,7 +138,8 @@ def comparison_figure(table: Table) -> Figure:
             ``carrier_mass`` and ``motor_mass``, or some of them.
     """
     whole = _COMPLETE[0] in table.results
-    parts = [part for part in (_COMPLETE if whole else _STACK) if part in table.results] or list(table.numbers[:1])
+    stack = [part for part in (_COMPLETE if whole else _STACK) if part in table.results and is_counted(table, part)]
+    parts = stack or list(table.numbers[:1])
     rows = smallest_first(table.good, lambda row: sum(row.number(part) for part in parts))
     figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.panel()

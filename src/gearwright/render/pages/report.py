@@ -65,7 +65,7 @@ from gearwright.render.tables.checks import (
     usual_table,
 )
 from gearwright.render.tables.dynamics import dynamic_table, energy_table, mode_table, motion_tables
-from gearwright.render.tables.sizing import flow_tables, mass_sentence, passing_table, path_table, tables_of
+from gearwright.render.tables.sizing import flow_tables, mass_sentence, motor_rows, passing_table, path_table, tables_of
 from gearwright.render.words.design_file import entries
 from gearwright.render.words.sizing import unneeded_text
 from gearwright.reviews import Review
@@ -266,7 +266,7 @@ def key_numbers(facts: Particulars, review: Review | None = None) -> tuple[Numbe
         *reserve(worst(sizing.checks) if review is None else review.worst),
         *([quantity("its gears, shafts, carriers", whole.train, "mass", digits=3)] if whole.train else []),
         quantity("train as sized", sizing.mass, "mass", origin=gears),
-        *([quantity("motors", sizing.motor_mass, "mass")] if sizing.motor_mass else []),
+        *(quantity(name, mass, "mass") for name, mass in motor_rows(sizing) if mass),
         Number("level", sizing.level if "level" not in implied(sizing.design) else f"{sizing.level}, by default"),
     ]
     return tuple(numbers)
@@ -583,7 +583,7 @@ def _numbers(review: Review) -> Iterator[Number]:
     """Yield what a reader asks first."""
     yield from reserve(review.worst)
     yield quantity("complete mass", review.complete.total, "mass", digits=3, band=review.complete.band, share="68 %")
-    machines = float(review.facts["motor_mass"].value)
+    machines = sum(float(review.facts[name].value) for name in ("motor_mass", "inverter_mass", "cooling_mass"))
     if machines:
         with_them = f"with machines of {text(machines, 'mass', 3)}"
         yield quantity(with_them, review.complete.total + machines, "mass", digits=3)

@@ -269,7 +269,7 @@ class DesignView:
     design: str
     verdict: str
     """Of its review."""
-    total: Annotated[float, Quantity("mass"), Origin("gearbox and motors", "sum")]
+    total: Annotated[float, Quantity("mass"), Origin("gearbox and machines", "sum")]
     """By which the designs are ranked [kg]."""
     power_density: Annotated[float, Quantity("specific_power"), Origin("rated power / gearbox", "definition")]
     """[W/kg]"""
@@ -281,7 +281,11 @@ class DesignView:
     """[kg]"""
     heaviest: Annotated[float, Quantity("mass"), Origin("end of the 68 % band of the complete mass", "held against")]
     """[kg]"""
-    motors: Annotated[float, Quantity("mass"), Origin("NDARC or thesis law", "NASA/TP-2015-218751; Pulvirenti 2023")]
+    motors: Annotated[float, Quantity("mass"), Origin("law of torque and speed, or of torque", "machines.electric")]
+    """[kg]"""
+    inverters: Annotated[float, Quantity("mass"), Origin("rated power over a power density", "machines.electric")]
+    """[kg]"""
+    cooling: Annotated[float, Quantity("mass"), Origin("by the heat of motor and inverter", "machines.electric")]
     """[kg]"""
     width: Annotated[float, Quantity("length"), Origin("box around tip circles", "geometry")]
     """[m]"""
@@ -306,7 +310,7 @@ def comparison(
         reviews: Design -> every check of it.
         stamp: Date of the page.
     """
-    ranked = dict(smallest_first(sizings.items(), lambda variant: variant[1].mass + variant[1].motor_mass))
+    ranked = dict(smallest_first(sizings.items(), lambda variant: variant[1].mass + variant[1].machines_mass))
     verdicts = {name: judged(reviews[name]) for name in ranked}
     masses = figure(comparison_figure(variants), "masses", "Masses, lightest first.")
     designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]
@@ -364,12 +368,14 @@ def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:
     return DesignView(
         name,
         str(review.verdict),
-        sizing.mass + sizing.motor_mass,
+        sizing.mass + sizing.machines_mass,
         sizing.power_density,
         sizing.mass,
         review.complete.total,
         *review.complete.band,
         sizing.motor_mass,
+        sizing.inverter_mass,
+        sizing.cooling_mass,
         box.width,
         box.height,
         box.length,

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 _LAYOUT = {"stiffness": "torsional_stiffness"}
 """Field of a sized shaft -> its name in the layout, where they differ."""
+_OF_MACHINES = {"mass": "mass", "inverter": "inverter_mass", "cooling": "cooling_mass", "inertia": "inertia"}
+"""Field of a sized machine -> its name in the design."""
 
 
 def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
@@ -62,8 +64,8 @@ def _in_design(sizing: Sizing, record: object, field: str) -> bool:
     if isinstance(record, ShaftSizing):
         layout = sizing.design.layout.get(record.name, NOTHING_GIVEN)
         return getattr(layout, _LAYOUT.get(field, field), None) is not None
-    if isinstance(record, MachineSizing) and field in ("mass", "inertia"):
-        return getattr(sizing.design.machines[record.name], field, None) is not None
+    if isinstance(record, MachineSizing) and field in _OF_MACHINES:
+        return getattr(sizing.design.machines[record.name], _OF_MACHINES[field], None) is not None
     return False
 
 
@@ -729,11 +731,27 @@ def tables_of(facts: Particulars) -> dict[str, Table]:
                           ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
                            "plate_thickness", "mass", "inertia"), mark=mark, note=_unequal(facts)),
         "planet_bearings": planet_table(sizing),
-        "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
-                          mark=mark),
+        "machines": table("Machines", sizing.machines, _machine_columns(sizing), mark=mark),
         "mass": table("Train as sized", facts.mass_parts, ("part", "group", "count", "each", "total", "share"),
                       note=not_in_the_mass(facts.mass_groups)),
     }  # fmt: skip
+
+
+def motor_rows(sizing: Sizing) -> tuple[tuple[str, float], ...]:
+    """Return what motors, their inverters and their cooling weigh, by name [kg].
+
+    Args:
+        sizing: As sized.
+    """
+    return (
+        ("motors", sizing.motor_mass), ("inverters", sizing.inverter_mass), ("cooling of motors", sizing.cooling_mass),
+    )  # fmt: skip
+
+
+def _machine_columns(sizing: Sizing) -> tuple[str, ...]:
+    """Return what is told of machines; inverters and cooling where they are counted."""
+    beside = ("inverter", "cooling") if sizing.machines_mass > sizing.motor_mass else ()
+    return "name", "kind", "shaft", "torque", "mass", *beside, "inertia"
 
 
 def _searched(sizing: Sizing) -> str:

@@ -14,7 +14,7 @@ from gearwright.base import Mass, Speed, largest, largest_first, margin_text, sh
 from gearwright.enumeration import Candidate
 from gearwright.optimum import Best, Optimum
 from gearwright.render.grid import Cell, Column, Table, table, table_csv
-from gearwright.render.tables.variants import heading, percent, spread
+from gearwright.render.tables.variants import BESIDE_MOTORS, heading, percent, spread
 from gearwright.sizing import Named
 from gearwright.sizing.mass import GROUPS, CompleteMass, Statistics
 from gearwright.spec import Axis, Study, value_at
@@ -507,8 +507,8 @@ _ARCHITECTURE_NOTE = (
     " by the load that what fails lacks, which closing may bring or not; those with all their bearings first."
 )
 _ARCHITECTURE_COLUMNS = (
-    "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "with_machines", "bearings",
-    "lacks",
+    "architecture", "ratios", "motor_speed", "first_mass", "complete_mass", "motor_mass", "inverter_mass",
+    "cooling_mass", "with_machines", "bearings", "lacks",
 )  # fmt: skip
 
 
@@ -527,7 +527,11 @@ class ArchitectureRow:
     complete_mass: Mass | None
     """[kg]"""
     motor_mass: Mass | None
+    """Of the motor by itself [kg]."""
+    inverter_mass: Mass | None
     """[kg]"""
+    cooling_mass: Mass | None
+    """Of motor and inverter [kg]."""
     with_machines: Mass | None
     """[kg]"""
     bearings: str
@@ -550,6 +554,8 @@ def rows_of(candidates: Iterable[Candidate]) -> Iterator[ArchitectureRow]:
             row.first_mass,
             row.complete_mass,
             row.motor_mass,
+            row.inverter_mass,
+            row.cooling_mass,
             row.with_machines,
             "" if row.complete_mass is None else "no" if row.bare is None else row.bare or "yes",
             row.refused or _lacked(row),
@@ -572,7 +578,10 @@ def architectures_table(candidates: Iterable[Candidate], title: str) -> Table:
         candidates: In their order.
         title: In words.
     """
-    return table(title, rows_of(candidates), _ARCHITECTURE_COLUMNS, note=_ARCHITECTURE_NOTE)
+    rows = list(rows_of(candidates))
+    counted = any(row.inverter_mass or row.cooling_mass for row in rows)
+    columns = [name for name in _ARCHITECTURE_COLUMNS if counted or name not in BESIDE_MOTORS]
+    return table(title, rows, columns, note=_ARCHITECTURE_NOTE)
 
 
 def architectures_csv(candidates: Iterable[Candidate]) -> str:
@@ -591,7 +600,8 @@ def architectures_csv(candidates: Iterable[Candidate]) -> str:
 
 
 _EQUAL_LIFE_COLUMNS = (
-    "design", "variant", "verdict", "complete_mass", "lightest", "heaviest", "machines", "with_machines",
+    "design", "variant", "verdict", "complete_mass", "lightest", "heaviest", "motors", "inverters", "cooling",
+    "machines", "with_machines",
     "shortest_life",
     "limits", "without_bearings", "fails",
 )  # fmt: skip
@@ -615,7 +625,9 @@ def equal_life_table(rows: Sequence[EqualLife], title: str) -> Table:
         rows: In their order.
         title: In words.
     """
-    return table(title, rows, _EQUAL_LIFE_COLUMNS, note=f"{_NOTE}{_beside(rows)}")
+    counted = any(row.inverters or row.cooling for row in rows)
+    columns = [name for name in _EQUAL_LIFE_COLUMNS if counted or name not in ("motors", "inverters", "cooling")]
+    return table(title, rows, columns, note=f"{_NOTE}{_beside(rows)}")
 
 
 def group_table(masses: Mapping[str, CompleteMass]) -> Table:

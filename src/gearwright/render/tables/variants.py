@@ -18,9 +18,10 @@ from gearwright.study.tables import kind_of, quantiles
 
 
 _WORDS = {"mass": "train as sized", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
-          "motor_mass": "motors", "complete_mass": "complete", "complete_mass.low": "68 % from",
+          "motor_mass": "motors", "inverter_mass": "inverters", "cooling_mass": "their cooling",
+          "complete_mass": "complete", "complete_mass.low": "68 % from",
           "complete_mass.high": "to",
-          "total_mass": "train as sized + motors", "total_power_density": "power density with motors",
+          "total_mass": "train as sized + machines", "total_power_density": "power density with machines",
           "envelope.volume": "envelope",
           "worst_margin": "worst margin of sizing", "review.margin": "worst margin", "review.worst": "worst check",
           "review.verdict": "verdict", "review.failing": "failing checks",
@@ -31,6 +32,8 @@ _WORDS = {"mass": "train as sized", "gear_mass": "gears", "shaft_mass": "shafts"
           "fly.minimum_charge": "minimum charge"}  # fmt: skip
 
 
+BESIDE_MOTORS = ("inverter_mass", "cooling_mass")
+"""Results that are nothing where a design counts motors alone."""
 FLAT = 0.03
 """Deviation from the optimum that still counts as near it [-]."""
 MOST_COLUMNS = 4
@@ -81,12 +84,23 @@ def study_grid(table: Table) -> Grid:
     paths = _few(table)
     for name in ("design", *paths):
         grid.add_column(name, justify="left" if name == "design" else "right")
-    for result in table.results:
+    results = [result for result in table.results if is_counted(table, result)]
+    for result in results:
         grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
     for row in table.rows:
         if not row.problem:
-            grid.add_row(row.design, *_inputs(row, paths), *map(row.text, table.results))
+            grid.add_row(row.design, *_inputs(row, paths), *map(row.text, results))
     return grid
+
+
+def is_counted(table: Table, result: str) -> bool:
+    """Tell whether a result is shown: inverters and cooling where some design counts them.
+
+    Args:
+        table: Of the study.
+        result: Its name.
+    """
+    return result not in BESIDE_MOTORS or any(row.number(result) for row in table.good)
 
 
 def _few(table: Table) -> tuple[str, ...]:

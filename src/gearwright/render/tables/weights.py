@@ -9,7 +9,7 @@ from gearwright.base import RPM, text
 from gearwright.catalogue import Engine
 from gearwright.particulars import Particulars
 from gearwright.render.grid import csv_text
-from gearwright.render.tables.sizing import with_band
+from gearwright.render.tables.sizing import motor_rows, with_band
 from gearwright.render.terminal import Grid
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import band_of, requirement_of
@@ -307,7 +307,8 @@ def summary(facts: Particulars) -> str:
     """
     sizing, complete = facts.sizing, complete_words(facts)
     turning = 0.0 if "planet bearings" in facts.mass_groups else sizing.planet_bearing_mass
-    beside = {"Bearings": sizing.bearing_mass + turning, "Motors": sizing.motor_mass}
+    motors = {name.capitalize(): mass for name, mass in motor_rows(sizing)}
+    beside = {"Bearings": sizing.bearing_mass + turning, **motors}
     told = "".join(f" {what} {text(mass, 'mass')}." for what, mass in beside.items() if mass)
     first = f"Complete mass {complete}. Train as sized " if complete else ""
     return f"{first}{train_mass(facts)}, {text(sizing.power_density, 'specific_power')}.{told}"

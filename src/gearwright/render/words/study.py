@@ -454,5 +454,14 @@ def _weighs(row: EqualLife) -> str:
     band = ""
     if row.lightest is not None and row.heaviest is not None:
         band = f" ({text(row.lightest, 'mass', 3)} to {text(row.heaviest, 'mass', 3)})"
-    beside = f" and machines of {text(row.machines, 'mass', 3)}" if row.machines else ""
+    beside = f" and machines of {text(row.machines, 'mass', 3)}{_of_machines(row)}" if row.machines else ""
     return f"{text(row.complete_mass or 0.0, 'mass', 3)}{band}{beside}"
+
+
+def _of_machines(row: EqualLife) -> str:
+    """Say of what the mass of machines is, where inverters and cooling are counted."""
+    if not (row.inverters or row.cooling):
+        return ""
+    parts = (("motors", row.motors), ("inverters", row.inverters), ("cooling", row.cooling))
+    said = ", ".join(f"{name} {text(mass, 'mass', 3)}" for name, mass in parts if mass)
+    return f" ({said})"

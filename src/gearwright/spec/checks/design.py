@@ -14,6 +14,7 @@ from gearwright.spec.checks.epicyclics import (
     sharing_problems,
 )
 from gearwright.spec.checks.gears import contradiction_problems, gear_problems, material_problems, oil_problems
+from gearwright.spec.checks.machines import electric_problems
 from gearwright.spec.checks.mounting import motion_problems, mounting_problems
 from gearwright.spec.design import (
     CONCEPT,
@@ -356,10 +357,13 @@ def _in_the_model(design: Design) -> Iterator[Problem]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+_OF_ELECTRIC = {
+    "flux": "inertia", "tip_speed": "mass", "inverter": "inverter_mass", "cooling": "cooling_mass",
+}  # fmt: skip
 _DECIDED = {
     "turbines": {"diameter": "inertia"},
-    "motors": {"flux": "inertia", "mass_law": "mass"},
-    "generators": {"flux": "inertia", "mass_law": "mass"},
+    "motors": _OF_ELECTRIC,
+    "generators": _OF_ELECTRIC,
 }
 """Table -> key that only estimates what another key states."""
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
@@ -620,8 +624,8 @@ def _problems(design: Design) -> list[Problem]:
     if alike := list(alike_problems(design)):
         return [*name_problems(design), *alike]
     checks = (
-        name_problems, _idle_shafts, _machines, airscrew_problems, _speeds, _pairs, planetary_problems,
-        load_factor_problems, sharing_problems,
+        name_problems, _idle_shafts, _machines, airscrew_problems, electric_problems, _speeds, _pairs,
+        planetary_problems, load_factor_problems, sharing_problems,
         epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]

@@ -19,6 +19,7 @@ from gearwright.spec.design.duty import (
     Airscrew,
     Case,
     Drive,
+    ElectricMachine,
     Generator,
     Load,
     Machine,
@@ -468,6 +469,8 @@ _OF_SHAFTS = ("length", "diameter", "mass")
 """Keys of a shaft's layout."""
 WEIGHED = ("motors", "generators", "accessories")
 """Tables of machines that have a mass."""
+_OF_ELECTRIC = ("mass", "inverter_mass", "cooling_mass")
+"""Keys of a motor or generator."""
 
 
 class Key(NamedTuple):
@@ -606,7 +609,8 @@ def givable(design: Design) -> Iterator[Key]:
         yield from (Key(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
     for table in WEIGHED:
         for name, machine in getattr(design, table).items():
-            yield Key(f"{name}.mass", f"{table}.{name}", "mass", machine)
+            fields = _OF_ELECTRIC if isinstance(machine, ElectricMachine) else ("mass",)
+            yield from (Key(f"{name}.{field}", f"{table}.{name}", field, machine) for field in fields)
 
 
 def _of_compounds(design: Design) -> Iterator[Key]:

@@ -12,7 +12,22 @@ from typing import ClassVar, Literal, NamedTuple
 
 from pydantic import ConfigDict, Field
 
-from gearwright.base import Angle, Force, Inertia, Length, Mass, Power, Ratio, Speed, Time, Torque, Velocity
+from gearwright.base import (
+    Angle,
+    Force,
+    Inertia,
+    Length,
+    Mass,
+    Power,
+    Ratio,
+    SpecificMass,
+    SpecificPower,
+    Speed,
+    Time,
+    Torque,
+    Velocity,
+)  # fmt: skip
+from gearwright.machines import TIP_SPEED
 from gearwright.spec.record import Record
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -185,10 +200,34 @@ class ElectricMachine(Machine):
     power: Power = Field(gt=0, le=1e9, description="Rated power")
     speed: Speed = Field(ge=0.1, le=2e4, description="Speed at rated power")
     flux: Literal["radial", "axial"] = Field("radial", description="Flux topology, for its proportions")
-    mass_law: Literal["ndarc", "thesis"] = Field(
-        "ndarc", description="Mass from torque: NDARC's law, or the thesis's k T^0.33"
+    mass_law: Literal["public", "ndarc", "thesis"] = Field(
+        "public",
+        description="Its own mass, where none is known: from torque and speed as public machines for aircraft, from"
+        " torque alone by NDARC's law, or by the thesis's k T^0.33",
     )
-    mass: Mass | None = Field(None, gt=0, description="Known mass, instead of the law")
+    mass: Mass | None = Field(None, gt=0, description="Known mass of its own, instead of the law")
+    inverter: SpecificPower | None = Field(
+        None,
+        ge=100,
+        le=1e6,
+        description="Rated power over mass of its inverter; left out: 12 beside a mass by the public law, else none",
+    )
+    inverter_mass: Mass | None = Field(None, ge=0, description="Known mass of its inverter; 0: none, or in its own")
+    cooling: SpecificMass | None = Field(
+        None,
+        ge=0,
+        le=0.1,
+        description="Mass of its cooling over the heat of motor and inverter, a nineteenth of the rated power; left"
+        " out: 0.8 beside a mass by the public law, else none",
+    )
+    cooling_mass: Mass | None = Field(None, ge=0, description="Known mass of its cooling; 0: none, or in its own")
+    tip_speed: Velocity = Field(
+        TIP_SPEED,
+        gt=0,
+        le=500,
+        description="Of the rotor's surface, which bounds power at a speed where the mass is not known: 220 in a carbon"
+        " sleeve, 150 without one",
+    )
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia of its rotor; estimated if left out")
     poles: int | None = Field(
         None, ge=2, le=400, description="Number of poles, an even number, for its electrical orders"
