@@ -69,6 +69,7 @@ from gearwright.catalogue.propellers_in_flight import (
 from gearwright.catalogue.published import (
     LEAST_SHARING,
     Engine,
+    MassClass,
     Printed,
     PublishedGearbox,
     Series,
@@ -78,6 +79,7 @@ from gearwright.catalogue.published import (
     level_load_factor,
     load_factor_tables,
     load_factors,
+    mass_classes,
     nearest,
     notes,
     published_gearboxes,
