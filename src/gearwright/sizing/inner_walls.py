@@ -82,9 +82,15 @@ def _walls(placed: Sequence[Body], bodies: tuple[Body, ...], wall: float) -> tup
 
 
 def _gaps(bodies: Sequence[Body]) -> tuple[float, ...]:
-    """Return the middles of gaps along the first shaft between bodies that are no shafts [m]."""
-    spans = sorted(_extent(body) for body in bodies if body.part.kind is not Kind.SHAFT)
-    places, reached = list[float](), spans[0][1]
+    """Return the middles of gaps along the first shaft between stages, gears with the plates of carriers [m]."""
+    stages = dict[str, Span]()
+    for body in bodies:
+        if body.part.kind in (Kind.GEAR, Kind.CARRIER):
+            low, high = _extent(body)
+            one = stages.get(body.part.name, (low, high))
+            stages[body.part.name] = min(one[0], low), max(one[1], high)
+    places, spans = list[float](), sorted(stages.values())
+    reached = spans[0][1]
     for low, high in spans[1:]:
         if low > reached + APART:
             places.append((low + reached) / 2.0)

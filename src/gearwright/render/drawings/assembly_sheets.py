@@ -115,6 +115,8 @@ def set_notes(sizing: Sizing, *, cut: bool) -> Iterator[str]:
         if list(ring_seats(sizing)):
             splines = "splines (as DIN 5480-1, cut at half of their height)"
             yield f"Rings that stand have {splines} {where}; keepers by screws."
+        elif bolted_rings(sizing):
+            yield "Rings that stand are bolted between two housings, as their wall; screws through them are not sized."
         else:
             yield "What holds rings that stand is not sized, and not drawn."
     if names := [carrier.stage for carrier in sizing.carriers if carrier.shaft == GROUND]:
