@@ -12,8 +12,8 @@ from gearwright.elementwise import Values, functions
 
 
 CAST_SAFETY = 3.5
-"""Fatigue strength of a cast material over its working stress [-]: 2.1 as the FKM guideline asks of castings that are not
-inspected and whose failure is severe, times 1.5 for bosses and ribs, over 0.89 for a cast skin (from memory)."""
+"""Fatigue strength of a cast material over its working stress [-]: 2.1 as the FKM guideline asks of castings that are
+not inspected and whose failure is severe, times 1.5 for bosses and ribs, over 0.89 for a cast skin (from memory)."""
 
 
 def pulsating_strength(alternating: float, sensitivity: float) -> float:

@@ -610,6 +610,7 @@ CORNERS = 48
 PARALLEL = 1e-9
 """One less the cosine between axes that count as parallel [-]."""
 
+
 class RingSeat(NamedTuple):
     """How a ring is held against turning and along its axis; places along the axis from the ring's middle."""
 

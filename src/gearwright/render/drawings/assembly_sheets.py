@@ -92,7 +92,7 @@ from gearwright.render.style import overlap, spread
 from gearwright.shape import Scene, kind_of, sized_mesh
 from gearwright.shape.chambers import spans_in
 from gearwright.sizing import BearingSizing, Sizing
-from gearwright.sizing.casing import HOLE, Flanges, ring_seats
+from gearwright.sizing.casing import HOLE, Flanges, bolted_rings, ring_seats
 from gearwright.sizing.mass import carried_in_walls, weighed_flanges
 from gearwright.sizing.places import CLAUSE, bells
 from gearwright.sizing.shafts import Held, held_rings, sealed_exits, unsealed_exits

@@ -140,8 +140,8 @@ def wall_of(sizing: Sizing, shell: Shell) -> Wall:
         sizing: As sized.
         shell: Around it.
 
-    Source: `casting_wall` by its area, rings that are wall among it; `torque_wall` in the largest section across the axis of each torque, at the
-        working stress of the material.
+    Source: `casting_wall` by its area, rings that are wall among it; `torque_wall` in the largest section across the
+        axis of each torque, at the working stress of the material.
     """
     given = sizing.design.housing.wall
     if given is not None:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 from gearwright.base import DesignError, Mass, Origin, Quantity, Ratio, Shown, largest, largest_first, text
 from gearwright.catalogue import MassClass, mass_classes

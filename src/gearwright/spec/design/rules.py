@@ -833,7 +833,8 @@ class HousingRules(Record):
         "splined", description="Rings that stand: in splines of the housing; bolted: between two housings, as its wall"
     )
     reaction: Literal["lugs", "torque-arms"] = Field(
-        "lugs", description="What holds the torque: lugs on the wall; torque-arms: arms and a shrink disc, weighed apart"
+        "lugs",
+        description="What holds its torque: lugs on the wall; torque-arms: arms and a shrink disc, weighed apart",
     )
     mass: Mass | None = Field(
         None, gt=0, description="Of the housing, as weighed; left out: shell, ribs, flanges, bosses"
