@@ -441,7 +441,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         yield Piece(name, name, chamber, axes)
     flanges = weighed_flanges(sizing)
     taken = [list(_outside(stretch, through, wall)) for stretch in stretches]
-    halves = list(flange_halves(flanges, stretches, wall, taken))
+    halves = list(flange_halves(flanges, stretches, wall, taken, ring_cuts(sizing)))
     for k, (place, key, half) in enumerate(halves):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
