@@ -455,7 +455,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
     yield from _carrying(sizing)
-    for k, inner in enumerate(inner_walls(sizing, weighed), start=1):
+    for k, inner in enumerate((one for one in inner_walls(sizing, weighed) if one.fits), start=1):
         name, moved = f"housing, {INNER} {k}", Axes(np.array([inner.span[0], 0.0, 0.0]), axes.turned)
         yield Piece(name, name, Chamber(inner.outer, inner.inner, (0.0, inner.span[1] - inner.span[0])), moved)
     for land in lands_of(sizing, weighed):

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.base import Floats, Kind, smallest
 from gearwright.sizing.casing import LAND_OVERLAP, Span, area_of, in_housing, outline_about
-from gearwright.sizing.housing_shell import inside_of, rooms_around, ways_of
+from gearwright.sizing.housing_shell import CLEAR, inside_of, rooms_around, ways_of
 from gearwright.sizing.places import IN_LINE
 from gearwright.sizing.result import Body, Sizing
 
@@ -38,6 +38,8 @@ class InnerWall(NamedTuple):
     """The hole, corner by corner [m], shape (n, 2)."""
     volume: float
     """[m³]"""
+    fits: bool
+    """Whether stages leave room for it, as first sizings keep none free: else it is weighed and not drawn."""
 
 
 def inner_walls(sizing: Sizing, wall: float) -> tuple[InnerWall, ...]:
@@ -57,11 +59,12 @@ def inner_walls(sizing: Sizing, wall: float) -> tuple[InnerWall, ...]:
 
 def _walls(placed: Sequence[Body], bodies: tuple[Body, ...], wall: float) -> tuple[InnerWall, ...]:
     """Return the walls in gaps between bodies that only shafts pass."""
-    places = _gaps(bodies)
-    if not places:
+    gaps = _gaps(bodies)
+    if not gaps:
         return ()
     rooms, found = rooms_around(bodies, wall), list[InnerWall]()
-    for place in places:
+    for low, high in gaps:
+        place = (low + high) / 2.0
         room = smallest(
             [room for room in rooms if room.start - wall <= place <= room.end + wall], lambda room: room.area
         )
@@ -77,25 +80,26 @@ def _walls(placed: Sequence[Body], bodies: tuple[Body, ...], wall: float) -> tup
             middle = np.mean([centre for centre, _ in circles], axis=0)
             outer, inner = outline_about(reach, middle), outline_about(hole, middle)
             span = (place - wall / 2.0, place + wall / 2.0)
-            found.append(InnerWall(span, outer, inner, (area_of(outer) - area_of(inner)) * wall))
+            volume, fits = (area_of(outer) - area_of(inner)) * wall, high - low > wall + 2.0 * CLEAR
+            found.append(InnerWall(span, outer, inner, volume, bool(fits)))
     return tuple(found)
 
 
-def _gaps(bodies: Sequence[Body]) -> tuple[float, ...]:
-    """Return the middles of gaps along the first shaft between stages, gears with the plates of carriers [m]."""
+def _gaps(bodies: Sequence[Body]) -> tuple[Span, ...]:
+    """Return the gaps along the first shaft between stages, gears with the plates of carriers [m]."""
     stages = dict[str, Span]()
     for body in bodies:
         if body.part.kind in (Kind.GEAR, Kind.CARRIER):
             low, high = _extent(body)
             one = stages.get(body.part.name, (low, high))
             stages[body.part.name] = min(one[0], low), max(one[1], high)
-    places, spans = list[float](), sorted(stages.values())
+    gaps, spans = list[Span](), sorted(stages.values())
     reached = spans[0][1]
     for low, high in spans[1:]:
         if low > reached + APART:
-            places.append((low + reached) / 2.0)
+            gaps.append((reached, low))
         reached = max(reached, high)
-    return tuple(places)
+    return tuple(gaps)
 
 
 def _passes(body: Body, place: float) -> bool:

@@ -246,6 +246,7 @@ def test_stages_behind_each_other_have_one_wall_between_them_and_a_stage_alone_n
     assert only.volume == pytest.approx(disc, rel=0.01)
     weighed = item(complete_mass(sizing), "housing inner walls", "housing")
     assert weighed.total == pytest.approx(only.volume * housing_materials()["aluminium"].density)
+    assert only.fits and not inner_walls(sized("in-line"), 0.05)[0].fits, "a wall thicker than the gap is not drawn"
     assert not inner_walls(sized("single-planetary"), wall)
     assert not inner_walls(sized("ec120b"), wall), "webs carry its bosses"
 
