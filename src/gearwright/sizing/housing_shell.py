@@ -52,7 +52,7 @@ class Shell(NamedTuple):
     """[m]"""
     volume: float
     """[m³]"""
-    rings: float = 0.0
+    rings: float
     """Area on which rings stand in place of walls along the first shaft, which have none there [m²]."""
 
     @property
@@ -130,6 +130,7 @@ def _around(rounds: list[_Round]) -> Shell:
         girth=float(girths.max()),
         length=float(lengths.sum()),
         volume=float(lengths @ areas),
+        rings=0.0,
     )
 
 
