@@ -156,7 +156,6 @@ OF_STANDARDS = {
     "mesh_stiffness_iso6336.specific_load": 1e5, "mesh_stiffness_iso6336.elastic_moduli": (206e9, 206e9),
     # Neither a force along a shaft nor a radius of a flank.
     "din743_safety.axial": (0.0, 0.0, 0.0), "ToothContact.radii": (math.inf, math.inf),
-    "wall_of.fitted": (0.107, 0.05, 1.27),  # fitted: benchmarks/gearbox_masses.py --fit
     # Eight harmonics of a stiffness, forty slices of a shaft.
     "mesh_stiffness_energy.harmonics": 8, "mesh_curve_iso6336.harmonics": 8, "mesh_stiffness_kuang_yang.harmonics": 8,
     "rectangular_curve.harmonics": 8, "lumped_shaft.pieces": 40,

@@ -12,6 +12,7 @@ from typing import Any
 from gearwright.base import SUFFIXES, Density, DesignError, Length, Problem, Stress, near
 from gearwright.catalogue.tables import data_rows, data_text
 from gearwright.parts import LifeLine, Material
+from gearwright.parts.housings import CAST_SAFETY, CastingRule
 from gearwright.parts.iso6336 import (
     GearSteel,
     LifeCurve,
@@ -272,7 +273,7 @@ def _line(row: Mapping[str, Any], treatment: Treatment) -> StrengthLine:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# What housings are made of: density, working stress and the thinnest wall that is usual.
+# What housings are made of: density, fatigue strength of the casting, and which walls foundries pour.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -283,12 +284,29 @@ class HousingMaterial:
     name: str
     density: Density
     """[kg/m³]"""
-    shear_strength: Stress
-    """Working shear stress [Pa]."""
-    least_wall: Length
-    """Thinnest wall that is usual [m]."""
+    shear_fatigue: Stress
+    """Largest shear stress that it bears for ever when it is loaded from zero [Pa]."""
+    bending_fatigue: Stress
+    """Largest normal stress that it bears so [Pa]."""
+    casting: CastingRule
+    """How thick its walls are poured."""
     source: str
     """Of the numbers, and which are estimates."""
+
+    @property
+    def shear_strength(self) -> Stress:
+        """Working shear stress: what it bears for ever over 3.5 [Pa]."""
+        return self.shear_fatigue / CAST_SAFETY
+
+    @property
+    def bending_strength(self) -> Stress:
+        """Working normal stress: what it bears for ever over 3.5 [Pa]."""
+        return self.bending_fatigue / CAST_SAFETY
+
+    @property
+    def least_wall(self) -> Length:
+        """Thinnest wall that is usual [m]."""
+        return self.casting.least
 
 
 @cache
@@ -298,10 +316,12 @@ def housing_materials() -> Mapping[str, HousingMaterial]:
 
 
 def _material(row: Mapping[str, str]) -> HousingMaterial:
+    wall = [float(row[f"{name}_wall_mm"]) * 1e-3 for name in ("least", "most")]
     return HousingMaterial(
         row["name"],
         float(row["density_kg_m3"]),
-        float(row["shear_strength_mpa"]) * 1e6,
-        float(row["least_wall_mm"]) * 1e-3,
+        float(row["shear_fatigue_mpa"]) * _MPA,
+        float(row["bending_fatigue_mpa"]) * _MPA,
+        CastingRule(float(row["wall_base_mm"]) * 1e-3, float(row["wall_slope"]), *wall),
         row["source"],
     )

@@ -370,6 +370,34 @@ def published_gearboxes() -> Mapping[str, PublishedGearbox]:
     )
 
 
+@dataclass(frozen=True)
+class MassClass:
+    """A class of published gearboxes, and how their masses stand to the sums of parts of the same requirements."""
+
+    name: str
+    """wind or aircraft."""
+    factor: Ratio
+    """Published masses over sums of parts, fitted; 1 where nothing was [-]."""
+    scatter: Ratio
+    """Factor of one standard deviation, each gearbox left out of the fit that it is held against [-]."""
+    gearboxes: int
+    """To which the factor was fitted [-]."""
+    members: str
+    """What they are."""
+
+
+@cache
+def mass_classes() -> Mapping[str, MassClass]:
+    """Return the classes of published gearboxes by name (benchmarks/gearbox_masses.py --fit --write)."""
+    rows = data_rows("mass_classes.csv")
+    return MappingProxyType({
+        row["name"]: MassClass(
+            row["name"], float(row["factor"]), float(row["scatter"]), int(row["gearboxes"]), row["members"]
+        )
+        for row in rows
+    })  # fmt: skip
+
+
 # ----------------------------------------------------------------------------------------------------------------------
 # Mesh load factors of planetary sets in print: standards by number of planets, and measurements.
 #

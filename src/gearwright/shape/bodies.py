@@ -46,7 +46,7 @@ from gearwright.shape.solids import (
 from gearwright.shape.stands import Axes, Node, Stand, axes_at, halves_of, hand_of, kind_of, meshes_of, middle_of
 from gearwright.sizing import Body, CarrierSizing, Direction, GearSizing, Point, Sizing, Station
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.casing import RingSeat, bosses_of, cover_at, housed, lands_of, shell_of
+from gearwright.sizing.casing import RingSeat, bosses_of, cover_at, housed, lands_of, ring_cuts, shell_of
 from gearwright.sizing.housing_shell import (
     LEAST,
     SAME,
@@ -57,6 +57,7 @@ from gearwright.sizing.housing_shell import (
     loop_around,
     rooms_around,
 )
+from gearwright.sizing.inner_walls import inner_walls
 from gearwright.sizing.mass import (
     MOUNTS,
     RIBS,
@@ -355,8 +356,8 @@ LIP = 2e-4
 """How far a plate stands inside of its own wall [m]."""
 SAME_WAY = 1e-9
 """How far directions of one line may differ [-]."""
-CHAMBER, COLLAR, WEB = "chamber", "collar", "web"
-"""What pieces of the shell, and tubes and flat walls that carry bosses, are named."""
+CHAMBER, COLLAR, WEB, INNER = "chamber", "collar", "web", "inner wall"
+"""What pieces of the shell, tubes and flat walls that carry bosses, and walls between stages are named."""
 BESIDE = 5e-4
 """Between a cover and the hole of the wall in which it lies [m], an assumption."""
 SPANNER = 0.02
@@ -430,7 +431,7 @@ def _envelope(node: Node, solid: Solid, within: tuple[float, float]) -> Body:
 def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> Iterator[Piece]:
     shell = shell_of(sizing)
     weighed = wall = weighed_wall(sizing).thickness
-    stretches = rooms_around(bodies, wall)
+    stretches = _beside_rings(rooms_around(bodies, wall), ring_cuts(sizing))
     metal = shell.area * wall if sizing.design.housing.wall is None else None
     through = [*_leaving(sizing, drawn), *_leaving_built(sizing)], list(_across(sizing))
     wall, chambers = _as_weighed(stretches, through, wall, metal)
@@ -440,7 +441,7 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         yield Piece(name, name, chamber, axes)
     flanges = weighed_flanges(sizing)
     taken = [list(_outside(stretch, through, wall)) for stretch in stretches]
-    halves = list(flange_halves(flanges, stretches, wall, taken))
+    halves = list(flange_halves(flanges, stretches, wall, taken, ring_cuts(sizing)))
     for k, (place, key, half) in enumerate(halves):
         moved = Axes(np.array([place, 0.0, 0.0]), axes.turned)
         yield Piece(f"housing, {FLANGES} {k // 2 + 1}{'ab'[k % 2]}", f"housing {FLANGES}{key}", half, moved)
@@ -454,11 +455,23 @@ def _pieces(sizing: Sizing, drawn: tuple[Run, ...], bodies: Sequence[Body]) -> I
         boss = tube(span, bosses[part.name] / 2.0, body.radius)
         yield Piece(name, name, boss, axes_at(sizing.arrangement.frames[body.shaft], middle_of(body)))
     yield from _carrying(sizing)
+    for k, inner in enumerate((one for one in inner_walls(sizing, weighed) if one.fits), start=1):
+        name, moved = f"housing, {INNER} {k}", Axes(np.array([inner.span[0], 0.0, 0.0]), axes.turned)
+        yield Piece(name, name, Chamber(inner.outer, inner.inner, (0.0, inner.span[1] - inner.span[0])), moved)
     for land in lands_of(sizing, weighed):
         for k, piece in enumerate(land.pieces, start=1):
             name, width = f"housing, land {k}, {land.seat.ring.name}", piece.span[1] - piece.span[0]
             moved = Axes(np.array([piece.span[0], 0.0, 0.0]), axes.turned)
             yield Piece(name, name, Chamber(piece.outer, piece.inner, (0.0, width)), moved)
+
+
+def _beside_rings(stretches: list[Stretch], cuts: Sequence[tuple[float, float]]) -> list[Stretch]:
+    """Return cross-sections without those lengths on which a ring stands in place of the wall."""
+    found = list(stretches)
+    for low, high in cuts:
+        parts = [(one, (one.start, min(one.end, low)), (max(one.start, high), one.end)) for one in found]
+        found = [one._replace(start=start, end=end) for one, *spans in parts for start, end in spans if end > start]
+    return found
 
 
 def _outside(own: Stretch, leaving: Ways, wall: float) -> Iterator[tuple[float, float]]:
@@ -527,6 +540,9 @@ def _chamber(stretches: list[Stretch], k: int, wall: float, leaving: Ways) -> Ch
     for side, way in ((0, -1), (1, 1)):
         beside = stretches[k + way] if 0 <= k + way < len(stretches) else None
         plane = span[side]
+        if beside is not None and abs(plane - (beside.start if way > 0 else beside.end)) > SAME:  # a ring between
+            ends.append(None)
+            continue
         wider = beside is None or bool(np.any(own.reach > beside.reach + SAME))
         if not wider:
             span[side] -= way * wall

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.base import Bools, Floats, following, largest, largest_first
+from gearwright.base import Bools, Floats, following, largest, largest_first, smallest
 from gearwright.shape.chambers import Chamber, without
 from gearwright.shape.solids import Fastener, Layer, Section, Solid, block
 from gearwright.shape.stands import Axes
@@ -38,8 +38,9 @@ Span = tuple[float, float]
 
 
 def flange_halves(
-    flanges: Flanges, stretches: Sequence[Stretch], wall: float, taken: Sequence[Sequence[Span]]
-) -> Iterator[tuple[float, str, Chamber]]:
+    flanges: Flanges, stretches: Sequence[Stretch], wall: float, taken: Sequence[Sequence[Span]],
+    rings: Sequence[Span] = (),
+) -> Iterator[tuple[float, str, Chamber]]:  # fmt: skip
     """Yield place, key and solid of both halves of every flange, as heavy as they are weighed.
 
     Args:
@@ -47,20 +48,41 @@ def flange_halves(
         stretches: Cross-sections of the housing, each within the wider one beside it.
         wall: Thickness of the wall [m].
         taken: Of every cross-section, between which places something stands outside of its wall [m].
+        rings: Between which places a ring stands in place of the wall, with a flange on either side [m].
     """
-    for k, place in _joints(stretches, flanges.number, flanges.thickness, wall, taken):
+    for k, place in _joints(stretches, flanges, wall, taken, rings):
         solid = _flange(inside_of(stretches[k], wall) + wall, flanges.face, flanges.thickness)
         yield place - flanges.thickness, f" {k + 1}", solid
         yield place, f" {k + 1}", solid
 
 
 def _joints(
-    stretches: Sequence[Stretch], count: int, thick: float, wall: float, taken: Sequence[Sequence[Span]]
+    stretches: Sequence[Stretch], flanges: Flanges, wall: float, taken: Sequence[Sequence[Span]], rings: Sequence[Span]
 ) -> list[tuple[int, float]]:
     """Return number of the cross-section and place of every flange, from the first end to the last [m].
 
-    They stand apart around cross-sections nearly as long around as the longest one; where there is no room for screws
-    between them, around shorter ones, too.
+    Those that hold rings stand beside them, the others between.
+    """
+    thick = flanges.thickness
+    edges = [edge for low, high in rings for edge in (low - thick, high + thick)]
+    held = [(_nearest(stretches, edge), edge) for edge in edges]
+    spans = [[(edge - thick, edge + thick) for j, edge in held if j == k] for k in range(len(stretches))]
+    others = [[*own, *more] for own, more in zip(taken, spans, strict=True)]
+    return sorted([*held, *_spread(stretches, flanges.number - len(held), thick, wall, others)], key=lambda one: one[1])
+
+
+def _nearest(stretches: Sequence[Stretch], place: float) -> int:
+    """Return number of the cross-section in which a place along the first shaft is, or to which it is nearest."""
+    off = [max(one.start - place, place - one.end, 0.0) for one in stretches]
+    return smallest(range(len(off)), lambda k: off[k])
+
+
+def _spread(
+    stretches: Sequence[Stretch], count: int, thick: float, wall: float, taken: Sequence[Sequence[Span]]
+) -> list[tuple[int, float]]:
+    """Return where flanges stand apart around cross-sections nearly as long around as the longest one.
+
+    Where there is no room for screws between them, they stand around shorter ones, too.
     """
     longest, found = max(one.perimeter for one in stretches), list[tuple[int, float]]()
     room = 1.05 * ENDS[1] * thick

@@ -16,6 +16,7 @@ from gearwright.catalogue import STEEL_DENSITY, housing_materials
 from gearwright.parts.gears import Blank
 from gearwright.shape.bodies import (
     CHAMBER,
+    INNER,
     Leaning,
     bearing_bodies,
     bearing_solid,
@@ -529,7 +530,10 @@ def _housing(task: _Task, nodes: Sequence[Node]) -> Iterator[Node]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-PARTS = {"housing flanges": FLANGES, "housing bolts": SCREW, "housing ribs": RIB, "housing mounts": MOUNT}
+PARTS = {
+    "housing flanges": FLANGES, "housing bolts": SCREW, "housing ribs": RIB, "housing mounts": MOUNT,
+    "housing inner walls": INNER,
+}  # fmt: skip
 """What of a housing is drawn as it is weighed -> word in the names of its bodies."""
 NEAR = 5e-3
 """By how much what is drawn may differ from what is weighed [-]."""

@@ -27,6 +27,7 @@ from gearwright.sizing.housing_shell import (
     inside_of,
     rooms_around,
     shell_around,
+    stretches_around,
     ways_of,
 )
 from gearwright.sizing.places import ring_torque
@@ -42,6 +43,8 @@ from gearwright.spec import GROUND
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+Span = tuple[float, float]
+"""From one place to the next along an axis [m]."""
 BOSS = 0.12
 """Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
 
@@ -67,8 +70,48 @@ def shell_of(sizing: Sizing) -> Shell:
 
     Args:
         sizing: As sized.
+
+    Where a ring is bolted between two housings, it is the wall itself: no shell goes around it there.
     """
-    return shell_around(housed(sizing))
+    shell, cuts = shell_around(housed(sizing)), ring_cuts(sizing)
+    if not cuts:
+        return shell
+    rooms = stretches_around(housed(sizing))
+    lengths = [(room.perimeter, min(room.end, high) - max(room.start, low)) for room in rooms for low, high in cuts]
+    rings = sum(around * length for around, length in lengths if length > 0.0)
+    return shell._replace(lateral=shell.lateral - rings, rings=rings)
+
+
+RIM = 0.1
+"""Of a bolted ring's width on either side, over which the flange of the housing reaches [-], an estimate."""
+
+
+@of_latest(1)
+def ring_cuts(sizing: Sizing) -> tuple[Span, ...]:
+    """Return between which places along the first shaft a ring stands in place of the housing's wall [m].
+
+    Args:
+        sizing: As sized.
+    """
+    found = []
+    for ring in bolted_rings(sizing):
+        frame, middle = ring_frame(sizing, ring)
+        if abs(frame.along.x) > 1.0 - PARALLEL:
+            centre, half = frame.origin.x + frame.along.x * middle, (0.5 - RIM) * ring.face_width
+            found.append((centre - half, centre + half))
+    return tuple(sorted(found))
+
+
+def bolted_rings(sizing: Sizing) -> tuple[GearSizing, ...]:
+    """Return the rings that stand between two housings, bolted to both.
+
+    Args:
+        sizing: As sized.
+    """
+    rules, sets = sizing.design.housing, sizing.design.sets
+    if not rules.own or rules.rings != "bolted":
+        return ()
+    return tuple(one for one in sizing.gears if one.rim and one.stage in sets and one.shafts[0] == GROUND)
 
 
 def bosses_of(sizing: Sizing, holders: Sequence[Holder]) -> dict[str, float]:
@@ -503,7 +546,7 @@ class Flanges(NamedTuple):
 
 
 def flanges_of(sizing: Sizing, shell: Shell, torque: float) -> Flanges:
-    """Return the flanges of a housing: one for every stage, at least both ends of one.
+    """Return the flanges of a housing: one for every stage, at least one more than sets, two more for a bolted ring.
 
     Args:
         sizing: As sized.
@@ -514,7 +557,8 @@ def flanges_of(sizing: Sizing, shell: Shell, torque: float) -> Flanges:
     """
     wanted = 8.0 * PITCH * torque / (FRICTION * PRELOAD * shell.girth**2)
     thread = next((thread for thread in THREADS if thread >= wanted), wanted)
-    return Flanges(max(len(sizing.design.stages), 2), thread, math.ceil(shell.girth / (PITCH * thread)), shell.girth)
+    number = max(len(sizing.design.stages), len(sizing.design.sets) + 1, 2) + 2 * len(bolted_rings(sizing))
+    return Flanges(number, thread, math.ceil(shell.girth / (PITCH * thread)), shell.girth)
 
 
 def screw_volume(thread: float) -> float:
@@ -565,8 +609,6 @@ CORNERS = 48
 """Of a land's outline [-]."""
 PARALLEL = 1e-9
 """One less the cosine between axes that count as parallel [-]."""
-
-Span = tuple[float, float]
 
 
 class RingSeat(NamedTuple):
@@ -646,7 +688,7 @@ def ring_seats(sizing: Sizing) -> Iterator[RingSeat]:
         with plates for axial retention: U.S. Army, subcourse AL0993, figure 9.9; how long and with which module:
         assumptions. Wear of flanks that move is not assessed.
     """
-    if not sizing.design.housing.own:
+    if not sizing.design.housing.own or sizing.design.housing.rings == "bolted":
         return
     permissible = 2.0 * housing_materials()[sizing.design.housing.material].shear_strength
     for ring in sizing.gears:
@@ -712,7 +754,7 @@ def lands_of(sizing: Sizing, wall: float) -> tuple[Land, ...]:
     rings = tuple(
         _Held(*ring_frame(sizing, seat.ring), seat.span, seat.spline, seat.clear, seat.middle) for seat in seats
     )
-    pieces = _pieces(_in_housing(sizing), rings, wall)
+    pieces = _pieces(in_housing(sizing), rings, wall)
     return tuple(Land(seat, own) for seat, own in zip(seats, pieces, strict=True))
 
 
@@ -741,24 +783,33 @@ def _pieces_of(ring: _Held, rooms: Sequence[Stretch], wall: float) -> tuple[Land
     centre = frame.origin.x + way * ring.place
     low, high = sorted(centre + way * end for end in ring.span)
     around = [inside_of(room, wall) for room in rooms if room.start < high and room.end > low]
-    outer = _around(np.min(around, axis=0) + max(LAND_OVERLAP[0] * wall, LAND_OVERLAP[1]), middle)
+    outer = outline_about(np.min(around, axis=0) + max(LAND_OVERLAP[0] * wall, LAND_OVERLAP[1]), middle)
     bores = (((ring.span[0], ring.spline[0]), ring.clear), (ring.spline, ring.middle))
     ends = [sorted(centre + way * end for end in span) for span, _ in bores]
     pieces: list[LandPiece] = []
     for (start, end), (_, bore) in zip(ends, bores, strict=True):
         inner = middle + _circle(bore)
-        pieces.append(LandPiece((start, end), outer, inner, (_area(outer) - _area(inner)) * (end - start)))
+        pieces.append(LandPiece((start, end), outer, inner, (area_of(outer) - area_of(inner)) * (end - start)))
     return tuple(pieces)
 
 
-def _in_housing(sizing: Sizing) -> tuple[Body, ...]:
-    """Return all bodies that stand in the housing, with both plates of carriers."""
+def in_housing(sizing: Sizing) -> tuple[Body, ...]:
+    """Return all bodies that stand in the housing, with both plates of carriers.
+
+    Args:
+        sizing: As sized.
+    """
     plates = [plate for stage in sizing.design.sets for plate in plates_of(sizing, stage)]
     return (*housed(sizing), *plates)
 
 
-def _around(reach: Floats, middle: Floats) -> Floats:
-    """Return points of a cross-section's outline at equal angles about a point within it [m], shape (n, 2)."""
+def outline_about(reach: Floats, middle: Floats) -> Floats:
+    """Return points of a cross-section's outline at equal angles about a point within it [m], shape (n, 2).
+
+    Args:
+        reach: h of the cross-section in every direction [m].
+        middle: The point [m].
+    """
     ways, sides = ways_of(CORNERS), ways_of(len(reach))
     left, toward = reach - sides @ middle, ways @ sides.T
     far = np.where(toward > PARALLEL, left / np.where(toward > PARALLEL, toward, 1.0), math.inf)
@@ -771,7 +822,12 @@ def _circle(radius: float) -> Floats:
     return np.asarray(radius * math.sqrt(step / math.sin(step)) * ways_of(CORNERS))
 
 
-def _area(loop: Floats) -> float:
+def area_of(loop: Floats) -> float:
+    """Return the area within a closed loop [m²].
+
+    Args:
+        loop: Its corners, counter-clockwise [m], shape (n, 2).
+    """
     after = following(loop)
     return float(np.sum(loop[:, 0] * after[:, 1] - loop[:, 1] * after[:, 0]) / 2.0)
 

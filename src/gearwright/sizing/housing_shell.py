@@ -52,11 +52,18 @@ class Shell(NamedTuple):
     """[m]"""
     volume: float
     """[m³]"""
+    rings: float
+    """Area on which rings stand in place of walls along the first shaft, which have none there [m²]."""
 
     @property
     def area(self) -> float:
         """All walls [m²]."""
         return self.lateral + self.ends
+
+    @property
+    def outside(self) -> float:
+        """All walls, with the rings that stand in their place [m²]."""
+        return self.area + self.rings
 
 
 class Stretch(NamedTuple):
@@ -123,6 +130,7 @@ def _around(rounds: list[_Round]) -> Shell:
         girth=float(girths.max()),
         length=float(lengths.sum()),
         volume=float(lengths @ areas),
+        rings=0.0,
     )
 
 

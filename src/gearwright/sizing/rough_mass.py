@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.base import Floats
 from gearwright.catalogue.materials import housing_materials
+from gearwright.parts.housings import CastingRule, casting_wall, torque_wall
 from gearwright.parts.losses import windage_power
 from gearwright.parts.planetary import Plate, first_carrier_mass
 from gearwright.spec import GROUND, Design, Planetary, case_named
@@ -34,10 +35,12 @@ class Casing(NamedTuple):
 
     density: float
     """[kg/m³]"""
-    wall: float
-    """Given, or the thinnest that can be cast [m]."""
+    wall: CastingRule
+    """How thick its walls are poured; of a given wall that one, whatever their area."""
     torque: float
-    """Over the shear stress of its walls, which asks for a thicker one [m³]; 0 where the wall is given."""
+    """That it holds, which may ask for a thicker one [N m]; 0 where the wall is given."""
+    shear: float
+    """Working shear stress of its material [Pa]."""
     hubs: float
     """What shafts and plates of a set add to its depth [m]."""
 
@@ -124,8 +127,9 @@ def _casing(design: Design, flow: PowerFlow) -> Casing | None:
     torque = max(abs(sum(torques)), *map(abs, torques))
     hubs = HUBS * math.cbrt(torque)
     if rules.wall is not None:
-        return Casing(material.density, rules.wall, 0.0, hubs)
-    return Casing(material.density, material.least_wall, torque / (SHARE * material.shear_strength), hubs)
+        given = CastingRule(rules.wall, 0.0, rules.wall, rules.wall)
+        return Casing(material.density, given, 0.0, material.shear_strength, hubs)
+    return Casing(material.density, material.casting, torque, material.shear_strength, hubs)
 
 
 def _per_heat(design: Design) -> float:
@@ -146,8 +150,6 @@ def _per_heat(design: Design) -> float:
 
 BELL = 3e-3
 """Thickness of the disc by which a ring turns its shaft [m], the least."""
-SHARE = 0.107
-"""Shear stress of a housing's walls over that of its material [-], as complete masses have it."""
 RIBBED = 1.3
 """Shell with its ribs and mounts over the shell [-]."""
 FLANGES = 2.1
@@ -215,8 +217,9 @@ def housing_mass(casing: Casing, length: Floats, breadth: Floats, depth: Floats)
     """
     section = breadth * (length - (1.0 - math.pi / 4.0) * breadth)
     girth = 2.0 * (length - breadth) + math.pi * breadth
-    wall = np.maximum(casing.wall, casing.torque / (2.0 * section))
-    return np.asarray(RIBBED * casing.density * wall * (2.0 * section + girth * depth) + FLANGES * girth)
+    area = 2.0 * section + girth * depth
+    wall = np.maximum(casting_wall(area, casing.wall), torque_wall(casing.torque, section, casing.shear))
+    return np.asarray(RIBBED * casing.density * wall * area + FLANGES * girth)
 
 
 def oil_mass(around: Around, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planets: int = 0) -> Floats:

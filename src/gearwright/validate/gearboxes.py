@@ -6,13 +6,14 @@ What they weigh part by part is `sizing.mass`'s; statistics over β are `weights
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from gearwright.base import RPM, Floats
+from gearwright.base import RPM
 from gearwright.catalogue import PublishedGearbox
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.mass import CALIBRATED, Calibration, CompleteMass, summed
+from gearwright.sizing.mass import CompleteMass, complete_mass
 from gearwright.spec import Design, parse
 from gearwright.validate.case import Case
 from gearwright.weights import laws as willis, mass_afdd00, refit, scores
@@ -75,6 +76,8 @@ mean_load = 0.7
 application_factor = 1.1
 [housing]
 material = "cast-iron"
+rings = "bolted"
+reaction = "torque-arms"
 oil_system = "shared"
 """
 _SET = """
@@ -195,14 +198,8 @@ def design_of(gearbox: PublishedGearbox) -> Design:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Sums of parts held against published masses: bias, scatter, exponent, and the fit of the housing's constant.
+# Sums of parts held against published masses: bias, scatter, exponent, and the factor of a class.
 # ----------------------------------------------------------------------------------------------------------------------
-
-
-SHARES = tuple(float(share) for share in np.geomspace(0.03, 0.5, 15))
-"""Stress shares at which sums are made; between them logarithms of masses lie on lines [-]."""
-FINE = np.geomspace(SHARES[0], SHARES[-1], 400)
-"""Stress shares that the fit tries [-]."""
 
 
 @dataclass(frozen=True)
@@ -212,13 +209,10 @@ class Held:
     gearbox: PublishedGearbox
     sizing: Sizing
 
-    def mass(self, constants: Calibration = CALIBRATED) -> CompleteMass:
-        """Return its complete mass.
-
-        Args:
-            constants: With which the sum is made.
-        """
-        return summed(self.sizing, constants)
+    @cached_property
+    def mass(self) -> CompleteMass:
+        """Its sum of parts."""
+        return complete_mass(self.sizing)
 
 
 @dataclass(frozen=True)
@@ -258,51 +252,24 @@ def score(rows: Sequence[Held], computed: Sequence[float]) -> Score:
     )
 
 
-def fitted(rows: Sequence[Held]) -> Calibration:
-    """Return the stress share of least squares in the logarithms of the masses; families of one source weigh alike.
+def fitted_factor(rows: Sequence[Held]) -> float:
+    """Return the factor of a class: the geometric mean of published masses over sums of parts [-].
 
     Args:
-        rows: Published gearboxes.
+        rows: Published gearboxes of one class.
     """
-    return _best(rows, np.array([_curve(row) for row in rows]))
+    return 1.0 / score(rows, [row.mass.total for row in rows]).bias
 
 
-def left_out(rows: Sequence[Held]) -> tuple[tuple[float, ...], tuple[Calibration, ...]]:
-    """Return the mass of every gearbox with a constant that is fitted to the others alone, and these.
+def left_out(rows: Sequence[Held]) -> tuple[float, ...]:
+    """Return the mass of every gearbox with the factor that the others of its class ask for [kg].
 
     Args:
-        rows: Published gearboxes.
+        rows: Published gearboxes of one class, two at least.
     """
-    curves, masses, constants = np.array([_curve(row) for row in rows]), [], []
-    for k, row in enumerate(rows):
-        others = [j for j in range(len(rows)) if j != k]
-        found = _best([rows[j] for j in others], curves[others])
-        constants.append(found)
-        masses.append(row.mass(found).total)
-    return tuple(masses), tuple(constants)
-
-
-def family_weights(rows: Sequence[Held]) -> Floats:
-    """Return weights by which the gearboxes of one source count together as one.
-
-    Args:
-        rows: Published gearboxes.
-    """
-    sources = [row.gearbox.source for row in rows]
-    return np.array([1.0 / sources.count(source) for source in sources])
-
-
-def _curve(row: Held) -> Floats:
-    """Return the logarithm of a gearbox's mass at every share of `FINE`."""
-    masses = [row.mass(CALIBRATED._replace(stress_share=share)).total for share in SHARES]
-    return np.interp(np.log(FINE), np.log(SHARES), np.log(masses))
-
-
-def _best(rows: Sequence[Held], curves: Floats) -> Calibration:
-    """Return the share whose masses differ least from the published ones."""
-    errors = curves - np.log([row.gearbox.mass for row in rows])[:, None]
-    squares = family_weights(rows) @ errors**2
-    return CALIBRATED._replace(stress_share=float(FINE[int(np.argmin(squares))]))
+    errors = np.log([row.gearbox.mass / row.mass.total for row in rows])
+    others = (errors.sum() - errors) / (len(rows) - 1)
+    return tuple(row.mass.total * math.exp(error) for row, error in zip(rows, others, strict=True))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

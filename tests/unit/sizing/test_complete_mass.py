@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from functools import cache
 
+import numpy as np
 import pytest
 
 import gearwright as gw
+from gearwright.catalogue import housing_materials, mass_classes
 from gearwright.identity import Kind, PartId
 from gearwright.particulars import particulars
 from gearwright.parts.gears import BasicRack, Blank, TransverseTooth, blank_volume, outline_area
@@ -17,10 +20,11 @@ from gearwright.render.answers.schema import plain
 from gearwright.render.tables.sizing import mass_sentence, with_band
 from gearwright.render.tables.weights import summary
 from gearwright.shipped import shipped_designs
-from gearwright.sizing.casing import housed
+from gearwright.sizing.casing import housed, shell_of
+from gearwright.sizing.gear_geometry import ring_radii
 from gearwright.sizing.housing_shell import section_across, shell_around
+from gearwright.sizing.inner_walls import inner_walls
 from gearwright.sizing.mass import (
-    CALIBRATED,
     TRAIN,
     complete_mass,
     gear_blanks,
@@ -28,6 +32,7 @@ from gearwright.sizing.mass import (
     reaction_torque,
     statistics_beside,
     wall_of,
+    weighed_flanges,
     weighed_wall,
 )
 from gearwright.sizing.result import Body, Direction, Point, Station
@@ -170,17 +175,19 @@ def scaled(factor):
     return gw.size(edited(design, lengths | power))
 
 
-def test_twice_the_lengths_weigh_eight_times_but_for_walls_at_the_casting_minimum():
-    one, two = scaled(3.0), scaled(6.0)
+def test_twice_the_lengths_weigh_eight_times_but_for_walls_which_castings_have_thinner():
+    """Area four times, L twice: the shell grows as 4 (t_0 + 2 κ L)/(t_0 + κ L) where nothing limits."""
+    one, two = scaled(1.5), scaled(3.0)
     small, large = complete_mass(one), complete_mass(two)
     for group in ("gears", "shafts"):
         assert large.of(group) / small.of(group) == pytest.approx(8.0, rel=1e-3)
     assert large.of("bearings") / small.of("bearings") == pytest.approx(8.0, rel=0.01)
-    assert large.of("housing") / small.of("housing") == pytest.approx(8.0, rel=0.02)
-    little = {"turbines.gas-turbine.power_kw": 40.0}
-    shells = [shell_around(sizing.arrangement.bodies) for sizing in (one, gw.size(edited(gw.read("off-set"), little)))]
-    assert wall_of(one, shells[0]).why == "its torque"
-    assert wall_of(gw.size(edited(gw.read("off-set"), little)), shells[1]).why == "the thinnest casting"
+    rule = housing_materials()["aluminium"].casting
+    length = math.sqrt(shell_of(one).area / 4.0)
+    more = 4.0 * (rule.base + 2.0 * rule.slope * length) / (rule.base + rule.slope * length)
+    shells = [item(mass, "housing shell", "housing").total for mass in (small, large)]
+    assert shells[1] / shells[0] == pytest.approx(more, rel=0.01) and 4.0 < more < 8.0
+    assert {weighed_wall(one).why, weighed_wall(two).why} == {"casting"}
 
 
 def test_the_section_across_a_cylinder_is_a_circle_or_its_length_times_its_width():
@@ -193,17 +200,94 @@ def test_the_section_across_a_cylinder_is_a_circle_or_its_length_times_its_width
 
 
 def test_walls_are_by_each_torque_in_the_section_across_its_own_axis():
-    """The mast of EC120B stands square to all other shafts; the rotor's torque is held across it."""
+    """The mast of EC120B stands square to all other shafts; the rotor's torque is held across it.
+
+    Castings of that size are thicker than torque asks; fifty times the torque asks for more.
+    """
     sizing = gw.size(gw.read("ec120b"))
     (along, small), (up, large) = held_torques(sizing)
     assert (abs(along.x), abs(up.z)) == (pytest.approx(1.0), pytest.approx(1.0))
     assert large == abs(sizing.reference.machine_torques["main-rotor"]) > 10.0 * small
-    shear = CALIBRATED.stress_share * 25e6
-    asked = large / (2.0 * section_across(housed(sizing), up) * shear)
-    assert weighed_wall(sizing) == (pytest.approx(asked), "its torque")
+    material = housing_materials()["aluminium"]
+    asked = large / (2.0 * section_across(housed(sizing), up) * material.shear_strength)
+    cast = material.casting.base + material.casting.slope * math.sqrt(shell_of(sizing).area / 4.0)
+    assert asked < cast and weighed_wall(sizing) == (pytest.approx(cast), "casting")
     one = gw.size(gw.read("off-set"))
     (only,) = held_torques(one)
     assert only[1] == reaction_torque(one), "parallel axes"
+    narrow = shell_of(one)._replace(section=1e-3)
+    assert wall_of(one, narrow) == (pytest.approx(only[1] / (2e-3 * material.shear_strength)), "its torque")
+
+
+@pytest.mark.parametrize("name", ["in-line", "off-set", "twin-engine-helicopter"])
+def test_more_torque_never_makes_a_wall_thinner(name):
+    sizing = gw.size(gw.read(name))
+    shell, flow = shell_of(sizing), sizing.reference
+    walls = []
+    for factor in (0.1, 1.0, 3.0, 10.0, 30.0, 100.0):
+        torques = {machine: factor * torque for machine, torque in flow.machine_torques.items()}
+        first, *others = sizing.flows
+        flows = {first: replace(flow, machine_torques=torques)} | {case: sizing.flows[case] for case in others}
+        walls.append(wall_of(replace(sizing, flows=flows), shell).thickness)
+    assert walls == sorted(walls) and walls[-1] > walls[0]
+
+
+def test_stages_behind_each_other_have_one_wall_between_them_and_a_stage_alone_none():
+    sizing = sized("in-line")
+    wall = weighed_wall(sizing).thickness
+    (only,) = inner_walls(sizing, wall)
+    assert only.span[1] - only.span[0] == pytest.approx(wall)
+    first, second = (next(body for body in sizing.arrangement.bodies if str(body.part) == f"{stage}.ring")
+                     for stage in ("first", "second"))  # fmt: skip
+    assert first.origin.x + first.length < only.span[0] < only.span[1] < second.origin.x
+    radius = max(abs(point) for point in np.ravel(only.outer))
+    hole = 1.6 * max(body.radius for body in sizing.arrangement.bodies if str(body.part) == "intermediate")
+    disc = math.pi * (radius**2 - hole**2) * wall
+    assert only.volume == pytest.approx(disc, rel=0.01)
+    weighed = item(complete_mass(sizing), "housing inner walls", "housing")
+    assert weighed.total == pytest.approx(only.volume * housing_materials()["aluminium"].density)
+    assert only.fits and not inner_walls(sized("in-line"), 0.05)[0].fits, "a wall thicker than the gap is not drawn"
+    assert not inner_walls(sized("single-planetary"), wall)
+    assert not inner_walls(sized("ec120b"), wall), "webs carry its bosses"
+
+
+def test_a_bolted_ring_is_wall_itself():
+    """Its shell goes, but for a tenth of its width on either side; two flanges come; no land, no splines, no keeper."""
+    splined, bolted = sized("in-line"), sized("in-line", (("housing.rings", "bolted"),))
+    before, after = shell_of(splined), shell_of(bolted)
+    rings = [gear for gear in bolted.gears if gear.rim]
+    around = sum(2.0 * math.pi * 1.06 * ring_radii(bolted.design, ring)[1] * 0.8 * ring.face_width for ring in rings)
+    assert after.rings == pytest.approx(around, rel=5e-3)
+    assert after.area + after.rings == pytest.approx(before.area) == after.outside
+    assert weighed_flanges(bolted).number == weighed_flanges(splined).number + 4
+    names = {part.part for part in complete_mass(bolted).parts}
+    assert not [name for name in names if "splines" in name or "keeper" in name or "lands" in name]
+    assert weighed_wall(bolted).thickness == pytest.approx(weighed_wall(splined).thickness)
+
+
+def test_torque_arms_are_weighed_where_the_design_asks_for_them_alone():
+    """6 T ρ/σ and 0.35 kg/(kN m), the whole torque of the rotor held: 4.5 MN m of the reference turbine's nominal."""
+    sizing = sized("wind-turbine-5mw")
+    mass, torque = complete_mass(sizing), reaction_torque(sizing)
+    iron = housing_materials()["cast-iron"]
+    arms, disc = item(mass, "torque arms", "reaction").total, item(mass, "shrink disc", "reaction").total
+    assert arms == pytest.approx(6.0 * torque * iron.density / iron.bending_strength)
+    assert disc == pytest.approx(0.35e-3 * torque)
+    assert mass.of("reaction") == pytest.approx(arms + disc)
+    lugs = complete_mass(sized("wind-turbine-5mw", (("housing.reaction", "lugs"),)))
+    assert lugs.of("reaction") == 0.0 and lugs.of("housing") == pytest.approx(mass.of("housing"))
+
+
+def test_the_factor_of_a_class_is_told_and_is_in_no_sum():
+    wind, aircraft = mass_classes()["wind"], mass_classes()["aircraft"]
+    assert (aircraft.factor, aircraft.gearboxes) == (1.0, 0)
+    sizing = sized("wind-turbine-5mw")
+    mass = complete_mass(sizing)
+    assert mass.scatter == wind.scatter and complete_mass(sized("in-line")).scatter == aircraft.scatter
+    assert mass.total == pytest.approx(sum(part.total for part in mass.parts))
+    said = statistics_beside(sizing, mass).sentence
+    assert f"weigh {wind.factor:.2f} times their sums of parts" in said and "not in this sum" in said
+    assert "times their sums" not in statistics_beside(sized("in-line"), complete_mass(sized("in-line"))).sentence
 
 
 @pytest.mark.parametrize("name", ["in-line", "off-set"])

@@ -42,7 +42,7 @@ def test_splines_of_a_ring_by_hand():
     mean, length = outside + 2.3 * 3e-3 - 1.1 * 3e-3, 9e-3
     assert seat.spline[1] - seat.spline[0] == near(length)
     pressure = 2.0 * seat.torque / (mean * 0.9 * 3e-3 * length * seat.teeth.teeth * 0.75)
-    assert seat.pressure == near(pressure, rel=1e-9) and seat.permissible == 50e6
+    assert seat.pressure == near(pressure, rel=1e-9) and seat.permissible == 2.0 * 84e6 / 3.5
     rows = [mesh for mesh in sizing.train.meshes if "second.ring" in mesh.gears]
     torques = [abs(sum(flow.meshes[row.name].torques[row.gears.index("second.ring")] for row in rows))
                for flow in sizing.flows.values()]  # fmt: skip
@@ -50,8 +50,9 @@ def test_splines_of_a_ring_by_hand():
 
 
 def test_a_heavy_torque_asks_for_longer_splines_up_to_what_is_permitted():
-    """wind-turbine-5mw: 4.6 MN m on modules of 10, the largest of the standard, bear just what iron does."""
-    first = next(seat for seat in ring_seats(sized("wind-turbine-5mw")) if seat.ring.name == "first.ring")
+    """wind-turbine-5mw: 4.6 MN m on modules of 10, the largest of the standard, bear just what aluminium does."""
+    held = sized("wind-turbine-5mw", (("housing.rings", "splined"), ("housing.material", "aluminium")))
+    first = next(seat for seat in ring_seats(held) if seat.ring.name == "first.ring")
     assert first.pressure == near(first.permissible, rel=1e-9)
     assert first.spline[1] - first.spline[0] > 3.0 * first.teeth.module
 
@@ -92,9 +93,10 @@ def test_the_review_judges_rings_that_stand_in_a_housing_of_its_own_alone():
     assert {check.mode for check in checks} == {"ring seat pressure"}
     assert not list(ring_seat_checks(sized("in-line-h2", (("housing.own", False),))))
     assert not list(ring_seat_checks(sized("geared-turbofan-star")))
+    assert not list(ring_seat_checks(sized("wind-turbine-5mw"))), "bolted"
 
 
 def test_a_weaker_housing_permits_less():
     weak, strong = (next(ring_seats(sized("in-line-h2", (("housing.material", material),))))
                     for material in ("magnesium", "aluminium"))  # fmt: skip
-    assert weak.permissible / strong.permissible == near(13.0 / 25.0)
+    assert weak.permissible / strong.permissible == near(69.0 / 84.0)

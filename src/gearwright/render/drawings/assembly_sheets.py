@@ -92,7 +92,7 @@ from gearwright.render.style import overlap, spread
 from gearwright.shape import Scene, kind_of, sized_mesh
 from gearwright.shape.chambers import spans_in
 from gearwright.sizing import BearingSizing, Sizing
-from gearwright.sizing.casing import HOLE, Flanges, ring_seats
+from gearwright.sizing.casing import HOLE, Flanges, bolted_rings, ring_seats
 from gearwright.sizing.mass import carried_in_walls, weighed_flanges
 from gearwright.sizing.places import CLAUSE, bells
 from gearwright.sizing.shafts import Held, held_rings, sealed_exits, unsealed_exits
@@ -115,6 +115,8 @@ def set_notes(sizing: Sizing, *, cut: bool) -> Iterator[str]:
         if list(ring_seats(sizing)):
             splines = "splines (as DIN 5480-1, cut at half of their height)"
             yield f"Rings that stand have {splines} {where}; keepers by screws."
+        elif bolted_rings(sizing):
+            yield "Rings that stand are bolted between two housings, as their wall; screws through them are not sized."
         else:
             yield "What holds rings that stand is not sized, and not drawn."
     if names := [carrier.stage for carrier in sizing.carriers if carrier.shaft == GROUND]:

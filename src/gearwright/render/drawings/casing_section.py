@@ -589,7 +589,8 @@ def _outline(corners: list[complex], steps: list[float]) -> Iterator[Path]:
 
 
 SHOWN = tuple(
-    f"housing {part}".strip() for part in ("", "shell", "flanges", "bosses", "webs", "lands of rings", "ribs", "mounts")
+    f"housing {part}".strip()
+    for part in ("", "shell", "inner walls", "flanges", "bosses", "webs", "lands of rings", "ribs", "mounts")
 )
 """What is drawn of what a housing is weighed as; the first one where a design gives the whole."""
 SCREWS = "housing bolts"

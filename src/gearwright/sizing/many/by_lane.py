@@ -484,5 +484,6 @@ change_twins((
     ("gearwright.sizing.mass.record", _unordered),
     ("gearwright.sizing.housing_shell", _in_each_lane("_around")),
     ("gearwright.sizing.casing", _in_each_lane("_module", "spline", "_pieces")),
+    ("gearwright.sizing.inner_walls", _in_each_lane("_walls")),
     ("gearwright.sizing.loads", _in_each_lane("_worst_direction", "_at")),
 ))  # fmt: skip

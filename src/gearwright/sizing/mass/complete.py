@@ -10,6 +10,7 @@ from gearwright.base import Role, largest_first, verb
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
+from gearwright.parts.housings import bearing_wall, casting_wall, torque_arm_volume, torque_wall
 from gearwright.sizing.casing import (
     BOSS,
     Carried,
@@ -23,6 +24,7 @@ from gearwright.sizing.casing import (
     shell_of,
 )
 from gearwright.sizing.housing_shell import Shell, section_across
+from gearwright.sizing.inner_walls import inner_walls
 from gearwright.sizing.losses import largest_heat
 from gearwright.sizing.mass.bodies import (
     bearing_items,
@@ -32,7 +34,7 @@ from gearwright.sizing.mass.bodies import (
     seat_duties,
     shaft_items,
 )
-from gearwright.sizing.mass.record import CALIBRATED, Calibration, CompleteMass, MassItem, ordered
+from gearwright.sizing.mass.record import DETAILS, CompleteMass, MassItem, class_of, ordered
 from gearwright.sizing.result import Direction, Sizing
 from gearwright.sizing.shaft_results import BearingSizing
 from gearwright.sizing.shafts import holders_of, unsealed_exits
@@ -47,7 +49,9 @@ SURE = 0.35
 RIBS = 0.20
 """Ribs over the shell [-], an estimate: as high as five walls, as thick as one, a fifth of the area each way."""
 MOUNTS = 0.10
-"""Feet, lugs and torque arms over the shell [-], an estimate."""
+"""Feet and lugs over the shell [-], an estimate."""
+SHRINK_DISC = 0.35e-3
+"""Shrink disc by which a rotor's shaft holds a gearbox's, over the torque [kg/(N m)], from makers' sheets by memory."""
 ALONG = 1e-6
 """How far the cosine of directions of one axis may differ from 1 [-]."""
 SEAT = 1.6
@@ -64,22 +68,19 @@ class Wall(NamedTuple):
     """What asks for it."""
 
 
-def housing_items(
-    sizing: Sizing, shell: Shell, bearings: Sequence[MassItem], fitted: Calibration
-) -> Iterator[MassItem]:
+def housing_items(sizing: Sizing, shell: Shell, bearings: Sequence[MassItem]) -> Iterator[MassItem]:
     """Yield the housing's shell and what is on it.
 
     Args:
         sizing: As sized.
         shell: Around it.
         bearings: Bearings with their masses.
-        fitted: What published gearboxes set.
     """
     rules = sizing.design.housing
     if rules.mass is not None:
         yield MassItem("housing", "housing", 1, rules.mass, 0.02, "given", "housing.mass of the design")
     elif rules.own:
-        wall = wall_of(sizing, shell, fitted)
+        wall = wall_of(sizing, shell)
         yield from _parts(sizing, shell, wall, bearings)
 
 
@@ -95,6 +96,8 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     yield _item("flanges", ring, "2 · 2.5 d · 1.2 d · girth", "proportions of cast housings", flanges.number)
     screws = flanges.screws * screw_volume(flanges.thread) * STEEL_DENSITY
     yield _item("bolts", screws, "7 d³ ρ each, at most 5 d apart", "grip of a flange; ISO 898-1", flanges.number)
+    walls = sum(one.volume for one in inner_walls(sizing, wall.thickness)) * material.density
+    yield _item("inner walls", walls, "A t ρ across, between stages", "a wall for every bearing plane")
     yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
     sized = {bearing.name for bearing in sizing.bearings}
     bosses = sum(_boss(item, material) for item in bearings if item.part not in planets | sized)
@@ -130,26 +133,42 @@ def _around(bearing: BearingSizing, outside: float, material: HousingMaterial) -
     return section * bearing.width * material.density
 
 
-def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> Wall:
-    """Return the wall of a housing: the larger of what casting and torque ask, or the given one.
+def wall_of(sizing: Sizing, shell: Shell) -> Wall:
+    """Return the wall of a housing: the larger of what a foundry pours and torques ask, or the given one.
 
     Args:
         sizing: As sized.
         shell: Around it.
-        fitted: What published gearboxes set.
 
-    Source: Bredt's shear flow, τ = T/(2 A t), in the largest section across the axis of each torque.
+    Source: `casting_wall` by its area, rings that are wall among it; `torque_wall` in the largest section across the
+        axis of each torque, at the working stress of the material.
     """
     given = sizing.design.housing.wall
     if given is not None:
         return Wall(given, "the design")
     material = housing_materials()[sizing.design.housing.material]
-    shear = fitted.stress_share * material.shear_strength
-    asked = [Wall(material.least_wall, "the thinnest casting")]
+    asked = [Wall(casting_wall(shell.outside, material.casting), "casting")]
     for way, torque in held_torques(sizing):
         section = shell.section if abs(way.x) > 1.0 - ALONG else section_across(housed(sizing), way)
-        asked.append(Wall(torque / (2.0 * section * shear), "its torque"))
+        asked.append(Wall(torque_wall(torque, section, material.shear_strength), "its torque"))
     return max(asked)
+
+
+def reaction_items(sizing: Sizing) -> Iterator[MassItem]:
+    """Yield what holds the gearbox's torque against its frame, where the design asks for torque arms.
+
+    Args:
+        sizing: As sized.
+
+    Source: `torque_arm_volume` at the working stress of the housing's material; the shrink disc by the torque.
+    """
+    if not sizing.design.housing.own or sizing.design.housing.reaction != "torque-arms":
+        return
+    material, torque = housing_materials()[sizing.design.housing.material], reaction_torque(sizing)
+    arms = torque_arm_volume(torque, material.bending_strength) * material.density
+    yield MassItem("torque arms", "reaction", 1, arms, SURE, "6 T ρ/σ", "bending of tapered arms, l = 2 h: estimate")
+    disc = SHRINK_DISC * torque
+    yield MassItem("shrink disc", "reaction", 1, disc, SURE, "0.35 kg/(kN m) T", "sheets of makers, from memory")
 
 
 @of_latest(1)
@@ -228,7 +247,7 @@ def _pads(sizing: Sizing, wall: float, material: HousingMaterial) -> float:
     for shaft in sizing.shafts:
         seat = SEAT * shaft.diameter
         for bearing in shaft.bearings:
-            asked = bearing.radial_force / (2.0 * seat * material.shear_strength)
+            asked = bearing_wall(bearing.radial_force, seat, material.shear_strength)
             mass += math.pi / 4.0 * 3.0 * seat**2 * max(asked - wall, 0.0) * material.density
     return mass
 
@@ -319,17 +338,18 @@ PAD = 1.5
 """Pad, gear and bearings of an accessory's drive [kg], an estimate."""
 SURE_DETAILS = 0.5
 """One standard deviation of details over their value, an estimate [-]."""
+_WHOLE = ("reaction", "lubrication", "details")
+"""Groups beside which nothing is left uncounted."""
 HELD = 0.2
 """The same of parts that hold bearings, which are sized, an estimate [-]."""
 
 
-def detail_items(sizing: Sizing, counted: Sequence[MassItem], fitted: Calibration) -> Iterator[MassItem]:
+def detail_items(sizing: Sizing, counted: Sequence[MassItem]) -> Iterator[MassItem]:
     """Yield seals, sensors, drives of accessories and the rest.
 
     Args:
         sizing: As sized.
         counted: Every other part.
-        fitted: What published gearboxes set.
     """
     housing = sizing.design.housing
     for leaves in unsealed_exits(sizing):
@@ -347,10 +367,10 @@ def detail_items(sizing: Sizing, counted: Sequence[MassItem], fitted: Calibratio
         yield MassItem(
             name, "details", 1, mass, HELD, "as drawn; nuts: catalogue", "parts that hold bearings and seal shafts"
         )
-    share = fitted.details * sum(item.total for item in counted if item.group not in ("lubrication", "details"))
+    share = DETAILS * sum(item.total for item in counted if item.group not in _WHOLE)
     rest = max(share - sum(held.values()), 0.0)
     yield MassItem(
-        "fasteners and small parts", "details", 1, rest, SURE_DETAILS, "a share, less what is sized", "held against"
+        "fasteners and small parts", "details", 1, rest, SURE_DETAILS, "a share, less what is sized", "estimate"
     )
 
 
@@ -373,16 +393,6 @@ def complete_mass(sizing: Sizing) -> CompleteMass:
     >>> ", ".join(group.group for group in mass.groups)
     'gears, shafts, bearings, housing, lubrication, details'
     """
-    return summed(sizing, CALIBRATED)
-
-
-def summed(sizing: Sizing, fitted: Calibration) -> CompleteMass:
-    """Return the complete mass with given constants, for their fit.
-
-    Args:
-        sizing: As sized.
-        fitted: What published gearboxes set.
-    """
     whole = sizing.given.get("gearbox.mass")
     if whole is not None:
         item = MassItem("gearbox", "details", 1, whole.value, 0.02, "given", whole.origin or "the design")
@@ -392,7 +402,8 @@ def summed(sizing: Sizing, fitted: Calibration) -> CompleteMass:
     bearings = tuple(bearing_items(sizing, duties, bores))
     parts = [*gear_items(sizing, bores), *shaft_items(sizing), *carrier_items(sizing), *bearings]
     shell = shell_of(sizing)
-    parts += housing_items(sizing, shell, bearings, fitted)
+    parts += housing_items(sizing, shell, bearings)
+    parts += reaction_items(sizing)
     parts += oil_items(sizing, shell.volume)
-    parts += detail_items(sizing, parts, fitted)
-    return CompleteMass(sizing.design.name, ordered(parts), fitted.scatter)
+    parts += detail_items(sizing, parts)
+    return CompleteMass(sizing.design.name, ordered(parts), class_of(sizing).scatter)

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 from gearwright.base import DesignError, Mass, Origin, Quantity, Ratio, Shown, largest, largest_first, text
+from gearwright.catalogue import MassClass, mass_classes
 from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.result import Sizing
 from gearwright.weights import Requirement, bands, estimate, methods
@@ -18,7 +19,7 @@ from gearwright.weights import Requirement, bands, estimate, methods
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "lubrication", "details")
+GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "reaction", "lubrication", "details")
 """Groups of parts, in the order of tables."""
 TRAIN = ("gears", "shafts", "carriers")
 """Groups that are the train itself; what carries, closes and oils it are the others."""
@@ -140,24 +141,21 @@ def ordered(items: Iterable[MassItem]) -> tuple[MassItem, ...]:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# The constant that published gearboxes set, and how well sums then agree with gearboxes that were left out.
+# How well sums agree with published gearboxes. Nothing in a sum is fitted to them; each class has one factor beside it.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Calibration(NamedTuple):
-    """What no rule of parts gives."""
-
-    stress_share: float
-    """Shear stress in a housing at rated torque over the working stress of its material [-]."""
-    details: float
-    """What no rule counts (splines, nuts, spacers, plugs) over the parts that are counted [-]; an estimate: a fit of it
-    beside the other gives nothing more than zero."""
-    scatter: float
-    """Factor of one standard deviation of sums over published masses, each left out of its own fit [-]."""
+DETAILS = 0.05
+"""What no rule counts (splines, nuts, spacers, plugs) over the parts that are counted [-], an estimate."""
 
 
-CALIBRATED = Calibration(0.107, 0.05, 1.27)
-"""Fitted to published gearboxes; the scatter with each left out of its fit (benchmarks/gearbox_masses.py --fit)."""
+def class_of(sizing: Sizing) -> MassClass:
+    """Return the class of published gearboxes that a design is held against: wind turbines' lean on torque arms.
+
+    Args:
+        sizing: As sized.
+    """
+    return mass_classes()["wind" if sizing.design.housing.reaction == "torque-arms" else "aircraft"]
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -222,7 +220,7 @@ def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
         sizing: As sized.
         mass: Its complete mass.
     """
-    need, beside = requirement_of(sizing), _cramped(mass) + _without(sizing)
+    need, beside = requirement_of(sizing), _held_against(class_of(sizing)) + _cramped(mass) + _without(sizing)
     if need is None:
         said = "No statistics: they are of gearboxes that reduce an engine's speed."
         return Statistics(None, None, None, said + beside)
@@ -231,6 +229,16 @@ def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
         return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights." + beside)
     median, low, high = found
     return Statistics(median, low, high, _sentence(mass, median, (low, high)) + beside)
+
+
+def _held_against(own: MassClass) -> str:
+    """Say what was fitted to the published gearboxes of a class: one factor, which is in no sum."""
+    if own.gearboxes == 0:
+        return ""
+    return (
+        f" {own.gearboxes} {own.members} weigh {own.factor:.2f} times their sums of parts, each within a factor of"
+        f" {own.scatter:.2f}: that factor was fitted to them, and is not in this sum."
+    )
 
 
 def _cramped(mass: CompleteMass) -> str:

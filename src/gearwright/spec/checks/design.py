@@ -585,7 +585,7 @@ def _housing(design: Design) -> Iterator[Problem]:
     rules = design.housing
     if not rules.own:
         why = "own = false leaves the housing out of the gearbox"
-        yield from _idle("housing", rules, ("material", "wall", "mass"), why)
+        yield from _idle("housing", rules, ("material", "wall", "mass", "rings", "reaction"), why)
     elif rules.mass is not None:
         yield from _idle("housing", rules, ("material", "wall"), "mass states the whole housing")
     if rules.oil_system != "own":

@@ -827,7 +827,14 @@ class HousingRules(Record):
 
     material: HousingMaterial = Field("aluminium", description="Of the housing: castings, or a laminate")
     wall: Length | None = Field(
-        None, gt=0, le=0.2, description="Wall; left out: as torque and bearings ask, at least what can be cast"
+        None, gt=0, le=0.2, description="Wall; left out: as a casting of its size has it, or as its torque asks"
+    )
+    rings: Literal["splined", "bolted"] = Field(
+        "splined", description="Rings that stand: in splines of the housing; bolted: between two housings, as its wall"
+    )
+    reaction: Literal["lugs", "torque-arms"] = Field(
+        "lugs",
+        description="What holds its torque: lugs on the wall; torque-arms: arms and a shrink disc, weighed apart",
     )
     mass: Mass | None = Field(
         None, gt=0, description="Of the housing, as weighed; left out: shell, ribs, flanges, bosses"
