@@ -57,8 +57,8 @@ from gearwright.sizing.rating import MESHES, Context, Known, load_sharing
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
-from gearwright.sizing.stage_sizes import AS_NEAR, NEAR
-from gearwright.sizing.stages import Geared, geared, gearings, with_face
+from gearwright.sizing.stage_sizes import AS_NEAR, NEAR, StageSize
+from gearwright.sizing.stages import Geared, geared, gearings, with_face, with_module
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.sizing.webs import web_checks
@@ -461,8 +461,12 @@ class _Comparison:
         """Gears of which the next size is not looked for yet."""
         self.poor = set[StageTeeth]()
         """Teeth of stages that fell short."""
-        self.faces = dict[str, float]()
-        """Set -> narrowest face, as far as bearings of its planets have told [m]."""
+        self.areas = dict[str, float]()
+        """Set -> least face times diameter of all its planets, as far as their bearings have told [m²]."""
+        self.narrow = dict[int, set[tuple[str, StageSize]]]()
+        """Choice of teeth -> sizes of sets in whose planets no bearing serves, and for which wider ones wait."""
+        self.done = set[tuple[int, frozenset[tuple[str, StageSize]]]]()
+        """Choices of teeth with sizes that were looked at: wider ones may come twice."""
         self.sized = 0
         """Choices of teeth that were sized before that was known [-]."""
         self.heavier = dict[frozenset[StageTeeth], float]()
@@ -487,7 +491,7 @@ class _Comparison:
     def asks_for_faces(self) -> bool:
         """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
         looked = self.looked
-        if self.faces or looked.passing or looked.hope < LITTLE:
+        if self.areas or looked.passing or looked.hope < LITTLE:
             return False
         return len(looked.unfit) + looked.narrow >= UNFIT
 
@@ -497,9 +501,10 @@ class _Comparison:
         for stage in {stage for one in looked.unfit for stage in one.short_of}:
             own = [one for one in looked.unfit if stage in one.short_of]
             nearest = max(own, key=lambda one: one.margins[stage])
-            self.faces[stage] = NEARLY * nearest.asked_face(stage)
+            planet = nearest.short_of[stage]
+            self.areas[stage] = NEARLY * nearest.asked_face(stage) * planet.pitch_diameter * planet.bodies
         first = len(self.choices)
-        self.choices += choose_teeth(considering(self.design), self.train, self.faces)
+        self.choices += choose_teeth(considering(self.design), self.train, self.areas)
         self.queue = [row for row in self.queue if row[2].unfit is not None]
         self.queue += [
             (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
@@ -532,10 +537,12 @@ class _Comparison:
         """
         looked = self.looked
         self.waiting.append(course)
+        if (known := (course.place, frozenset(gears.sizes.items()))) in self.done:
+            return
+        self.done.add(known)
         if faces := looked.asked_faces(gears):
             looked.narrow += 1
-            if (wider := _wider(gears, faces)) is not None:
-                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
+            self._widen(gears, faces, course)
             return
         try:
             fitted = Fitted.of(gears)
@@ -544,10 +551,20 @@ class _Comparison:
             return
         if fitted.short_of:
             looked.unfit.append(fitted)
-            if (wider := _wider(gears, {stage: fitted.asked_face(stage) for stage in fitted.short_of})) is not None:
-                self._put(wider.estimate, _Course(course.place, wider, unfit=fitted))
+            faces = {stage: fitted.asked_face(stage) for stage in fitted.short_of}
+            self._widen(gears, faces, course._replace(unfit=fitted))
         else:
             looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
+
+    def _widen(self, gears: Geared, faces: Mapping[str, float], course: _Course) -> None:
+        """Put gears into the queue with faces, and where these may not be so wide modules, that bearings may ask for.
+
+        All sets that fall short grow at once; other combinations with a size that is too narrow are passed over.
+        """
+        for larger in (False, True):
+            if (wider := _wider(gears, faces, larger=larger)) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
+                self.narrow.setdefault(course.place, set()).update((stage, gears.sizes[stage]) for stage in faces)
 
     def put_back(self, course: _Course, mass: float) -> None:
         """Put a choice of teeth where it is expected by what others came to.
@@ -589,7 +606,10 @@ class _Comparison:
         if (teeth := stage_teeth(self.train, choice)) & self.poor:
             return
         try:
-            others = gearings(self.design, self.train, choice, given=self.given, known=self.known, faces=self.faces)
+            others = gearings(
+                self.design, self.train, choice, given=self.given, known=self.known, areas=self.areas,
+                narrow=self.narrow.setdefault(course.place, set()),
+            )  # fmt: skip
             gears = next(others)
         except DesignError as error:
             looked.refused.append(error)
@@ -604,14 +624,24 @@ class _Comparison:
             self.poor |= {own for own in teeth if own[0] in gears.failing}
 
 
-def _wider(found: Geared, faces: Mapping[str, float]) -> Geared | None:
-    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide."""
+def _wider(found: Geared, faces: Mapping[str, float], *, larger: bool) -> Geared | None:
+    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide.
+
+    Args:
+        found: Gears.
+        faces: Set -> face that is asked for [m].
+        larger: Whether those sets that may not have it get a larger module; None where all may have it.
+    """
     gears: Geared | None = found
+    grown = False
     for stage, face in faces.items():
         if gears is None or load_sharing(gears.context.design, stage).by_size:
             return None
-        gears = with_face(gears, stage, face)
-    return gears
+        wider = with_face(gears, stage, face)
+        if larger and (wider is None or wider.sizes[stage].face_width < face * (1.0 - ROUNDING)):
+            wider, grown = with_module(gears, stage, face), True
+        gears = wider
+    return gears if grown or not larger else None
 
 
 def _narrowed(fitted: Fitted, unfit: Fitted) -> Fitted:
