@@ -230,20 +230,22 @@ class Fitted(NamedTuple):
     found: Geared
     gears: tuple[GearSizing, ...]
     margins: Mapping[str, float]
-    """Set -> the least of what the bearings of its planets have over what they must have [-]."""
+    """Set of which something is open -> the least of what bearings of its planets have over what they must have [-]."""
 
     @classmethod
-    def of(cls, found: Geared) -> Fitted:
+    def of(cls, found: Geared, fixed: frozenset[str] = frozenset()) -> Fitted:
         """Return gears with what their planets turn on.
 
         Args:
             found: Gears and meshes.
+            fixed: Sets of which nothing is open.
 
         Raises:
             DesignError: No bearing has room in a planet.
         """
         gears = fit_planets(found.context, found.gears)
-        return cls(found, gears, bearing_margins(found.context, found.gears, gears))
+        margins = bearing_margins(found.context, found.gears, gears)
+        return cls(found, gears, {stage: margin for stage, margin in margins.items() if stage not in fixed})
 
     @property
     def margin(self) -> float:
@@ -273,6 +275,8 @@ class Fitted(NamedTuple):
 class _Looked:
     """What came of the gears that were looked at."""
 
+    fixed: frozenset[str] = frozenset()
+    """Sets of which nothing is open, so that no choice helps the bearings of their planets."""
     sized: int = 0
     """Choices of teeth whose gears came out [-]."""
     off: float = math.inf
@@ -290,7 +294,7 @@ class _Looked:
     def complete(self, gears: Geared | Fitted, given: Mapping[str, Given], *, still: bool) -> None:
         """Add the transmission of some gears, or why there is none."""
         try:
-            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears)
+            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears, self.fixed)
             self.whole.append(completed(fitted, given, still=still))
         except DesignError as error:
             self.refused.append(error)
@@ -313,14 +317,25 @@ class _Looked:
 
     @property
     def passing(self) -> list[Sizing]:
-        """Those that pass all their checks."""
-        return [sizing for sizing in self.whole if not _failing(sizing)]
+        """Those that pass all their checks that a choice can help."""
+        return [sizing for sizing in self.whole if not self.failing(sizing)]
+
+    def failing(self, sizing: Sizing) -> list[Check]:
+        """Return the checks that fail, but for bearings of planets that no choice helps.
+
+        Args:
+            sizing: That is completed.
+        """
+        return [check for check in sizing.checks if check.fails and not self._is_fixed(check.part)]
+
+    def _is_fixed(self, part: PartId) -> bool:
+        return part.kind is Kind.BEARING and part.role is Role.PLANET and part.name in self.fixed
 
     @property
     def hope(self) -> float:
         """Margin of the worst check of the transmission that comes nearest to passing, or of its bearings [-]."""
         worst = (
-            min((check.margin or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
+            min((check.margin or 0.0 for check in self.failing(sizing)), default=1.0) for sizing in self.whole
         )
         return max((*worst, *(one.margin for one in self.unfit)), default=1.0)
 
@@ -368,6 +383,18 @@ def _is_within(planet: GearSizing, other: GearSizing) -> bool:
     )
 
 
+def _fixed_sets(design: Design, given: Mapping[str, Given]) -> frozenset[str]:
+    """Return the planetary sets of which teeth, planets, module and face width are given."""
+    return frozenset(
+        name
+        for name, stage in design.planetaries.items()
+        if is_given(stage)
+        and len(planet_counts(name, design)) == 1
+        and f"{name}.module" in given
+        and f"{name}.face_width" in given
+    )
+
+
 def _failing(sizing: Sizing) -> int:
     """Return how many checks fail [-]."""
     return sum(check.fails for check in sizing.checks)
@@ -375,7 +402,7 @@ def _failing(sizing: Sizing) -> int:
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
-    looked, known = _Looked(), MESHES.now()
+    looked, known = _Looked(_fixed_sets(design, given)), MESHES.now()
     if design.compares_sizes:
         _compare(design, train, given, looked, still=still)
         return _told(looked, failing=len(looked.short))
@@ -545,7 +572,7 @@ class _Comparison:
             self._widen(gears, faces, course)
             return
         try:
-            fitted = Fitted.of(gears)
+            fitted = Fitted.of(gears, looked.fixed)
         except DesignError as error:
             looked.refused.append(error)
             return
