@@ -334,9 +334,7 @@ class _Looked:
     @property
     def hope(self) -> float:
         """Margin of the worst check of the transmission that comes nearest to passing, or of its bearings [-]."""
-        worst = (
-            min((check.margin or 0.0 for check in self.failing(sizing)), default=1.0) for sizing in self.whole
-        )
+        worst = (min((check.margin or 0.0 for check in self.failing(sizing)), default=1.0) for sizing in self.whole)
         return max((*worst, *(one.margin for one in self.unfit)), default=1.0)
 
     @property
@@ -491,7 +489,7 @@ class _Comparison:
         self.areas = dict[str, float]()
         """Set -> least face times diameter of all its planets, as far as their bearings have told [m²]."""
         self.narrow = dict[int, set[tuple[str, StageSize]]]()
-        """Choice of teeth -> sizes of sets in whose planets no bearing serves, and for which wider ones wait."""
+        """Choice of teeth -> sizes of sets in whose planets no bearing serves."""
         self.done = set[tuple[int, frozenset[tuple[str, StageSize]]]]()
         """Choices of teeth with sizes that were looked at: wider ones may come twice."""
         self.sized = 0
@@ -508,7 +506,8 @@ class _Comparison:
         if looked.passing:
             several = TOGETHER // len(self.design.stages) if most > 1 else 1
             return tried >= max(enough, several, self.design.teeth.sized)
-        return tried >= (most if looked.hope >= HOPE else most // 2)
+        hope = looked.hope
+        return tried >= (most if hope >= HOPE else most // 2 if hope >= LITTLE else most // 4)
 
     def has_enough_teeth(self) -> bool:
         """Tell whether so many choices of teeth are sized that no more are."""
@@ -581,17 +580,34 @@ class _Comparison:
             faces = {stage: fitted.asked_face(stage) for stage in fitted.short_of}
             self._widen(gears, faces, course._replace(unfit=fitted))
         else:
-            looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
+            looked.complete(self._narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
 
     def _widen(self, gears: Geared, faces: Mapping[str, float], course: _Course) -> None:
         """Put gears into the queue with faces, and where these may not be so wide modules, that bearings may ask for.
 
         All sets that fall short grow at once; other combinations with a size that is too narrow are passed over.
         """
+        self.narrow.setdefault(course.place, set()).update((stage, gears.sizes[stage]) for stage in faces)
         for larger in (False, True):
             if (wider := _wider(gears, faces, larger=larger)) is not None:
                 self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
-                self.narrow.setdefault(course.place, set()).update((stage, gears.sizes[stage]) for stage in faces)
+
+    def _narrowed(self, fitted: Fitted, unfit: Fitted) -> Fitted:
+        """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
+        for stage, planet in unfit.short_of.items():
+            low = planet.face_width
+            high = fitted.found.sizes[stage].face_width
+            while high - low > 1.5 * FINEST:
+                middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
+                between = with_face(fitted.found, stage, middle, high - FINEST)
+                tried = None if between is None else Fitted.of(between, self.looked.fixed)
+                if tried is None:
+                    high = middle
+                elif tried.short_of:
+                    low = tried.found.sizes[stage].face_width
+                else:
+                    fitted, high = tried, tried.found.sizes[stage].face_width
+        return fitted
 
     def put_back(self, course: _Course, mass: float) -> None:
         """Put a choice of teeth where it is expected by what others came to.
@@ -669,24 +685,6 @@ def _wider(found: Geared, faces: Mapping[str, float], *, larger: bool) -> Geared
             wider, grown = with_module(gears, stage, face), True
         gears = wider
     return gears if grown or not larger else None
-
-
-def _narrowed(fitted: Fitted, unfit: Fitted) -> Fitted:
-    """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
-    for stage, planet in unfit.short_of.items():
-        low = planet.face_width
-        high = fitted.found.sizes[stage].face_width
-        while high - low > 1.5 * FINEST:
-            middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
-            between = with_face(fitted.found, stage, middle, high - FINEST)
-            tried = None if between is None else Fitted.of(between)
-            if tried is None:
-                high = middle
-            elif tried.short_of:
-                low = tried.found.sizes[stage].face_width
-            else:
-                fitted, high = tried, tried.found.sizes[stage].face_width
-    return fitted
 
 
 def considering(design: Design) -> Design:

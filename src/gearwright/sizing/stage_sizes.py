@@ -236,7 +236,7 @@ def _bearing_width(context: Context, part: Part) -> float:
 
 
 def _asked_face(context: Context, part: Part, module: float) -> float:
-    """Return the face from which bearings of planets may serve, as they bear with face times diameter of all planets [m]."""
+    """Return the face from which bearings of planets may serve: all bear about with face times diameter [m]."""
     rating = context.ratings[part.stage]
     planets = (gear for mesh in part.meshes for gear in mesh.gears if context.train.gear(gear).role is Role.PLANET)
     planet = next(planets, None) if rating.least_area else None
@@ -581,7 +581,8 @@ def larger_modules(context: Context, stage: str, module: float) -> list[float]:
     alone = list(module_owners(context.design).values()).count(stage) == 1
     if rules is None or not rules.standard_modules or not alone or _module_given(context, stage) is not None:
         return []
-    return [value * _MM for value in STANDARD_MODULES if module * (1.0 + ROUNDING) < value * _MM <= LARGEST_OVER * module]
+    low, high = module * (1.0 + ROUNDING), LARGEST_OVER * module
+    return [value * _MM for value in STANDARD_MODULES if low < value * _MM <= high]
 
 
 # ----------------------------------------------------------------------------------------------------------------------
