@@ -506,8 +506,7 @@ class _Comparison:
         if looked.passing:
             several = TOGETHER // len(self.design.stages) if most > 1 else 1
             return tried >= max(enough, several, self.design.teeth.sized)
-        hope = looked.hope
-        return tried >= (most if hope >= HOPE else most // 2 if hope >= LITTLE else most // 4)
+        return tried >= (most if looked.hope >= HOPE else most // 2)
 
     def has_enough_teeth(self) -> bool:
         """Tell whether so many choices of teeth are sized that no more are."""
