@@ -39,7 +39,7 @@ FACTORS_OF_ONE = """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
-    Chosen.gear_mass Item.inside Line.slack Line.thicker Rating.least_face _Looked.sized Around.bell Around.per_heat
+    Chosen.gear_mass Item.inside Line.slack Line.thicker Rating.least_area _Looked.sized Around.bell Around.per_heat
     oil_mass.planets
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift

@@ -54,6 +54,8 @@ from gearwright.version import __version__
 _STEPS = (0.25, 0.12)
 """Of every number within its range, up and down [-]."""
 PRELIMINARY = "preliminary"
+_ROOM = 0.7
+"""Margin of room between bodies below which less counts as no worse, as closing makes room by turning axes [-]."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +87,8 @@ class Candidate:
     """Checks that fail, with their margins, the worst first."""
     rated_mass: float | None = None
     """Complete, with its motor, before its numbers were chosen anew [kg]."""
+    rated_promise: float | None = None
+    """What it promised then [kg]."""
     proportioned: bool = False
     """Whether its numbers were chosen anew, by what it weighs and lacks against fatigue."""
     bare: str | None = None
@@ -120,10 +124,12 @@ class Candidate:
     def promise(self) -> float:
         """What it may weigh once everything is met [kg]: a mass grows as the square root of what it lacks, or so.
 
-        It only orders what is looked at next; masses that are told are computed.
+        Room that is missing beside bodies weighs little. It only orders what is looked at next; masses that are told
+        are computed.
         """
         mass = self.with_machines
-        return float("inf") if mass is None else mass / max(self.worst, 0.01) ** 0.5
+        lacks = (max(margin, _ROOM) if " room beside " in name else margin for name, margin in self.lacks)
+        return float("inf") if mass is None else mass / max(min(lacks, default=1.0), 0.01) ** 0.5
 
     @property
     def order(self) -> tuple[int, float, float, str]:
@@ -188,7 +194,7 @@ def rated(requirement: Requirement, row: Candidate, *, life: float) -> Candidate
     """
     try:
         found = _rated(requirement, row, row.places, life)
-        return replace(found, rated_mass=found.with_machines)
+        return replace(found, rated_mass=found.with_machines, rated_promise=found.promise)
     except GearwrightError as error:
         return replace(row, refused=_words(error))
 
@@ -313,6 +319,8 @@ _HOPELESS = 2.5
 """The same of the middle of its ranges, over the lightest of the fewest stages, above which it is left at that [-]."""
 _ANEW = 3
 """Times as many as are closed get numbers anew, by what they weigh and lack against fatigue [-]."""
+_BEHIND = 2.0
+"""What one promises over the best promise, above which it gets none: other numbers do not mend so much [-]."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -498,10 +506,12 @@ def _near(rows: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _light(rows: Sequence[Candidate], count: int) -> list[Candidate]:
-    """Return the lightest of the architectures that were sized against fatigue."""
+    """Return the lightest of the architectures that were sized against fatigue, but for those that lack too much."""
     known = [row for row in rows if row.rated_mass is not None]
     by_name = sorted(known, key=lambda row: row.architecture.slug)
-    return smallest_first(by_name, lambda row: row.rated_mass or 0.0)[:count]
+    lightest = smallest_first(by_name, lambda row: row.rated_mass or 0.0)[:count]
+    most = _BEHIND * min((row.rated_promise or math.inf for row in known), default=0.0)
+    return [row for row in lightest if (row.rated_promise or math.inf) <= most]
 
 
 def _weight(row: EqualLife) -> tuple[bool, float]:

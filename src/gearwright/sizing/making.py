@@ -18,7 +18,7 @@ from gearwright.sizing.casing import boss_bodies, cover_bodies, ring_seats
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.housing_shell import ball_around
 from gearwright.sizing.mass import BRIDGE, carried_in_walls, tooth_of
-from gearwright.sizing.places import axes_among, of_one_set, room_between
+from gearwright.sizing.places import axes_among, least_room, of_one_set, room_between, sphere_around
 from gearwright.sizing.result import Body, GearSizing, Point, Sizing, Station
 from gearwright.sizing.shaft_results import BuiltShaft, CarrierSizing, hub_bore_of
 from gearwright.sizing.shafts import (
@@ -44,6 +44,8 @@ from gearwright.spec import GROUND, Design
 
 OFF = 5e-4
 """What housings, fits and bearings may be off between two bodies, an estimate [m]."""
+_EQUAL = 1e-6
+"""Difference of two rooms over what is needed that counts as none [-]."""
 _CLEARANCE_HELP = (
     "move them apart along their shafts ([layout.SHAFT.places]), turn an axis (angle_deg), or stiffen the shafts"
 )
@@ -75,7 +77,7 @@ def running_checks(sizing: Sizing) -> Iterator[Check]:
     Args:
         sizing: As sized.
     """
-    least = min(clearances(sizing), key=lambda pair: round(pair.gap / pair.needed, 9), default=None)
+    least = _least_clearance(sizing)
     if least is None:
         return
     mode, clause = "running clearance", "bending of shafts, and 0.5 mm"
@@ -89,28 +91,40 @@ def running_checks(sizing: Sizing) -> Iterator[Check]:
     yield Check(GEARBOX, mode, clause, least.gap, least.needed, "length", exponent=None, place=names, why=why)
 
 
-def clearances(sizing: Sizing) -> Iterator[Clearance]:
-    """Yield bodies that turn against each other and do not stand into each other, with the room between them.
+def _least_clearance(sizing: Sizing) -> Clearance | None:
+    """Return the bodies with the least room over what is needed, of equals the first; None where none may touch.
+
+    Bodies of which the spheres around them show more are not looked at.
+    """
+    least, ratio = None, math.inf
+    for one, other, needed, apart in _turning(sizing):
+        if apart > (ratio + _EQUAL) * needed:
+            continue
+        gap = room_between(one, other, enough=0.01).gap
+        if gap >= 0.0 and round(gap / needed, 9) < ratio:
+            least, ratio = Clearance(one, other, gap, needed), round(gap / needed, 9)
+    return least
+
+
+def _turning(sizing: Sizing) -> Iterator[tuple[Body, Body, float, float]]:
+    """Yield bodies that turn against each other, the room that they need, and the least that they have [m].
 
     Gears in mesh, gears of one set, and coaxial shafts of a first sizing, whose places are open, are left out. So are
     two bearings: their outer rings stand still.
-
-    Args:
-        sizing: As sized.
     """
     bodies, bent = sizing.arrangement.bodies, bending(sizing)
     built, mates = {shaft.name for shaft in sizing.built_shafts}, mates_of(sizing)
     sets = frozenset(sizing.design.sets)
-    for (one, first), (other, second) in combinations(zip(bodies, axes_among(bodies), strict=True), 2):
+    takes, around = [moved(body, bent) for body in bodies], map(sphere_around, bodies)
+    rows = zip(bodies, axes_among(bodies), takes, around, strict=True)
+    for (one, first, takes_one, beside), (other, second, takes_other, ball) in combinations(rows, 2):
         if one.shaft == other.shaft or {one.part.kind, other.part.kind} == {Kind.BEARING}:
             continue
         if first == second and not built >= {one.shaft, other.shaft}:
             continue
         if of_one_set(one, other, sets) or frozenset((one.part, other.part)) in mates:
             continue
-        gap = room_between(one, other, enough=0.01).gap
-        if gap >= 0.0:
-            yield Clearance(one, other, gap, OFF + moved(one, bent) + moved(other, bent))
+        yield one, other, OFF + takes_one + takes_other, least_room(beside, ball)
 
 
 def mates_of(sizing: Sizing) -> frozenset[frozenset[PartId]]:

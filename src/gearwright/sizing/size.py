@@ -61,8 +61,8 @@ from gearwright.sizing.rating import MESHES, Context, Known, load_sharing
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
-from gearwright.sizing.stage_sizes import AS_NEAR, NEAR
-from gearwright.sizing.stages import Geared, geared, gearings, with_face
+from gearwright.sizing.stage_sizes import AS_NEAR, NEAR, StageSize
+from gearwright.sizing.stages import Geared, geared, gearings, with_face, with_module
 from gearwright.sizing.teeth import CONSIDERED, EQUAL, Chosen, StageTeeth, choose_teeth, stage_teeth
 from gearwright.sizing.teeth.candidates import is_given, planet_counts
 from gearwright.sizing.webs import web_checks
@@ -259,20 +259,22 @@ class Fitted(NamedTuple):
     found: Geared
     gears: tuple[GearSizing, ...]
     margins: Mapping[str, float]
-    """Set -> the least of what the bearings of its planets have over what they must have [-]."""
+    """Set of which something is open -> the least of what bearings of its planets have over what they must have [-]."""
 
     @classmethod
-    def of(cls, found: Geared) -> Fitted:
+    def of(cls, found: Geared, fixed: frozenset[str] = frozenset()) -> Fitted:
         """Return gears with what their planets turn on.
 
         Args:
             found: Gears and meshes.
+            fixed: Sets of which nothing is open.
 
         Raises:
             DesignError: No bearing has room in a planet.
         """
         gears = fit_planets(found.context, found.gears)
-        return cls(found, gears, bearing_margins(found.context, found.gears, gears))
+        margins = bearing_margins(found.context, found.gears, gears)
+        return cls(found, gears, {stage: margin for stage, margin in margins.items() if stage not in fixed})
 
     @property
     def margin(self) -> float:
@@ -302,6 +304,8 @@ class Fitted(NamedTuple):
 class _Looked:
     """What came of the gears that were looked at."""
 
+    fixed: frozenset[str] = frozenset()
+    """Sets of which nothing is open, so that no choice helps the bearings of their planets."""
     sized: int = 0
     """Choices of teeth whose gears came out [-]."""
     off: float = math.inf
@@ -319,7 +323,7 @@ class _Looked:
     def complete(self, gears: Geared | Fitted, given: Mapping[str, Given], *, still: bool) -> None:
         """Add the transmission of some gears, or why there is none."""
         try:
-            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears)
+            fitted = gears if isinstance(gears, Fitted) else Fitted.of(gears, self.fixed)
             self.whole.append(completed(fitted, given, still=still))
         except DesignError as error:
             self.refused.append(error)
@@ -342,15 +346,24 @@ class _Looked:
 
     @property
     def passing(self) -> list[Sizing]:
-        """Those that pass all their checks."""
-        return [sizing for sizing in self.whole if not _failing(sizing)]
+        """Those that pass all their checks that a choice can help."""
+        return [sizing for sizing in self.whole if not self.failing(sizing)]
+
+    def failing(self, sizing: Sizing) -> list[Check]:
+        """Return the checks that fail, but for bearings of planets that no choice helps.
+
+        Args:
+            sizing: That is completed.
+        """
+        return [check for check in sizing.checks if check.fails and not self._is_fixed(check.part)]
+
+    def _is_fixed(self, part: PartId) -> bool:
+        return part.kind is Kind.BEARING and part.role is Role.PLANET and part.name in self.fixed
 
     @property
     def hope(self) -> float:
         """Margin of the worst check of the transmission that comes nearest to passing, or of its bearings [-]."""
-        worst = (
-            min((check.margin or 0.0 for check in sizing.checks if check.fails), default=1.0) for sizing in self.whole
-        )
+        worst = (min((check.margin or 0.0 for check in self.failing(sizing)), default=1.0) for sizing in self.whole)
         return max((*worst, *(one.margin for one in self.unfit)), default=1.0)
 
     @property
@@ -397,6 +410,18 @@ def _is_within(planet: GearSizing, other: GearSizing) -> bool:
     )
 
 
+def _fixed_sets(design: Design, given: Mapping[str, Given]) -> frozenset[str]:
+    """Return the planetary sets of which teeth, planets, module and face width are given."""
+    return frozenset(
+        name
+        for name, stage in design.planetaries.items()
+        if is_given(stage)
+        and len(planet_counts(name, design)) == 1
+        and f"{name}.module" in given
+        and f"{name}.face_width" in given
+    )
+
+
 def _failing(sizing: Sizing) -> int:
     """Return how many checks fail [-]."""
     return sum(check.fails for check in sizing.checks)
@@ -404,7 +429,7 @@ def _failing(sizing: Sizing) -> int:
 
 def _lightest(design: Design, train: Train, given: Mapping[str, Given], *, still: bool = False) -> Sizing:
     """Return of the choices of teeth and sizes that are completed the lightest that passes, or the nearest to it."""
-    looked, known = _Looked(), MESHES.now()
+    looked, known = _Looked(_fixed_sets(design, given)), MESHES.now()
     if design.compares_sizes:
         _compare(design, train, given, looked, still=still)
         return _told(looked, failing=len(looked.short))
@@ -490,8 +515,12 @@ class _Comparison:
         """Gears of which the next size is not looked for yet."""
         self.poor = set[StageTeeth]()
         """Teeth of stages that fell short."""
-        self.faces = dict[str, float]()
-        """Set -> narrowest face, as far as bearings of its planets have told [m]."""
+        self.areas = dict[str, float]()
+        """Set -> least face times diameter of all its planets, as far as their bearings have told [m²]."""
+        self.narrow = dict[int, set[tuple[str, StageSize]]]()
+        """Choice of teeth -> sizes of sets in whose planets no bearing serves."""
+        self.done = set[tuple[int, frozenset[tuple[str, StageSize]]]]()
+        """Choices of teeth with sizes that were looked at: wider ones may come twice."""
         self.sized = 0
         """Choices of teeth that were sized before that was known [-]."""
         self.heavier = dict[frozenset[StageTeeth], float]()
@@ -516,7 +545,7 @@ class _Comparison:
     def asks_for_faces(self) -> bool:
         """Tell whether so many gears are unfit, and none passes, that teeth are chosen anew by the faces they ask."""
         looked = self.looked
-        if self.faces or looked.passing or looked.hope < LITTLE:
+        if self.areas or looked.passing or looked.hope < LITTLE:
             return False
         return len(looked.unfit) + looked.narrow >= UNFIT
 
@@ -526,9 +555,10 @@ class _Comparison:
         for stage in {stage for one in looked.unfit for stage in one.short_of}:
             own = [one for one in looked.unfit if stage in one.short_of]
             nearest = max(own, key=lambda one: one.margins[stage])
-            self.faces[stage] = NEARLY * nearest.asked_face(stage)
+            planet = nearest.short_of[stage]
+            self.areas[stage] = NEARLY * nearest.asked_face(stage) * planet.pitch_diameter * planet.bodies
         first = len(self.choices)
-        self.choices += choose_teeth(considering(self.design), self.train, self.faces)
+        self.choices += choose_teeth(considering(self.design), self.train, self.areas)
         self.queue = [row for row in self.queue if row[2].unfit is not None]
         self.queue += [
             (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
@@ -561,22 +591,51 @@ class _Comparison:
         """
         looked = self.looked
         self.waiting.append(course)
+        if (known := (course.place, frozenset(gears.sizes.items()))) in self.done:
+            return
+        self.done.add(known)
         if faces := looked.asked_faces(gears):
             looked.narrow += 1
-            if (wider := _wider(gears, faces)) is not None:
-                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
+            self._widen(gears, faces, course)
             return
         try:
-            fitted = Fitted.of(gears)
+            fitted = Fitted.of(gears, looked.fixed)
         except DesignError as error:
             looked.refused.append(error)
             return
         if fitted.short_of:
             looked.unfit.append(fitted)
-            if (wider := _wider(gears, {stage: fitted.asked_face(stage) for stage in fitted.short_of})) is not None:
-                self._put(wider.estimate, _Course(course.place, wider, unfit=fitted))
+            faces = {stage: fitted.asked_face(stage) for stage in fitted.short_of}
+            self._widen(gears, faces, course._replace(unfit=fitted))
         else:
-            looked.complete(_narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
+            looked.complete(self._narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
+
+    def _widen(self, gears: Geared, faces: Mapping[str, float], course: _Course) -> None:
+        """Put gears into the queue with faces, and where these may not be so wide modules, that bearings may ask for.
+
+        All sets that fall short grow at once; other combinations with a size that is too narrow are passed over.
+        """
+        self.narrow.setdefault(course.place, set()).update((stage, gears.sizes[stage]) for stage in faces)
+        for larger in (False, True):
+            if (wider := _wider(gears, faces, larger=larger)) is not None:
+                self._put(wider.estimate, _Course(course.place, wider, unfit=course.unfit))
+
+    def _narrowed(self, fitted: Fitted, unfit: Fitted) -> Fitted:
+        """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
+        for stage, planet in unfit.short_of.items():
+            low = planet.face_width
+            high = fitted.found.sizes[stage].face_width
+            while high - low > 1.5 * FINEST:
+                middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
+                between = with_face(fitted.found, stage, middle, high - FINEST)
+                tried = None if between is None else Fitted.of(between, self.looked.fixed)
+                if tried is None:
+                    high = middle
+                elif tried.short_of:
+                    low = tried.found.sizes[stage].face_width
+                else:
+                    fitted, high = tried, tried.found.sizes[stage].face_width
+        return fitted
 
     def put_back(self, course: _Course, mass: float) -> None:
         """Put a choice of teeth where it is expected by what others came to.
@@ -618,7 +677,10 @@ class _Comparison:
         if (teeth := stage_teeth(self.train, choice)) & self.poor:
             return
         try:
-            others = gearings(self.design, self.train, choice, given=self.given, known=self.known, faces=self.faces)
+            others = gearings(
+                self.design, self.train, choice, given=self.given, known=self.known, areas=self.areas,
+                narrow=self.narrow.setdefault(course.place, set()),
+            )  # fmt: skip
             gears = next(others)
         except DesignError as error:
             looked.refused.append(error)
@@ -633,32 +695,24 @@ class _Comparison:
             self.poor |= {own for own in teeth if own[0] in gears.failing}
 
 
-def _wider(found: Geared, faces: Mapping[str, float]) -> Geared | None:
-    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide."""
+def _wider(found: Geared, faces: Mapping[str, float], *, larger: bool) -> Geared | None:
+    """Return gears with faces that bearings of their planets may ask for; None where they may not be so wide.
+
+    Args:
+        found: Gears.
+        faces: Set -> face that is asked for [m].
+        larger: Whether those sets that may not have it get a larger module; None where all may have it.
+    """
     gears: Geared | None = found
+    grown = False
     for stage, face in faces.items():
         if gears is None or load_sharing(gears.context.design, stage).by_size:
             return None
-        gears = with_face(gears, stage, face)
-    return gears
-
-
-def _narrowed(fitted: Fitted, unfit: Fitted) -> Fitted:
-    """Return gears with the narrowest faces at which bearings of their planets serve, by halves from unfit ones."""
-    for stage, planet in unfit.short_of.items():
-        low = planet.face_width
-        high = fitted.found.sizes[stage].face_width
-        while high - low > 1.5 * FINEST:
-            middle = low + FINEST * math.ceil(0.5 * (high - low) / FINEST - 0.25)
-            between = with_face(fitted.found, stage, middle, high - FINEST)
-            tried = None if between is None else Fitted.of(between)
-            if tried is None:
-                high = middle
-            elif tried.short_of:
-                low = tried.found.sizes[stage].face_width
-            else:
-                fitted, high = tried, tried.found.sizes[stage].face_width
-    return fitted
+        wider = with_face(gears, stage, face)
+        if larger and (wider is None or wider.sizes[stage].face_width < face * (1.0 - ROUNDING)):
+            wider, grown = with_module(gears, stage, face), True
+        gears = wider
+    return gears if grown or not larger else None
 
 
 def considering(design: Design) -> Design:

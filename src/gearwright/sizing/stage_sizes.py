@@ -220,7 +220,7 @@ def widths_at(context: Context, part: Part, module: float) -> tuple[Floats, Floa
         widths = np.array([widest_bevel(teeth, module, ratio, rating) if bevel else widest])
     else:
         usual = least_bevel_width(teeth, module, rating) if bevel else least_width(rating, module)
-        least = min(max(usual, _bearing_width(context, part)), widest)
+        least = min(max(usual, _bearing_width(context, part), _asked_face(context, part, module)), widest)
         low, high = math.ceil(least / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
         widths = np.arange(min(low, high), high + 1) * _MM
     return widths, np.asarray(mean_module(teeth, module, widths, rating)) if bevel else np.full(len(widths), module)
@@ -233,6 +233,17 @@ def _bearing_width(context: Context, part: Part) -> float:
     if asked is None or not asked.is_fitted or asked.width is not None or asked.designation is not None:
         return 0.0
     return asked.side_by_side * _narrowest_roller()
+
+
+def _asked_face(context: Context, part: Part, module: float) -> float:
+    """Return the face from which bearings of planets may serve: all bear about with face times diameter [m]."""
+    rating = context.ratings[part.stage]
+    planets = (gear for mesh in part.meshes for gear in mesh.gears if context.train.gear(gear).role is Role.PLANET)
+    planet = next(planets, None) if rating.least_area else None
+    if planet is None:
+        return 0.0
+    bodies = context.train.gear(planet).bodies
+    return rating.least_area * math.cos(rating.helix_angle) / (bodies * module * context.teeth[planet])
 
 
 @cache
@@ -262,6 +273,8 @@ WIDER = 1.15
 """Face over the one before that is tried for keys in hubs of built gearboxes [-]."""
 STEEP = 0.3
 """Power of the face width with which safeties of films are taken to rise, above the usual 0.15 [-]."""
+LARGEST_OVER = 2.0
+"""Largest module over the own that is tried where bearings of planets ask for more than its widest face [-]."""
 AS_NEAR = 0.01
 """Difference of two values over their limits that counts as none, so that the lighter is taken [-]."""
 
@@ -521,22 +534,55 @@ def _strongest(
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def other_faces(context: Context, stage: str, size: StageSize) -> list[tuple[float, float]]:
-    """Return the faces that a planetary set may have beside its own [m], and by how much they are heavier [kg].
+class Face(NamedTuple):
+    """Another face of a planetary set."""
+
+    width: float
+    """[m]"""
+    heavier: float
+    """By how much gears and what is around them weigh more with it [kg]."""
+    passes: bool
+    """Whether it does, as far as arrays tell."""
+
+
+def other_faces(context: Context, stage: str, size: StageSize, module: float | None = None) -> list[Face]:
+    """Return the faces that a planetary set may have beside its own, the narrowest first.
 
     Args:
         context: What gear sizing reads.
         stage: The set.
         size: Its size, as it is chosen.
+        module: With which they are; None: its own [m].
     """
     (part,) = _parts(context, stage, 1.0)
     if part.width is not None or context.ratings[stage].proportions is None:
         return []
-    widths, _ = widths_at(context, part, size.module)
-    others = np.abs(widths - size.face_width) > ROUNDING * size.face_width
-    all_of_them = np.array([size.face_width, *widths[others]])
-    mass = np.add(*_masses(context, part, np.full(len(all_of_them), size.module), all_of_them))
-    return list(zip(widths[others].tolist(), (mass[1:] - mass[0]).tolist(), strict=True))
+    widths, _ = widths_at(context, part, size.module if module is None else module)
+    if module is None:
+        widths = widths[np.abs(widths - size.face_width) > ROUNDING * size.face_width]
+    modules = np.full(len(widths) + 1, size.module if module is None else module)
+    modules[0] = size.module
+    mass = np.add(*_masses(context, part, modules, np.array([size.face_width, *widths])))
+    near = (sizes_near(context, mesh, modules[1:], widths, ()) for mesh in part.meshes)
+    rated = [] if context.design.waivers else [values for values in near if values is not None]
+    passes = np.minimum.reduce([np.ones(len(widths)), *rated]) >= 1.0 - ROUNDING
+    return [Face(*row) for row in zip(widths.tolist(), (mass[1:] - mass[0]).tolist(), passes.tolist(), strict=True)]
+
+
+def larger_modules(context: Context, stage: str, module: float) -> list[float]:
+    """Return the standard modules above one that a planetary set may have, where it is open and stands alone [m].
+
+    Args:
+        context: What gear sizing reads.
+        stage: The set.
+        module: Its own [m].
+    """
+    rules = context.ratings[stage].proportions
+    alone = list(module_owners(context.design).values()).count(stage) == 1
+    if rules is None or not rules.standard_modules or not alone or _module_given(context, stage) is not None:
+        return []
+    low, high = module * (1.0 + ROUNDING), LARGEST_OVER * module
+    return [value * _MM for value in STANDARD_MODULES if low < value * _MM <= high]
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ Where they stand is for `arrangement`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -75,6 +75,7 @@ from gearwright.sizing.stage_sizes import (
     StageSize,
     all_sizes,
     combinations,
+    larger_modules,
     other_faces,
     sharing_of_sizes,
 )
@@ -580,7 +581,7 @@ def geared(
 
 def gearings(
     design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given], known: Known | None = None,
-    faces: Mapping[str, float] | None = None,
+    areas: Mapping[str, float] | None = None, narrow: Collection[tuple[str, StageSize]] = (),
 ) -> Iterator[Geared]:  # fmt: skip
     """Yield the gears of chosen teeth in sizes that pass, those first that weigh least by an estimate.
 
@@ -592,7 +593,8 @@ def gearings(
         choice: Teeth, and numbers of planets that the design leaves open.
         given: Path -> value that the user gives instead of the computed one.
         known: What meshes of the design have given with other teeth, and are to give.
-        faces: Stage -> narrowest face that it may have [m].
+        areas: Set -> least face times diameter of all its planets [m²].
+        narrow: Sizes of stages that are passed over; those that are added on the way are, too.
 
     Raises:
         DesignError: As `geared`.
@@ -601,12 +603,14 @@ def gearings(
         yield geared(design, train, choice, given=given, known=known)
         return
     context = _with_teeth(design, train, choice, given=given, known=known)
-    if faces:
-        wider = {stage: replace(context.ratings[stage], least_face=face) for stage, face in faces.items()}
+    if areas:
+        wider = {stage: replace(context.ratings[stage], least_area=area) for stage, area in areas.items()}
         context = replace(context, ratings={**context.ratings, **wider})
     demands = demands_of(context)
     refused, came_out = list[DesignError](), False
     for sizes, masses in combinations(context, demands):
+        if came_out and not sizes.items().isdisjoint(narrow):
+            continue
         try:
             found = _held_against(_with_sizes(context, sizes, demands, choice))
         except DesignError as error:  # bores and reliefs for which these sizes have no room
@@ -618,7 +622,9 @@ def gearings(
         raise refused[0]
 
 
-def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -> Geared | None:
+def with_face(
+    found: Geared, stage: str, least: float, most: float = math.inf, *, module: float | None = None
+) -> Geared | None:
     """Return gears with the narrowest other face of a planetary set within limits that passes; None: no such.
 
     Args:
@@ -626,23 +632,45 @@ def with_face(found: Geared, stage: str, least: float, most: float = math.inf) -
         stage: The set.
         least: From which it is looked for; where that is wider than it may be, its widest beyond its own [m].
         most: Up to which it is looked for [m].
+        module: Another module that it has then [m].
     """
     context, size = found.context, found.sizes[stage]
-    faces = other_faces(context, stage, size)
-    if least > size.face_width:
-        faces = [row for row in faces if row[0] > size.face_width]
-    low = min(least, faces[-1][0]) if faces else least
-    for width, heavier in faces:
-        if not low * (1.0 - ROUNDING) <= width <= most * (1.0 + ROUNDING):
+    faces = other_faces(context, stage, size, module)
+    if module is None and least > size.face_width:
+        faces = [face for face in faces if face.width > size.face_width]
+    low = min(least, faces[-1].width) if faces else least
+    for width, heavier, passes_ in faces:
+        if not passes_ or not low * (1.0 - ROUNDING) <= width <= most * (1.0 + ROUNDING):
             continue
-        sizes = {**found.sizes, stage: size._replace(face_width=width, asked_width=width)}
+        own = StageSize(size.module if module is None else module, width, width)
         try:
+            sizes = {**found.sizes, stage: own}
             other = _held_against(_with_sizes(context, sizes, found.demands, found.choice))
         except DesignError:
             continue
         if other.passes:
             together = next(stages for stages in found.ranked if stage in stages)
             return replace(other, ranked={**found.ranked, together: found.ranked[together] + heavier})
+    return None
+
+
+def with_module(found: Geared, stage: str, face: float) -> Geared | None:
+    """Return gears with the least larger module of a set whose planets may bear as much as with a wider face.
+
+    What planets turn on bears about as much as face times diameter.
+
+    Args:
+        found: Gears that pass.
+        stage: The set.
+        face: With which they would with the module that they have, wider than that may be [m].
+    """
+    size = found.sizes[stage]
+    for module in larger_modules(found.context, stage, size.module):
+        asked = face * size.module / module
+        faces = other_faces(found.context, stage, size, module)
+        able = any(face.passes and face.width >= asked for face in faces)
+        if able and (larger := with_face(found, stage, asked, module=module)) is not None:
+            return larger
     return None
 
 

@@ -39,12 +39,14 @@ from gearwright.sizing.places.positioning import (
     beside_checks,
     hollow_checks,
     keep_out_checks,
+    least_room,
     meetings,
     order_checks,
     pin_checks,
     room_checks,
     rules_of,
     settle,
+    sphere_around,
 )
 
 __all__ = [
@@ -70,6 +72,7 @@ __all__ = [
     "coaxial_checks",
     "hollow_checks",
     "keep_out_checks",
+    "least_room",
     "meetings",
     "of_one_set",
     "order_checks",
@@ -85,4 +88,5 @@ __all__ = [
     "settle",
     "solid_of",
     "solid_room",
+    "sphere_around",
 ]

@@ -125,9 +125,9 @@ def meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
 def _meetings(bodies: Sequence[Body], rules: Rules) -> Meetings:
     found: Meetings = {}
     clear = math.inf
-    every = zip(bodies, axes_among(bodies), map(_sphere, bodies), strict=True)
+    every = zip(bodies, axes_among(bodies), map(sphere_around, bodies), strict=True)
     for (one, first, around), (other, second, beside) in combinations(every, 2):
-        if not _minds(one, other, rules, coaxial=first == second) or _apart(around, beside) > clear + _TOUCH:
+        if not _minds(one, other, rules, coaxial=first == second) or least_room(around, beside) > clear + _TOUCH:
             continue
         room, key = room_between(one, other, enough=0.0), _ordered(owner(one), owner(other))
         if key not in found or room.gap < found[key].room.gap - _TOUCH:  # of equal ones the first
@@ -145,10 +145,10 @@ def any_into(bodies: Sequence[Body], rules: Rules, *, but: Collection[str]) -> b
         rules: Which of them need no room.
         but: Two shafts of `meetings`, as words, whose bodies do not count.
     """
-    every = zip(bodies, axes_among(bodies), map(_sphere, bodies), strict=True)
+    every = zip(bodies, axes_among(bodies), map(sphere_around, bodies), strict=True)
     return any(
         _minds(one, other, rules, coaxial=first == second)
-        and _apart(around, beside) <= 0.0
+        and least_room(around, beside) <= 0.0
         and " ".join(map(str, _ordered(owner(one), owner(other)))) not in but
         and stand_into(one, other, _TOUCH)
         for (one, first, around), (other, second, beside) in combinations(every, 2)
@@ -223,15 +223,24 @@ def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
     return False
 
 
-def _sphere(body: Body) -> tuple[list[float], float]:
-    """Return middle and radius of the sphere around a body [m]."""
+def sphere_around(body: Body) -> tuple[list[float], float]:
+    """Return middle and radius of the sphere around a body [m].
+
+    Args:
+        body: Its envelope.
+    """
     half = body.length / 2.0
     middle = [at + half * along for at, along in zip(body.origin, body.direction, strict=True)]
     return middle, math.hypot(half, body.radius)
 
 
-def _apart(one: tuple[list[float], float], other: tuple[list[float], float]) -> float:
-    """Return the room between the spheres around two bodies [m]: never more than between the bodies."""
+def least_room(one: tuple[list[float], float], other: tuple[list[float], float]) -> float:
+    """Return the room between the spheres around two bodies [m]: never more than between the bodies.
+
+    Args:
+        one: Around the first.
+        other: Around the other.
+    """
     return math.dist(one[0], other[0]) - (one[1] + other[1])
 
 

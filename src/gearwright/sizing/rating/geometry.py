@@ -465,7 +465,7 @@ def _least(weak: float, strong: float, gap: Callable[[float], float]) -> float:
 
 
 def least_width(rating: Rating, module: float) -> float:
-    """Return the least face width that is chosen [m]: as usual, of helical teeth with the asked overlap, for bearings.
+    """Return the least face width that is chosen [m]: as usual, of helical teeth with the asked overlap.
 
     Args:
         rating: Resolved rules.
@@ -474,7 +474,7 @@ def least_width(rating: Rating, module: float) -> float:
     lean, rules = math.sin(rating.helix_angle), rating.proportions
     usual = module if rules is None else rules.narrowest_modules * module
     overlapping = rating.rules.overlap_ratio * math.pi * module / lean if lean else 0.0
-    return max(overlapping, usual, rating.least_face)
+    return max(overlapping, usual)
 
 
 def least_bevel_width(teeth: tuple[int, int], outer: float, rating: Rating) -> float:

@@ -140,8 +140,9 @@ class Rating:
     """Profile shifts of the gears of a compound set, whose meshes have some of their own; None: of any other stage."""
     load_factor: float = 1.0
     """K_γ [-]."""
-    least_face: float = field(default=0.0, compare=False)
-    """Narrowest face that is chosen, as bearings of planets ask for it [m]; no rating of a mesh reads it."""
+    least_area: float = field(default=0.0, compare=False)
+    """Face times pitch diameter of all planets of a set together, from which it is sized, as their bearings ask for it
+    [m²]; no rating of a mesh reads it."""
 
     def of_mesh(self, mesh: Mesh) -> Rating:
         """Return the rules with the shifts and the centre distance of one mesh of the stage.

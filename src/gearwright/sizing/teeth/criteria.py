@@ -563,7 +563,8 @@ def _on_grid(
     count, asks = modules.shape[1], (ask, _in_ring(ask, task)) if isinstance(task.stage, Planetary) else (ask,)
     each = [_repeated(own, count) for own in asks]
     wide = np.asarray(ask.width_ratio)[:, None] * modules
-    narrow = np.minimum(_narrow(task, modules), wide)
+    asked = _narrow(task, modules, planets * np.asarray(ask.teeth[1])[:, None])
+    narrow = np.minimum(asked, wide)
     widths, before, slope = np.clip(wide * (needed[:, None] / modules) ** 3, narrow, wide), None, np.ones_like(modules)
     for _ in range(_ROUNDS):
         near = [_near(task, own, modules, widths) for own in each]
@@ -576,7 +577,8 @@ def _on_grid(
             slope = np.clip(np.where(now[0] == before[0], slope, (now[1] - before[1]) / moved), *_SLOPES)
         wanted = np.ceil(widths * np.exp(-now[1] / slope) / _MM - 1e-6) * _MM
         widths, before = np.clip(wanted, narrow, wide), now
-    short = np.where(wanted > wide * (1.0 + 1e-9), _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
+    weak = (wanted > wide * (1.0 + 1e-9)) | (asked > wide * (1.0 + 1e-9) if task.rating.least_area else False)
+    short = np.where(weak, _SHORT, 1.0) * np.where(rest < 1.0, _BESIDE, 1.0)
     around = _around(each[0], task, modules.ravel(), widths.ravel(), planets=planets).reshape(modules.shape)
     masses = short * (discs[:, None] * widths * modules**2 + around)
     best = np.arange(len(modules)), np.argmin(masses, axis=1)
@@ -597,9 +599,10 @@ def _modules(task: Task, needed: Floats) -> Floats:
     return np.asarray(table[first[:, None] + np.arange(_TRIED)])
 
 
-def _narrow(task: Task, modules: Floats) -> Floats:
-    """Return the narrowest faces that are tried, in whole millimetres [m]."""
-    least = np.maximum(modules * least_width(task.rating, 1.0), task.rating.least_face)
+def _narrow(task: Task, modules: Floats, teeth: Floats) -> Floats:
+    """Return the narrowest faces that are tried, in whole millimetres [m]; as bearings of all planets ask for them."""
+    asked = task.rating.least_area * math.cos(task.rating.helix_angle) / (modules * teeth)
+    least = np.maximum(modules * least_width(task.rating, 1.0), asked)
     return np.ceil(least / _MM - 1e-9) * _MM
 
 

@@ -258,7 +258,7 @@ def extend(
         DesignError: If no candidate is left, with what would do.
     """
     forbidden = list[Front]()
-    for reach in REACHES[1:] if task.rating.least_face else REACHES:
+    for reach in REACHES[1:] if task.rating.least_area else REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
         for part, variant in product(_parts(front), ring_variants(task, design)):
             ratios, added = _grown(part, variant, design, asked_ratios(part, task, nominal), reach=reach)

@@ -98,14 +98,11 @@ def test_a_module_under_a_spectrum_closes_its_gap():
 
 
 def test_widths_by_overlap_and_by_whole_millimetres():
-    """b = ε_β π m_n/sin β, and no less than six modules; straight teeth of methods without a width from one on.
-
-    No less either than bearings of planets ask for.
-    """
+    """b = ε_β π m_n/sin β, and no less than six modules; straight teeth of methods without a width from one on."""
     slanted = SimpleNamespace(
-        helix_angle=math.radians(20.0), rules=SimpleNamespace(overlap_ratio=1.3), proportions=None, least_face=0.0
+        helix_angle=math.radians(20.0), rules=SimpleNamespace(overlap_ratio=1.3), proportions=None
     )
-    straight = SimpleNamespace(helix_angle=0.0, rules=slanted.rules, proportions=None, least_face=0.0)
+    straight = SimpleNamespace(helix_angle=0.0, rules=slanted.rules, proportions=None)
     usual = SimpleNamespace(narrowest_modules=6.0)
     assert least_width(slanted, 3e-3) == near(1.3 * math.pi * 3e-3 / math.sin(math.radians(20.0)))
     assert least_width(straight, 3e-3) == 3e-3
@@ -114,9 +111,6 @@ def test_widths_by_overlap_and_by_whole_millimetres():
     assert least_width(slanted, 3e-3) == near(1.3 * math.pi * 3e-3 / math.sin(math.radians(20.0)))
     slanted.helix_angle = math.radians(60.0)
     assert least_width(slanted, 3e-3) == near(18e-3)
-    straight.least_face = 25e-3
-    assert least_width(straight, 3e-3) == 25e-3
-    assert least_width(straight, 5e-3) == near(30e-3)
     asked = []
 
     def reserve(width):
