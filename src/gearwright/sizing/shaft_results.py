@@ -447,6 +447,10 @@ class CarrierSizing:
         float | None, Quantity("length"), Origin("1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8", "equal strength")
     ] = None
     """Bore of pins that are thicker than their strength asks [m]; None where they are solid."""
+    free_plate: Annotated[float | None, Quantity("length"), Origin("share of b/2; p = F/(2 d_p t)", "first sizing")] = (
+        None
+    )
+    """Thickness of a second plate that shares the force of the pins [m]; None where one plate bears all of it."""
 
     @property
     def part(self) -> PartId:

@@ -4,7 +4,6 @@ The mass of gears, shafts and carriers by which designs are chosen is `Sizing.ma
 """
 
 from gearwright.sizing.mass.bodies import (
-    BRIDGE,
     Bridge,
     Cage,
     Plate,
@@ -51,7 +50,6 @@ from gearwright.sizing.mass.record import (
 )
 
 __all__ = [
-    "BRIDGE",
     "CALIBRATED",
     "GROUPS",
     "MOUNTS",
