@@ -789,7 +789,7 @@ def shared_lever(width: float | Floats, thickness: float | Floats) -> float | Fl
 
     Valid for: a force in the middle between both plates; pins that turn freely in them, which is the larger moment.
 
-    >>> shared_lever(0.08, 0.01)
+    >>> round(shared_lever(0.08, 0.01), 4)
     0.025
     """
     return (width + thickness - width / 2.0) / 2.0
