@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from statistics import NormalDist
-from typing import NamedTuple, overload
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -769,15 +769,7 @@ def bridge_thickness(force: float, length: float, depth: float, allowable: float
     return math.sqrt(6.0 * force * length / 2.0 / (depth * allowable))
 
 
-@overload
-def shared_lever(width: float, thickness: float) -> float: ...
-
-
-@overload
-def shared_lever(width: Floats, thickness: Floats) -> Floats: ...
-
-
-def shared_lever(width: float | Floats, thickness: float | Floats) -> float | Floats:
+def shared_lever(width: float, thickness: float) -> float:
     """Return the bending moment of a pin that two plates hold, over half of its force [m], as `pin_diameter` takes it.
 
     Args:
@@ -953,7 +945,7 @@ def first_carrier_mass(
     chord = np.maximum(2.0 * (radius * math.sin(math.pi / planets) - own), 0.0)
     plates = np.where(chord > 0.0, 2.0, 1.0)
     thinnest = plate.ratio * face_width / plates
-    force, lever = np.maximum.reduce(forces), np.where(chord > 0.0, shared_lever(face_width, thinnest), face_width)
+    force, lever = np.maximum.reduce(forces), np.where(chord > 0.0, (face_width / 2.0 + thinnest) / 2.0, face_width)
     needed = np.cbrt(16.0 * force * lever / (math.pi * allowable))
     pin, force = needed / np.where(chord > 0.0, math.cbrt(1.0 - PIN_BORE**4), 1.0), force / plates
     hub = 4.0 / (math.pi * _HUB**2) * math.cbrt(max(torque for torque, _ in loads) / allowable) if plate.turns else 0.0
