@@ -468,8 +468,16 @@ def loaded_pin(sizing, carrier):
 def eye_of(sizing, carrier, solid):
     """Return wall and shear stress outside the pin that is loaded most; no ring of a shipped design is too narrow."""
     tear = allowable(sizing, sizing.design.carriers) / 2.0
-    wall = max(carrier.pin_force / (2.0 * carrier.plate_thickness * tear), 0.25 * solid)
-    return wall, carrier.pin_force / (2.0 * wall * carrier.plate_thickness)
+    force, plate = share_of(carrier)
+    wall = max(force / (2.0 * plate * tear), 0.25 * solid)
+    return wall, force / (2.0 * wall * plate)
+
+
+def share_of(carrier):
+    """Return what the thinner plate bears of a pin, and how thick it is: half, where two plates hold the pin."""
+    if carrier.free_plate is None:
+        return carrier.pin_force, carrier.plate_thickness
+    return carrier.pin_force / 2.0, carrier.free_plate
 
 
 def of_carriers(sizing, carrier):
@@ -477,13 +485,17 @@ def of_carriers(sizing, carrier):
     rules, steel = sizing.design.carriers, sizing.design.shaft_material
     speed = sizing.flows[carrier.case].speeds[sizing.design.stages[carrier.stage].carrier]
     length, mass, seat = loaded_pin(sizing, carrier)
-    arm, d = carrier.pin_force * length / 2.0, carrier.pin_diameter
+    shared, d = carrier.free_plate is not None, carrier.pin_diameter
+    ratio = rules.plate_ratio / (2.0 if shared else 1.0)
+    arm = carrier.pin_force * (length * (1.0 + 2.0 * ratio) / 8.0 if shared else length / 2.0)
     hub = next((shaft.diameter for shaft in sizing.shafts if shaft.name == carrier.shaft), 0.0)
     shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
-    least = max(rules.plate_ratio * length, carrier.pin_force / (d * allowable(sizing, rules)))
+    force, plate = share_of(carrier)
+    least = max(ratio * length, force / (d * allowable(sizing, rules)))
     needed = 2.0 * carrier.torque / (math.pi * hub**2) / (allowable(sizing, rules) / 2.0) if hub else 0.0
     solid = (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0)
     bore = None if carrier.pin_bore is None else d * min((1.0 - (solid / d) ** 3) ** 0.25, 0.8)
+    hollow = solid / (1.0 - 0.6**4) ** (1.0 / 3.0) if shared else solid
     wall, torn = eye_of(sizing, carrier, solid)
     simple = of_planets(sizing, carrier) if carrier.stage in sizing.design.planetaries else {}
     return {
@@ -492,17 +504,18 @@ def of_carriers(sizing, carrier):
         "F = √(F_t² + (F_c + F_r)²)": math.hypot(
             carrier.tangential_force, carrier.centrifugal_force + carrier.radial_force
         ),
-        "d³ = 32 (F b/2) / (π σ), at least the bearing's seat": max(solid, seat),
+        "d³ = 32 M/(π σ (1 − κ⁴)), M = F b/2, two plates F (b + 2 t)/8; at least the bearing's seat": max(hollow, seat),
         "1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8": bore,
-        "σ = 32 (F b/2) / (π d³ (1 − κ⁴))": 32.0
+        "σ = 32 M/(π d³ (1 − κ⁴)), M = F b/2, two plates F (b + 2 t)/8": 32.0
         * arm
         / (math.pi * d**3 * (1.0 - ((carrier.pin_bore or 0.0) / d) ** 4)),
         "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),
         "share of b; τ = 2 T_c/(π d² t); p = F/(d_p t)": max(least, needed),
+        "share of b/2; p = F/(2 d_p t)": least if shared else None,
         "τ = 2 T_c / (π d² t)": shear,
-        "F = 2 w t τ; at least a quarter of a solid pin": wall,
-        "τ = F / (2 w t)": torn,
-        "p = F / (d_p t)": carrier.pin_force / (d * carrier.plate_thickness),
+        "F = 2 w t τ, of two plates F/2; at least a quarter of a solid pin": wall,
+        "τ = F / (2 w t), of two plates F/2": torn,
+        "p = F / (d_p t), of two plates F/2": force / (d * plate),
         "R_p0.2 / S over the pressure": over(allowable(sizing, rules), carrier.hole_pressure),
         "R_p0.2 / (2 S) over τ": over(allowable(sizing, rules) / 2.0, torn),
         OUTSIDE: carrier.radius + d / 2.0 + wall,

@@ -744,6 +744,49 @@ def pin_diameter(force: float, face_width: float, allowable: float) -> float:
     return math.cbrt(32.0 * force * face_width / 2.0 / (math.pi * allowable))
 
 
+PIN_BORE = 0.6
+"""Bore of pins that two plates hold over their diameter [-], an estimate; thicker by 1/∛(1 − κ⁴) they are as strong."""
+BRIDGE = 0.5
+"""Depth of a carrier's bridge over a planet's diameter [-], an estimate from drawings of two-plate carriers."""
+BESIDE = 1e-3
+"""Room between a bridge and each planet beside it [m], an assumption."""
+
+
+def bridge_thickness(force: float, length: float, depth: float, allowable: float) -> float:
+    """Return the thickness around the axis that a bridge between two plates needs [m].
+
+    Args:
+        force: Around the axis that crosses to the second plate through it, T/(2 N r) [N].
+        length: Between both plates [m].
+        depth: Away from the axis [m].
+        allowable: Bending stress [Pa].
+
+    Source: beam with both ends held that shift by each other, M = F L/2; t = √(6 M/(h σ)).
+
+    >>> round(1e3 * bridge_thickness(10e3, 0.08, 0.06, 400e6), 3)
+    10.0
+    """
+    return math.sqrt(6.0 * force * length / 2.0 / (depth * allowable))
+
+
+def shared_lever(width: float, thickness: float) -> float:
+    """Return the bending moment of a pin that two plates hold, over half of its force [m], as `pin_diameter` takes it.
+
+    Args:
+        width: Of the planet, over which the force is spread [m].
+        thickness: Of a plate, in whose middle the pin is held [m].
+
+    Source: beam on two supports L = b + t apart under a force spread over b, M = F/4 (L − b/2); between F b/8, of
+        plates without thickness, and F L/4, of a force at one place.
+
+    Valid for: a force in the middle between both plates; pins that turn freely in them, which is the larger moment.
+
+    >>> round(shared_lever(0.08, 0.01), 4)
+    0.025
+    """
+    return (width + thickness - width / 2.0) / 2.0
+
+
 def pin_bore(diameter: float, needed: float) -> float:
     """Return the bore that a pin may have which is thicker than its strength asks [m].
 
@@ -789,7 +832,7 @@ def eye_wall(force: float, thickness: float, shear: float, *, needed: float) -> 
     """Return the metal that a plate needs outside the hole of a pin [m].
 
     Args:
-        force: Of one planet on its pin; one plate bears all of it, as the cantilever has it [N].
+        force: Of one planet on its pin; what one plate bears of it: half, where two hold the pin [N].
         thickness: Of the plate [m].
         shear: Allowable shear stress [Pa].
         needed: Diameter of a solid pin that is strong enough [m].
@@ -878,12 +921,6 @@ class Plate(NamedTuple):
     """Whether a shaft stands in the plate, 2.16 ∛(T/σ) thick as it is sized."""
 
 
-PIN_SHARE = 0.64
-"""Section of a hollow pin over that of a solid one [-]: a bore of 0.6."""
-BRIDGE = 0.5
-"""Depth of a carrier's bridge over a planet's diameter [-]."""
-
-
 def first_carrier_mass(
     loads: Sequence[tuple[float, float]], radius: Floats, face_width: Floats, tips: tuple[Floats, Floats, Floats],
     *, planet: Floats, planets: int, plate: Plate,
@@ -899,22 +936,26 @@ def first_carrier_mass(
         planets: Their number [-].
         plate: Of the carrier.
 
-    Source: as `pin_diameter`, `hole_pressure`, `plate_shear_stress`, `eye_wall` and `plate_mass`; bridges as wide as
-        neighbouring planets leave on their chord.
+    Source: as `pin_diameter`, with `shared_lever` where planets leave room for bridges, `hole_pressure`,
+        `plate_shear_stress`, `eye_wall` and `plate_mass`; bridges as wide as neighbouring planets leave on their chord.
     """
     allowable = plate.allowable
     forces = [np.hypot(torque / (planets * radius), planet * radius * speed**2) for torque, speed in loads]
-    force = np.maximum.reduce(forces)
-    pin = np.cbrt(16.0 * force * face_width / (math.pi * allowable))
-    hub = 4.0 / (math.pi * _HUB**2) * math.cbrt(max(torque for torque, _ in loads) / allowable) if plate.turns else 0.0
-    thinnest = plate.ratio * face_width
-    thickness = np.maximum(np.maximum(thinnest, hub), force / (pin * allowable))
-    wall = np.maximum(force / (thickness * allowable), LEAST_EYE * pin)
-    discs = math.pi * (radius + pin / 2.0 + wall) ** 2 * (thickness + thinnest) * plate.fill
     sun, own, ring = tips
     chord = np.maximum(2.0 * (radius * math.sin(math.pi / planets) - own), 0.0)
+    plates = np.where(chord > 0.0, 2.0, 1.0)
+    thinnest = plate.ratio * face_width / plates
+    force, lever = np.maximum.reduce(forces), np.where(chord > 0.0, (face_width / 2.0 + thinnest) / 2.0, face_width)
+    needed = np.cbrt(16.0 * force * lever / (math.pi * allowable))
+    pin, force = needed / np.where(chord > 0.0, math.cbrt(1.0 - PIN_BORE**4), 1.0), force / plates
+    hub = 4.0 / (math.pi * _HUB**2) * math.cbrt(max(torque for torque, _ in loads) / allowable) if plate.turns else 0.0
+    thinnest = np.maximum(thinnest, force / (pin * allowable))
+    thickness = np.maximum(thinnest, hub)
+    wall = np.maximum(force / (np.where(chord > 0.0, thinnest, thickness) * allowable), LEAST_EYE * needed)
+    discs = math.pi * (radius + pin / 2.0 + wall) ** 2 * (thickness + thinnest) * plate.fill
     middle = radius * math.cos(math.pi / planets)
     outer = np.minimum(middle + BRIDGE * own, np.sqrt(np.maximum(ring**2 - chord**2 / 4.0, 0.0)))
     bridge = chord * np.maximum(outer - np.maximum(middle - BRIDGE * own, sun), 0.0)
-    posts = planets * face_width * (PIN_SHARE * math.pi / 4.0 * pin**2 + bridge)
+    section = np.where(chord > 0.0, 1.0 - PIN_BORE**2, 1.0) * math.pi / 4.0 * pin**2
+    posts = planets * face_width * (section + bridge)
     return np.asarray(plate.density * (posts + discs))

@@ -14,10 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import GEARBOX, Check, Kind, PartId, Role, not_assessed
+from gearwright.parts.planetary import BRIDGE, bridge_thickness
 from gearwright.sizing.casing import boss_bodies, cover_bodies, ring_seats
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.housing_shell import ball_around
-from gearwright.sizing.mass import BRIDGE, carried_in_walls, tooth_of
+from gearwright.sizing.mass import carried_in_walls, tooth_of
 from gearwright.sizing.places import axes_among, least_room, of_one_set, room_between, sphere_around
 from gearwright.sizing.result import Body, GearSizing, Point, Sizing, Station
 from gearwright.sizing.shaft_results import BuiltShaft, CarrierSizing, hub_bore_of
@@ -462,7 +463,7 @@ def _tip(gear: GearSizing) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 # Whether carriers go through their rings, and have room for bridges, which tie a second plate to the first.
 #
-# Sizing has pins that one plate holds; the complete mass counts a second plate and bridges. A planet of tip diameter
+# Where bridges can tie a second plate to the first, both share the force of the pins. A planet of tip diameter
 # d_a is put in through the window between two bridges, on the chord 2 r sin(π/N) of neighbouring pins. Half of the
 # torque crosses to the second plate: each bridge bends as a beam with both ends held, M = F L/2 with F = T/(2 N r).
 # ----------------------------------------------------------------------------------------------------------------------
@@ -524,8 +525,7 @@ def bridge_needed(sizing: Sizing, carrier: CarrierSizing, planet: GearSizing) ->
     """
     allowed = (sizing.design.shaft_material.yield_strength or math.inf) / sizing.design.shafting.safety
     force = carrier.torque / (2.0 * planet.bodies * carrier.radius)
-    moment, depth = force * planet.face_width / 2.0, BRIDGE * planet.pitch_diameter
-    return math.sqrt(6.0 * moment / (depth * allowed))
+    return bridge_thickness(force, planet.face_width, BRIDGE * planet.pitch_diameter, allowed)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

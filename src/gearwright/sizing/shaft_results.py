@@ -408,13 +408,21 @@ class CarrierSizing:
     pin_diameter: Annotated[
         float,
         Quantity("length"),
-        Origin("d³ = 32 (F b/2) / (π σ), at least the bearing's seat", f"{_THESIS}, §2.4, cantilever"),
+        Origin(
+            "d³ = 32 M/(π σ (1 − κ⁴)), M = F b/2, two plates F (b + 2 t)/8; at least the bearing's seat",
+            f"{_THESIS}, §2.4, cantilever; beam on two supports",
+        ),
     ]
     """Diameter of a pin [m]."""
     pin_stress: Annotated[
-        float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³ (1 − κ⁴))", f"{_THESIS}, §2.4, cantilever")
+        float,
+        Quantity("stress"),
+        Origin(
+            "σ = 32 M/(π d³ (1 − κ⁴)), M = F b/2, two plates F (b + 2 t)/8",
+            f"{_THESIS}, §2.4, cantilever; beam on two supports",
+        ),
     ]
-    """Bending stress at the root of a pin [Pa]."""
+    """Bending stress of a pin: at its root, or in its middle between two plates [Pa]."""
     pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing"), Endless()]
     """Allowable over actual stress of the pins [-]; ∞ where nothing loads them."""
     plate_thickness: Annotated[
@@ -426,14 +434,18 @@ class CarrierSizing:
     plate_margin: Annotated[float | None, Quantity("ratio"), Origin("R_p0.2 / (2 S) over the stress", "Tresca")]
     """Allowable over actual shear stress of the plate [-]; None on a carrier that stands still."""
     eye_wall: Annotated[
-        float, Quantity("length"), Origin("F = 2 w t τ; at least a quarter of a solid pin", "tear-out; estimate")
+        float,
+        Quantity("length"),
+        Origin("F = 2 w t τ, of two plates F/2; at least a quarter of a solid pin", "tear-out; estimate"),
     ]
     """Metal of the plate outside the holes for pins [m]."""
-    eye_stress: Annotated[float, Quantity("stress"), Origin("τ = F / (2 w t)", "tear-out along two planes")]
+    eye_stress: Annotated[
+        float, Quantity("stress"), Origin("τ = F / (2 w t), of two plates F/2", "tear-out along two planes")
+    ]
     """Shear stress of the plate outside the pin that is loaded most [Pa]."""
     eye_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / (2 S) over τ", "Tresca"), Endless()]
     """Allowable over actual shear stress outside that pin [-]; ∞ where nothing loads it."""
-    hole_pressure: Annotated[float, Quantity("stress"), Origin("p = F / (d_p t)", "projected area")]
+    hole_pressure: Annotated[float, Quantity("stress"), Origin("p = F / (d_p t), of two plates F/2", "projected area")]
     """Pressure of that pin in its hole [Pa]."""
     hole_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the pressure", "first sizing"), Endless()]
     """Allowable over actual pressure in that hole [-]; ∞ where nothing loads it."""
@@ -447,6 +459,10 @@ class CarrierSizing:
         float | None, Quantity("length"), Origin("1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8", "equal strength")
     ] = None
     """Bore of pins that are thicker than their strength asks [m]; None where they are solid."""
+    free_plate: Annotated[float | None, Quantity("length"), Origin("share of b/2; p = F/(2 d_p t)", "first sizing")] = (
+        None
+    )
+    """Thickness of a second plate that shares the force of the pins [m]; None where one plate bears all of it."""
 
     @property
     def part(self) -> PartId:

@@ -378,14 +378,18 @@ def pin_stiffness(sizing: Sizing, stage: str) -> float:
         sizing: What was sized.
         stage: Name of the planetary set.
 
-    Source: cantilever of round section of the shafts' steel, its force at the middle of the planet, k = 3 E I/(b/2)³.
+    Source: round section of the shafts' steel: of one plate a cantilever, its force at the middle of the planet,
+        k = 3 E I/(b/2)³; of two plates a beam on supports L = b + t apart with its force all along, k = 384 E I/(5 L³).
     """
     stated = sizing.design.planetaries[stage].bearings.pin
     if stated is not None:
         return stated
-    width, diameter = _planet(sizing, stage).face_width, _carrier(sizing, stage).pin_diameter
-    modulus = sizing.design.shaft_material.elastic_modulus
-    return 3.0 * modulus * math.pi / 64.0 * diameter**4 / (0.5 * width) ** 3
+    width, carrier = _planet(sizing, stage).face_width, _carrier(sizing, stage)
+    inertia = math.pi / 64.0 * (carrier.pin_diameter**4 - (carrier.pin_bore or 0.0) ** 4)
+    bent = sizing.design.shaft_material.elastic_modulus * inertia
+    if carrier.free_plate is not None:
+        return 384.0 / 5.0 * bent / (width + carrier.free_plate) ** 3
+    return 3.0 * bent / (0.5 * width) ** 3
 
 
 def _support(planetary: Planetary, name: Role | Kind) -> float:

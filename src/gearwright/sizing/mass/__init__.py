@@ -4,7 +4,6 @@ The mass of gears, shafts and carriers by which designs are chosen is `Sizing.ma
 """
 
 from gearwright.sizing.mass.bodies import (
-    BRIDGE,
     Bridge,
     Cage,
     Plate,
@@ -49,7 +48,6 @@ from gearwright.sizing.mass.record import (
 )
 
 __all__ = [
-    "BRIDGE",
     "GROUPS",
     "MOUNTS",
     "RIBS",

@@ -31,6 +31,7 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
+from gearwright.parts.planetary import BESIDE, BRIDGE
 from gearwright.sizing.bearing_seats import PlanetBody, Seat, bearing_seats, planet_bodies, seat_forces
 from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.gear_geometry import (
@@ -674,13 +675,6 @@ def _inwards(limits: tuple[float, float]) -> tuple[float, float]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-PIN_BORE = 0.6
-"""Bore of planet pins over their diameter [-], an estimate: held on both sides, a pin as thick as a cantilever one
-bears a quarter of the moment, for which a bore of 0.93 would do."""
-BRIDGE = 0.5
-"""Depth of a carrier's bridge over a planet's diameter [-], an estimate from drawings of two-plate carriers."""
-BESIDE = 1e-3
-"""Room between a bridge and each planet beside it [m], an assumption."""
 CLEAR = 1.08
 """Hole of a plate over a shaft that goes through it without being tied to it, an assumption [-]."""
 WIDEST = 0.8
@@ -757,7 +751,6 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
     """
     planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
     pins = {gear.shafts[0]: gear.bodies for gear in planets}
-    bore = PIN_BORE * carrier.pin_diameter if carrier.pin_bore is None else carrier.pin_bore
     bodies = plates_of(sizing, carrier.stage)
     fill = sizing.design.carriers.fill
     plates = tuple(Plate(body, plate_bore(sizing, body, runs), fill) for body in bodies)
@@ -766,8 +759,8 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
     ends = [end for body in bodies for end in along_body(bodies[0], body)]
     whole = (min(span[0], *ends), max(span[1], *ends))
     return Cage(
-        plates, span, whole, carrier.pin_diameter, carrier.eye_wall, bore, sum(pins.values()), bridge,
-        max(pins.values()),
+        plates, span, whole, carrier.pin_diameter, carrier.eye_wall, carrier.pin_bore or 0.0, sum(pins.values()),
+        bridge, max(pins.values()),
     )  # fmt: skip
 
 

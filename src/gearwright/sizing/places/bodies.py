@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from gearwright.sizing.rating import BACKUP, Context
 from gearwright.sizing.result import Arrangement, Body, Frame, GearSizing, Point, Sizing, Station
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, ShaftSizing
 from gearwright.sizing.shafts import cut_steps
-from gearwright.spec import GROUND
+from gearwright.spec import GROUND, Design
 
 # ----------------------------------------------------------------------------------------------------------------------
 # The envelopes of all parts at their places in space: gears, free stretches of shafts, bearings, carriers.
@@ -304,17 +304,51 @@ def _plates(sizing: Sizing) -> dict[str, tuple[Body, ...]]:
     return {stage: _plates_of(sizing, stage) for stage in sizing.design.sets}
 
 
-def _plates_of(sizing: Sizing, stage: str) -> tuple[Body, ...]:
+def _plates_of(standing: Standing, stage: str) -> tuple[Body, ...]:
     part = carrier_part(stage)
-    bodies = tuple(body for body in sizing.arrangement.bodies if body.part == part)
-    second, taken = _mirrored(sizing, bodies[0])
-    return bodies if len(bodies) > 1 or not _has_room(sizing, taken) else (*bodies, second)
+    bodies = tuple(body for body in standing.arrangement.bodies if body.part == part)
+    free = next(carrier.free_plate for carrier in standing.carriers if carrier.stage == stage)
+    second, taken = _mirrored(standing, bodies[0], free)
+    return bodies if len(bodies) > 1 or not _has_room(standing, taken) else (*bodies, second)
 
 
-def _mirrored(sizing: Sizing, plate: Body) -> tuple[Body, Body]:
+class Standing(Protocol):
+    """Gears and shafts that stand where they are."""
+
+    @property
+    def design(self) -> Design:
+        """What they are sized for."""
+
+    @property
+    def gears(self) -> tuple[GearSizing, ...]:
+        """As sized."""
+
+    @property
+    def shafts(self) -> tuple[ShaftSizing, ...]:
+        """As sized."""
+
+    @property
+    def carriers(self) -> tuple[CarrierSizing, ...]:
+        """As sized."""
+
+    @property
+    def arrangement(self) -> Arrangement:
+        """With bodies."""
+
+
+def roomy(standing: Standing) -> tuple[str, ...]:
+    """Return the sets that have a plate on both sides of their planets, or room for a second one.
+
+    Args:
+        standing: With a plate on one side at least.
+    """
+    return tuple(stage for stage in standing.design.sets if len(_plates_of(standing, stage)) > 1)
+
+
+def _mirrored(sizing: Standing, plate: Body, free: float | None) -> tuple[Body, Body]:
     """Return a plate as far from the planets as the first, as thick as one that takes no torque, and what it takes."""
     planets, (low, high) = _planets(sizing, plate)
-    thick = sizing.design.carriers.plate_ratio * max(gear.face_width for gear in planets)
+    thick = free or sizing.design.carriers.plate_ratio * max(gear.face_width for gear in planets)
     if low > 0.0:  # the first plate lies before the planets
         start = low + high - plate.length
         return _moved(plate, start, thick), _moved(plate, high, start + thick - high)
@@ -332,7 +366,7 @@ def planets_span(sizing: Sizing, plate: Body) -> tuple[float, float]:
     return _planets(sizing, plate)[1]
 
 
-def _planets(sizing: Sizing, plate: Body) -> tuple[list[GearSizing], tuple[float, float]]:
+def _planets(sizing: Standing, plate: Body) -> tuple[list[GearSizing], tuple[float, float]]:
     found = {gear.part: gear for gear in sizing.gears if gear.stage == plate.part.name and gear.role is Role.PLANET}
     spans = [along_body(plate, body) for body in sizing.arrangement.bodies if body.part in found]
     return list(found.values()), (min(span[0] for span in spans), max(span[1] for span in spans))
@@ -344,7 +378,7 @@ def _moved(plate: Body, start: float, length: float) -> Body:
     return replace(plate, origin=origin, stations=(Station(0.0, plate.radius), Station(length, plate.radius)), bore=0.0)
 
 
-def _has_room(sizing: Sizing, plate: Body) -> bool:
+def _has_room(sizing: Standing, plate: Body) -> bool:
     """Tell whether nothing but shafts in line, for which plates have a hole, stands where a plate would."""
     axis = plate.direction
     for body in (*sizing.arrangement.bodies, *_whole(sizing)):
@@ -365,7 +399,7 @@ def _cross(one: Sequence[float], other: Sequence[float]) -> tuple[float, float, 
     return b * z - c * y, c * x - a * z, a * y - b * x
 
 
-def _whole(sizing: Sizing) -> Iterator[Body]:
+def _whole(sizing: Standing) -> Iterator[Body]:
     """Yield shafts of a first sizing as long as they are sized, with what holds their ends."""
     for shaft in sizing.shafts:
         frame, radius = sizing.arrangement.frames[shaft.name], shaft.diameter / 2.0

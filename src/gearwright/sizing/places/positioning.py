@@ -15,7 +15,7 @@ from gearwright.base import GEARBOX, Check, DesignError, Kind, PartId, Role, sma
 from gearwright.sizing.arrangement import axles_in
 from gearwright.sizing.axis_order import Axle, best_way
 from gearwright.sizing.gear_geometry import cylindrical_gear, root_diameter
-from gearwright.sizing.places.bodies import Parts, placed
+from gearwright.sizing.places.bodies import Parts, placed, roomy
 from gearwright.sizing.places.frames import (
     CLAUSE,
     Room,
@@ -633,12 +633,28 @@ def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn,
     shafts, built = size_shafts(context, gears, bare)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
-    carriers = size_carriers(context, gears, shafts, bare.two_sided)
     by_name = {gear.name: gear for gear in gears}
     joints = [joint for shaft in built for joint in shaft.joints]
     rules = rules_of(context, by_name, [shaft.shaft.name for shaft in built], joints)
-    settled = Settled(replace(bare, turns=turns), shafts, tuple(built), carriers, rules)
-    return replace(settled, arrangement=placed(_parts(context, gears, settled)))
+    bare, room = replace(bare, turns=turns), tuple[str, ...]()
+    while True:  # plates that share are thinner, which leaves other sets room for a second one
+        carriers = size_carriers(context, gears, shafts, bare.two_sided, room)
+        settled = Settled(bare, shafts, tuple(built), carriers, rules)
+        settled = replace(settled, arrangement=placed(_parts(context, gears, settled)))
+        more = roomy(_Standing(context.design, gears, shafts, settled.arrangement, carriers))
+        if {*more} <= {*room}:
+            return settled
+        room = tuple(sorted({*room, *more}))
+
+
+class _Standing(NamedTuple):
+    """What has to be known to tell whether second plates have room."""
+
+    design: Design
+    gears: tuple[GearSizing, ...]
+    shafts: tuple[ShaftSizing, ...]
+    arrangement: Arrangement
+    carriers: tuple[CarrierSizing, ...]
 
 
 def _parts(context: Context, gears: tuple[GearSizing, ...], settled: Settled) -> Parts:

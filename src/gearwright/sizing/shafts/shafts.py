@@ -26,6 +26,10 @@ from gearwright.base import (
 )
 from gearwright.parts import Material
 from gearwright.parts.planetary import (
+    BESIDE,
+    BRIDGE,
+    PIN_BORE,
+    bridge_thickness,
     eye_stress,
     eye_wall,
     hole_pressure,
@@ -35,6 +39,7 @@ from gearwright.parts.planetary import (
     pin_stress,
     plate_mass,
     plate_shear_stress,
+    shared_lever,
 )
 from gearwright.parts.shafts import (
     shaft_diameter,
@@ -394,7 +399,14 @@ def carrier_checks(carrier: CarrierSizing) -> Iterator[Check]:
         carrier: As sized.
     """
     part, case = carrier.part, carrier.case
-    yield stressed(part, "pin bending", "cantilever", carrier.pin_stress, carrier.pin_margin, case=case)
+    yield stressed(
+        part,
+        "pin bending",
+        "cantilever" if carrier.free_plate is None else "beam on two supports",
+        carrier.pin_stress,
+        carrier.pin_margin,
+        case=case,
+    )
     yield stressed(part, "pin in its hole", "p = F/(d t)", carrier.hole_pressure, carrier.hole_margin, case=case)
     yield stressed(part, "eye shear", "tear-out, Tresca", carrier.eye_stress, carrier.eye_margin, case=case)
     if carrier.plate_margin is not None:
@@ -513,11 +525,13 @@ class _Asked(NamedTuple):
     """[N m]"""
     hub: float
     """Diameter of its shaft; 0 where it stands still [m]."""
+    plates: int = 1
+    """That share the force of a pin [-]."""
 
 
 def size_carriers(
     context: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...],
-    two_sided: tuple[str, ...] = (),
+    two_sided: tuple[str, ...] = (), roomy: tuple[str, ...] = (),
 ) -> tuple[CarrierSizing, ...]:  # fmt: skip
     """Return the carrier of every planetary set.
 
@@ -526,18 +540,23 @@ def size_carriers(
         gears: From `size_gears`.
         shafts: From `size_shafts`.
         two_sided: Sets with a plate on both sides.
+        roomy: Sets with room for a second plate beyond their planets; it shares the force where bridges tie it.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    simple = [_carrier(context, name, by_name, diameters) for name in context.design.planetaries]
-    compound = [_compound(context, name, by_name, diameters) for name in context.design.epicyclics]
+    beyond = {*two_sided, *roomy}
+    simple = [_carrier(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.planetaries]
+    compound = [
+        _compound(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.epicyclics
+    ]
     return tuple(
-        _twice(context, carrier) if carrier.stage in two_sided else carrier for carrier in (*simple, *compound)
+        _twice(context, carrier) if carrier.stage in two_sided and carrier.free_plate is None else carrier
+        for carrier in (*simple, *compound)
     )
 
 
 def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
-    """Return a carrier with a second plate on the other side of its planets; its pins stay as they are."""
+    """Return a carrier with a second plate, on which its shaft goes on; its pins are as they were sized."""
     given, reach = context.given, carrier.reach
     more = plate_mass(
         reach, carrier.plate_thickness, shaft_material(context).density, fill=context.design.carriers.fill
@@ -550,29 +569,46 @@ def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
 
 
 def _carrier(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
 ) -> CarrierSizing:
-    """Return the carrier of a simple set."""
+    """Return the carrier of a simple set, with two plates where a second one has room and bridges can tie it."""
     planet, radius = gears[str(gear_part(name, Role.PLANET))], pin_circle(context, name, gears)
     torques = _torques(context, name)
     loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
     pins = {str(Role.PLANET): _pins_of(planet, radius)}
     count = context.design.planetaries[name].planets
     asked = _Asked(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
+    if beyond and _has_bridges(context, planet, radius, asked):
+        asked = asked._replace(plates=2)
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
 
 
 def _compound(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
 ) -> CarrierSizing:
-    """Return the carrier of a compound set."""
+    """Return the carrier of a compound set, with two plates as a simple one where it has one planet in a row."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
     pins = {
         body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in set_pins(context, name, own).items()
     }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
     asked = _Asked(stage.sets, torque, diameters.get(stage.carrier, 0.0))
+    planets = [own[step] for step in stage.planets]
+    if beyond and len(planets) == 1 and _has_bridges(context, planets[0], pins[planets[0].own].radius, asked):
+        asked = asked._replace(plates=2)
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
+
+
+def _has_bridges(context: Context, planet: GearSizing, radius: float, asked: _Asked) -> bool:
+    """Tell whether planets leave room for bridges that carry half of the torque to a second plate."""
+    if asked.equal < 2:
+        return False
+    tip = external_tooth(context.design, planet).tip_radius
+    room = 2.0 * (radius * math.sin(math.pi / asked.equal) - tip - BESIDE)
+    allowed = (shaft_material(context).yield_strength or math.inf) / context.design.shafting.safety
+    return room >= bridge_thickness(
+        asked.torque / (2.0 * asked.equal * radius), planet.face_width, BRIDGE * planet.pitch_diameter, allowed
+    )
 
 
 def _room(context: Context, name: str, gears: Mapping[str, GearSizing]) -> float:
@@ -599,24 +635,29 @@ def _sized(
     allowable = (material.yield_strength or 0.0) / rules.safety
     worst, pulled = largest(loads, lambda load: load.pin * load.lever), largest(loads, lambda load: load.pin).pin
     length, outermost = pins[worst.body].length, max(equal.radius for equal in pins.values())
-    needed = pin_diameter(worst.pin, worst.lever, allowable)
-    pin = given.get(f"{name}.pin_diameter", max(needed, pins[worst.body].seat))
-    bore = pin_bore(pin, needed) if pins[worst.body].seat else 0.0
+    lever, shared = worst.lever, asked.plates > 1
+    if shared:
+        pulled, lever = pulled / 2.0, shared_lever(length, rules.plate_ratio * length / 2.0)
+    needed = pin_diameter(worst.pin, lever, allowable)
+    hollow = needed / math.cbrt(1.0 - PIN_BORE**4) if shared else needed
+    pin = given.get(f"{name}.pin_diameter", max(hollow, pins[worst.body].seat))
+    bore = pin_bore(pin, needed) if pins[worst.body].seat or shared else 0.0
     room = room - outermost - pin / 2.0
-    thinnest = max(rules.plate_ratio * length, pulled / (pin * allowable))
-    thickness = _thickness(thinnest, torque, hub, allowable=allowable)
-    if room > 0.0:  # where the ring leaves less metal outside the pins, the plate is thicker
-        thickness = max(thickness, pulled / (room * allowable))
-    thickness = given.get(f"{name}.plate_thickness", thickness)
-    wall = eye_wall(pulled, thickness, allowable / 2.0, needed=needed)
+    thinnest = max(rules.plate_ratio * length / asked.plates, pulled / (pin * allowable))
+    if room > 0.0:  # where the ring leaves less metal outside the pins, plates are thicker
+        thinnest = max(thinnest, pulled / (room * allowable))
+    thickness = given.get(f"{name}.plate_thickness", _thickness(thinnest, torque, hub, allowable=allowable))
+    least = min(thinnest, thickness) if shared else thickness
+    wall = eye_wall(pulled, least, allowable / 2.0, needed=needed)
     wall = given.get(f"{name}.eye_wall", room if 0.0 < room < wall else wall)
-    bending = pin_stress(worst.pin, worst.lever, pin, bore=bore)
+    bending = pin_stress(worst.pin, lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    torn, pressed = eye_stress(pulled, thickness, wall), hole_pressure(pulled, pin, thickness)
+    torn, pressed = eye_stress(pulled, least, wall), hole_pressure(pulled, pin, least)
     count = asked.equal
     masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
     reach = outermost + pin / 2.0 + wall
-    plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
+    together = thickness + least if shared else thickness
+    plate = plate_mass(reach, together, material.density, fill=rules.fill)
     about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
     part = carrier_part(name)
     return CarrierSizing(
@@ -644,6 +685,7 @@ def _sized(
         reach=reach,
         mass=given.get(f"{part}.mass", sum(masses.values()) + plate),
         inertia=given.get(f"{part}.inertia", about + plate * reach**2 / 2.0),
+        free_plate=least if shared else None,
     )
 
 
