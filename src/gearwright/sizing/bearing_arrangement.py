@@ -157,7 +157,7 @@ def core_of(items: Sequence[Item]) -> Core | None:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Option(NamedTuple):
+class BearingPair(NamedTuple):
     """Kinds of the bearings of a shaft."""
 
     first: tuple[str, str]
@@ -169,11 +169,11 @@ class Option(NamedTuple):
 
 
 OPTIONS = (
-    Option(("deep-groove", "both"), ("cylindrical", "none")),
-    Option(("cylindrical", "none"), ("deep-groove", "both")),
-    Option(("taper", "first"), ("taper", "second")),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), FIRST),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), SECOND),
+    BearingPair(("deep-groove", "both"), ("cylindrical", "none")),
+    BearingPair(("cylindrical", "none"), ("deep-groove", "both")),
+    BearingPair(("taper", "first"), ("taper", "second")),
+    BearingPair(("cylindrical", "none"), ("cylindrical", "none"), FIRST),
+    BearingPair(("cylindrical", "none"), ("cylindrical", "none"), SECOND),
 )
 """Arrangements of locating and floating bearings that are tried for every shaft."""
 AXIAL = ("four-point", "both")
@@ -249,7 +249,7 @@ class Line:
         return FIRST if kinds[0] == "machine" else SECOND if kinds[-1] == "machine" else ""
 
 
-def plan_with(line: Line, option: Option, widths: Mapping[str, float], bores: Mapping[str, float]) -> ShaftPlan:
+def plan_with(line: Line, option: BearingPair, widths: Mapping[str, float], bores: Mapping[str, float]) -> ShaftPlan:
     """Return a shaft with bearings: its length, and where everything on it stands, in whole millimetres.
 
     Args:
@@ -353,7 +353,7 @@ class Stood(NamedTuple):
     """A shaft in bearings."""
 
     line: Line
-    option: Option
+    option: BearingPair
     plan: ShaftPlan
     built: Built
     failing: tuple[Check, ...]
@@ -405,7 +405,7 @@ def _bores(design: Design, shaft: str) -> tuple[float | None, ...]:
     return BORES if is_open else (None,)
 
 
-def _with(sizing: Sizing, context: Context, line: Line, option: Option, axes: Mapping[str, complex]) -> Stood:
+def _with(sizing: Sizing, context: Context, line: Line, option: BearingPair, axes: Mapping[str, complex]) -> Stood:
     """Return a shaft in bearings of some kinds, which stand as their widths ask for."""
     widths, bores, found = dict[str, float](), dict[str, float](), None
     for _ in range(ROUNDS):
@@ -428,7 +428,7 @@ def _with(sizing: Sizing, context: Context, line: Line, option: Option, axes: Ma
 
 
 def _built(
-    sizing: Sizing, context: Context, line: Line, option: Option, plan: ShaftPlan, axes: Mapping[str, complex]
+    sizing: Sizing, context: Context, line: Line, option: BearingPair, plan: ShaftPlan, axes: Mapping[str, complex]
 ) -> Stood:
     """Return a shaft with its bearings at given places."""
     gears, design = {gear.name: gear for gear in sizing.gears}, context.design

@@ -504,7 +504,7 @@ class _Pins(NamedTuple):
     """Mass of inner rings on one [kg]."""
 
 
-class _Asked(NamedTuple):
+class _CarrierDuty(NamedTuple):
     """What a carrier has to bear, and on what."""
 
     equal: int
@@ -558,7 +558,7 @@ def _carrier(
     loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
     pins = {str(Role.PLANET): _pins_of(planet, radius)}
     count = context.design.planetaries[name].planets
-    asked = _Asked(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
+    asked = _CarrierDuty(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
 
 
@@ -571,7 +571,7 @@ def _compound(
         body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in set_pins(context, name, own).items()
     }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
-    asked = _Asked(stage.sets, torque, diameters.get(stage.carrier, 0.0))
+    asked = _CarrierDuty(stage.sets, torque, diameters.get(stage.carrier, 0.0))
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
 
 
@@ -591,7 +591,13 @@ def _pins_of(planet: GearSizing, radius: float) -> _Pins:
 
 
 def _sized(
-    context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad], *, asked: _Asked, room: float
+    context: Context,
+    name: str,
+    pins: Mapping[str, _Pins],
+    loads: Sequence[PinLoad],
+    *,
+    asked: _CarrierDuty,
+    room: float,
 ) -> CarrierSizing:
     """Return a carrier with equal pins, as strong as the one that is loaded most needs."""
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
